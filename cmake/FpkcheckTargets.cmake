@@ -1,0 +1,30 @@
+# One CMake library per folder. A folder's headers are visible only to the targets that link it: each
+# library exports one directory that contains nothing but a link to its own folder, so that
+# `#include "fd_fpk/operator.hpp"` compiles only where the link line allows it.
+add_library(fpkcheck_flags INTERFACE)
+target_compile_options(fpkcheck_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                                -Wno-sign-conversion)
+if(FPKCHECK_WARNINGS_AS_ERRORS)
+  target_compile_options(fpkcheck_flags INTERFACE -Werror)
+endif()
+if(FPKCHECK_SANITIZE)
+  target_compile_options(fpkcheck_flags INTERFACE -fsanitize=address,undefined
+                                                  -fno-omit-frame-pointer)
+  target_link_options(fpkcheck_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# fpkcheck_library(NAME SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
+#   USES      folders of this project that the folder may use (their headers become visible)
+#   EXTERNAL  third-party targets that appear in its headers
+#   INTERNAL  third-party targets that appear in its sources only
+function(fpkcheck_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
+  add_library(fpkcheck_${name} STATIC ${arg_SOURCES})
+  set(view "${PROJECT_BINARY_DIR}/include/${name}")
+  file(MAKE_DIRECTORY "${view}")
+  file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${view}/${name}" SYMBOLIC)
+  target_include_directories(fpkcheck_${name} PUBLIC "${view}")
+  list(TRANSFORM arg_USES PREPEND fpkcheck_)
+  target_link_libraries(fpkcheck_${name} PUBLIC ${arg_USES} ${arg_EXTERNAL}
+                                         PRIVATE ${arg_INTERNAL} fpkcheck_flags)
+endfunction()

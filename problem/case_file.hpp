@@ -1,0 +1,22 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problem/problem.hpp"
+
+namespace fpkcheck::problem {
+
+/// Reads a case: a name ("case1" .. "case4") or the path of an ini file.
+/// @param overrides "key=value" pairs that replace what the file says, e.g. "system.cubic=1.0"
+/// @throws InputError on one line: the key, the value, the file and what is allowed
+Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {});
+
+/// As load_case, from a stream.
+/// @param source how messages name the stream
+Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
+                  const std::vector<std::string>& overrides = {});
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,27 @@
+#include "problem/energy_balance.hpp"
+
+namespace fpkcheck::problem {
+
+std::string_view name(Impact impact) {
+  switch (impact) {
+    case Impact::map:
+      return "map";
+    case Impact::delta:
+      return "delta";
+    case Impact::exact:
+      return "exact";
+  }
+  return "";
+}
+
+double energy_residual(const Problem& problem, Impact impact, const EnergyTerms& terms) {
+  const double r = problem.system.restitution();
+  const double kappa = impact == Impact::delta ? 1 - r : (1 - r * r) / 2;
+  const double input =
+      problem.impulses.rate_moment(2) / 2 + problem.impulses.rate_moment(1) * terms.mean_velocity;
+  const double dissipated = problem.system.damping() * terms.mean_square_velocity +
+                            kappa * terms.impact_energy_flux;
+  return (input - dissipated) / input;
+}
+
+}  // namespace fpkcheck::problem

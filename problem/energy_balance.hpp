@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string_view>
+
+#include "problem/problem.hpp"
+
+namespace fpkcheck::problem {
+
+/// How the impact enters a density equation.
+enum class Impact {
+  map,    ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
+  delta,  ///< paper (12): (1-r) x2 |x2| delta(x1), taken on the upstream side
+  exact   ///< the trajectory itself is reflected, paper (2)
+};
+
+/// The impact's name in summaries: "map", "delta", "exact".
+std::string_view name(Impact impact);
+
+/// What the stationary energy balance needs to know of a density on the physical half-plane.
+struct EnergyTerms {
+  double mean_velocity;          ///< E[y']
+  double mean_square_velocity;   ///< E[y'^2]
+  double impact_energy_flux;     ///< int_{v<0} |v|^3 p(0, v) dv
+};
+
+/// Residual of the balance of power, relative to the input,
+///
+///     lambda E[Y^2]/2 + lambda E[Y] E[v] = c E[v^2] + kappa int_{v<0} |v|^3 p(0,v) dv,
+///
+/// kappa = (1-r^2)/2, or 1-r for Impact::delta. Zero for an exact stationary density of any of the
+/// equations `white`, `km4`, `kf`: the energy is quadratic in v, so only E[Y] and E[Y^2] enter.
+double energy_residual(const Problem& problem, Impact impact, const EnergyTerms& terms);
+
+}  // namespace fpkcheck::problem

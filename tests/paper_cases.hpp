@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "problem/problem.hpp"
+
+/// Problems that the tests share.
+namespace fpkcheck::tests {
+
+struct Parameters {
+  double damping = 0.1, stiffness = 1.0, cubic = 0.1, restitution = 0.98;
+  double rate = 1.0, intensity = 0.1, mean = 0.0;
+};
+
+/// By default the paper's case 1.
+inline problem::Problem make_problem(const Parameters& p = {}) {
+  return {"test",
+          problem::System({.damping = p.damping,
+                           .stiffness = p.stiffness,
+                           .cubic = p.cubic,
+                           .restitution = p.restitution}),
+          problem::ImpulseTrain({.arrival_rate = p.rate,
+                                 .law = "gaussian",
+                                 .intensity = p.intensity,
+                                 .mean = p.mean})};
+}
+
+/// The paper's Table 1, number = 1 .. 4.
+inline problem::Problem paper_case(int number) {
+  return make_problem({.cubic = number <= 2 ? 0.1 : 1.0, .intensity = number % 2 ? 0.1 : 1.0});
+}
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,90 @@
+#include "problem/case_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "problem/input_error.hpp"
+#include "problem/named_cases.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+Problem read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  std::istringstream ini(text);
+  return read_case(ini, "a", "a.ini", overrides);
+}
+
+std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    read(text, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+const std::string kGood =
+    "[system]\ndamping = 0.1 ; c\nstiffness = 2 # k\ncubic = 0.3\nrestitution = 0.9\n"
+    "[impulse]\nrate = 4\nlaw = gaussian\nintensity = 0.5\n";
+
+TEST(CaseFile, ReadsEveryKeyAndBothKindsOfComment) {
+  const Problem p = read(kGood + "mean = 0.1\n");
+  EXPECT_EQ(p.system.damping(), 0.1);
+  EXPECT_EQ(p.system.stiffness(), 2.0);
+  EXPECT_EQ(p.system.cubic(), 0.3);
+  EXPECT_EQ(p.system.restitution(), 0.9);
+  EXPECT_EQ(p.impulses.arrival_rate(), 4.0);
+  EXPECT_NEAR(p.impulses.intensity(), 0.5, 1e-15);
+  EXPECT_EQ(p.impulses.law().moment(1), 0.1);
+}
+
+TEST(CaseFile, MeanDefaultsToZero) { EXPECT_EQ(read(kGood).impulses.law().moment(1), 0.0); }
+
+TEST(CaseFile, OverridesReplaceAndComplete) {
+  EXPECT_EQ(read(kGood, {"system.cubic=7", "system.cubic=8"}).system.cubic(), 8.0);
+  EXPECT_EQ(read("[system]\n" + kGood.substr(kGood.find("stiffness")), {"system.damping=0.2"})
+                .system.damping(),
+            0.2);
+}
+
+TEST(CaseFile, NamesTheKeyTheValueAndTheFileInOneLine) {
+  const std::string out_of_range = message(kGood, {"system.restitution=1.5"});
+  EXPECT_NE(out_of_range.find("system.restitution = 1.5"), std::string::npos) << out_of_range;
+  EXPECT_NE(out_of_range.find("a.ini"), std::string::npos) << out_of_range;
+  EXPECT_NE(message(kGood + "colour = red\n").find("unknown key 'impulse.colour'"), std::string::npos);
+  EXPECT_NE(message("[system]\ndamping = 1\n").find("'system.stiffness' is missing"), std::string::npos);
+  EXPECT_NE(message(kGood, {"system.cubic=lots"}).find("system.cubic = 'lots'"), std::string::npos);
+  EXPECT_NE(message(kGood, {"system.cubic=1.0x"}).find("not a number"), std::string::npos);
+  EXPECT_NE(message(kGood, {"system.cubic"}).find("not key=value"), std::string::npos);
+  EXPECT_NE(message(kGood, {"cubic=1"}).find("unknown key 'cubic'"), std::string::npos);
+  EXPECT_NE(message(kGood + "rate = 5\n").find("given twice"), std::string::npos);
+  EXPECT_NE(message("what is this").find("a.ini"), std::string::npos);
+}
+
+TEST(CaseFile, NoSuchCaseListsTheNamedOnes) {
+  try {
+    load_case("case9");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("case1, case2, case3, case4"), std::string::npos);
+  }
+}
+
+TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
+  ASSERT_EQ(named_cases().size(), 4u);
+  const double cubic[] = {0.1, 0.1, 1.0, 1.0};
+  const double intensity[] = {0.1, 1.0, 0.1, 1.0};
+  for (int n = 0; n < 4; ++n) {
+    const Problem p = load_case(named_cases()[n].name);
+    EXPECT_EQ(p.system.damping(), 0.1);
+    EXPECT_EQ(p.system.stiffness(), 1.0);
+    EXPECT_EQ(p.system.restitution(), 0.98);
+    EXPECT_EQ(p.system.cubic(), cubic[n]);
+    EXPECT_EQ(p.impulses.arrival_rate(), 1.0);
+    EXPECT_NEAR(p.impulses.intensity(), intensity[n], 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem

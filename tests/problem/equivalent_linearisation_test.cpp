@@ -1,0 +1,38 @@
+#include "problem/equivalent_linearisation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+TEST(EquivalentLinearisation, MeetsItsOwnEquations) {
+  for (int n = 1; n <= 4; ++n) {
+    const Problem p = tests::paper_case(n);
+    const auto [c_eq, k_eq, s1, s2] = equivalent_linearisation(p);
+    EXPECT_NEAR(c_eq, 0.1 + 0.02 * 2 / std::numbers::pi * s2 / s1, 1e-14);
+    EXPECT_NEAR(k_eq, 1 + 3 * p.system.cubic() * s1 * s1, 1e-13);
+    EXPECT_NEAR(s2 * s2, p.impulses.intensity() / (2 * c_eq), 1e-13);
+    EXPECT_NEAR(s1 * std::sqrt(k_eq), s2, 1e-14);
+  }
+}
+
+TEST(EquivalentLinearisation, GivesTheFiguresOfTheTrialRunsForCase1) {
+  const auto linear = equivalent_linearisation(tests::paper_case(1));
+  EXPECT_NEAR(linear.displacement_deviation, 0.627757, 5e-7);
+  EXPECT_NEAR(linear.velocity_deviation, 0.663829, 5e-7);
+}
+
+TEST(EquivalentLinearisation, IsExactForTheElasticLinearOscillator) {
+  const auto linear =
+      equivalent_linearisation(tests::make_problem({.stiffness = 4, .cubic = 0, .restitution = 1}));
+  EXPECT_NEAR(linear.velocity_deviation, std::sqrt(0.1 / 0.2), 1e-15);
+  EXPECT_NEAR(linear.displacement_deviation, std::sqrt(0.5) / 2, 1e-15);
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem

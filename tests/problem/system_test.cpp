@@ -1,0 +1,48 @@
+#include "problem/system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+constexpr SystemCoefficients kGood{.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.98};
+
+template <class Change>
+void expect_refused(Change change, const std::string& key) {
+  SystemCoefficients bad = kGood;
+  change(bad);
+  try {
+    System{bad};
+    FAIL() << "accepted a bad " << key;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("system." + key), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+TEST(System, RefusesEachCoefficientOutOfItsRangeByName) {
+  expect_refused([](auto& c) { c.damping = 0; }, "damping");
+  expect_refused([](auto& c) { c.damping = -0.1; }, "damping");
+  expect_refused([](auto& c) { c.damping = std::numeric_limits<double>::quiet_NaN(); }, "damping");
+  expect_refused([](auto& c) { c.stiffness = -1; }, "stiffness");
+  expect_refused([](auto& c) { c.stiffness = c.cubic = 0; }, "stiffness");
+  expect_refused([](auto& c) { c.cubic = -0.1; }, "cubic");
+  expect_refused([](auto& c) { c.restitution = 0; }, "restitution");
+  expect_refused([](auto& c) { c.restitution = 1.0001; }, "restitution");
+}
+
+TEST(System, AcceptsTheEndsOfTheRanges) {
+  EXPECT_NO_THROW(System({.damping = 0.1, .stiffness = 1, .cubic = 0, .restitution = 1}));
+  EXPECT_NO_THROW(System({.damping = 0.1, .stiffness = 0, .cubic = 1, .restitution = 0.01}));
+}
+
+TEST(System, RestoringForceIsLinearPlusCubic) {
+  EXPECT_DOUBLE_EQ(System(kGood).restoring_force(2.0), 2.0 + 0.1 * 8.0);
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem

@@ -1,0 +1,59 @@
+#include "transform/zhuravlev.hpp"
+
+#include "transform/marginal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace fpkcheck::transform {
+namespace {
+
+// Two correlated bells, without any symmetry: N(m, 1) x N(a z, 1).
+PlaneDensity skewed() {
+  return {[](double x1, double x2) {
+            const double u = x1 - 0.4, w = x2 - 0.5 * x1;
+            return std::exp(-(u * u + w * w) / 2) / (2 * std::numbers::pi);
+          },
+          9.0, 12.0};
+}
+
+TEST(Zhuravlev, FoldsPointByPointThroughTheOrigin) {
+  const PlaneDensity plane = skewed();
+  const SmoothDensity folded = physical_density(plane);
+  EXPECT_DOUBLE_EQ(folded.value(0.7, -0.3), plane.value(0.7, -0.3) + plane.value(-0.7, 0.3));
+}
+
+TEST(Zhuravlev, KeepsMassAndSecondMomentsOfTheUnfoldedPlane) {
+  const SmoothDensity folded = physical_density(skewed());
+  EXPECT_NEAR(expectation(folded, [](double, double) { return 1.0; }), 1.0, 1e-9);
+  const Moments m = moments(folded);
+  // y^2 = z^2 and y'^2 = z'^2; y y' = z z'.
+  EXPECT_NEAR(m.y2, 1 + 0.16, 1e-8);
+  EXPECT_NEAR(m.v2, 1 + 0.25 * 1.16, 1e-8);
+  EXPECT_NEAR(expectation(folded, [](double y, double v) { return y * v; }), 0.5 * 1.16, 1e-8);
+}
+
+TEST(Zhuravlev, DisplacementMarginalIsTheSumOfBothBranches) {
+  const std::vector<double> edges{0.5, 0.52};
+  const Marginal p = marginal(physical_density(skewed()), Variable::y, edges);
+  const auto bell = [](double u) { return std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi); };
+  EXPECT_NEAR(p.density[0], bell(0.51 - 0.4) + bell(-0.51 - 0.4), 1e-4);
+}
+
+TEST(Zhuravlev, VelocityMarginalIsPaperEquation34) {
+  const std::vector<double> edges{-0.81, -0.79};
+  const PlaneDensity plane = skewed();
+  const Marginal p = marginal(physical_density(plane), Variable::ydot, edges);
+  double expected = 0;
+  const int n = 40000;
+  for (int i = 0; i < n; ++i) {
+    const double z = 9.0 * (i + 0.5) / n;
+    expected += (plane.value(z, -0.8) + plane.value(-z, 0.8)) * 9.0 / n;
+  }
+  EXPECT_NEAR(p.density[0], expected, 1e-4);
+}
+
+}  // namespace
+}  // namespace fpkcheck::transform

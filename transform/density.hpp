@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <variant>
+#include <vector>
+
+/// Joint densities of (y, y') on the physical half-plane y >= 0. Every solver's result takes one of
+/// these two forms; all are normalised to 1 over the half-plane.
+namespace fpkcheck::transform {
+
+/// Averages over rectilinear cells (finite differences, histograms).
+struct GridDensity {
+  std::vector<double> y_edges;   ///< ny + 1 increasing edges, the first one 0
+  std::vector<double> v_edges;   ///< nv + 1 increasing edges
+  std::vector<double> averages;  ///< row-major, shape (ny, nv)
+
+  std::size_t ny() const { return y_edges.size() - 1; }
+  std::size_t nv() const { return v_edges.size() - 1; }
+  double average(std::size_t i, std::size_t j) const { return averages[i * nv() + j]; }
+};
+
+/// A function given pointwise, zero outside [0, y_max] x [-v_max, v_max].
+struct SmoothDensity {
+  std::function<double(double y, double v)> value;
+  double y_max;
+  double v_max;
+};
+
+using Density = std::variant<GridDensity, SmoothDensity>;
+
+/// Moments of y and y'.
+struct Moments {
+  double y1 = 0, y2 = 0, y4 = 0;  ///< E[y], E[y^2], E[y^4]
+  double v1 = 0, v2 = 0, v4 = 0;  ///< E[y'], E[y'^2], E[y'^4]
+};
+
+/// Integral of g(y, v) p(y, v) over the support, by composite Gauss-Legendre panels on
+/// [0, y_max] x [-v_max, 0] x [0, v_max].
+double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g);
+
+/// int_{v<0} |v|^power p(0, v) dv: power 1 gives the impact rate, 3 twice the energy flux of paper (2).
+double impact_flux(const SmoothDensity& density, int power);
+
+/// The moments of a density that integrates to 1.
+Moments moments(const SmoothDensity& density);
+
+/// Sum of cell masses: 1 for a normalised density.
+double mass(const GridDensity& density);
+
+}  // namespace fpkcheck::transform

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "transform/density.hpp"
+
+namespace fpkcheck::transform {
+
+enum class Variable { y, ydot };
+
+/// The variable's name in tables and files: "y", "ydot".
+std::string_view name(Variable variable);
+
+/// A marginal density as averages over bins, so that densities given on cells, by a histogram or by
+/// a function are compared like with like.
+struct Marginal {
+  std::vector<double> edges;    ///< n + 1 increasing bin edges
+  std::vector<double> density;  ///< n bin averages
+  std::vector<double> lower;    ///< n lower ends of 95 % intervals, or empty
+  std::vector<double> upper;    ///< n upper ends, or empty
+
+  std::size_t size() const { return density.size(); }
+  double centre(std::size_t b) const { return (edges[b] + edges[b + 1]) / 2; }
+  double width(std::size_t b) const { return edges[b + 1] - edges[b]; }
+};
+
+/// The marginal of y, paper (30), or of y', paper (34), averaged over the bins given by `edges`.
+/// A grid density is integrated exactly to the cumulative distribution on its own edges, which is
+/// then interpolated between them by a polynomial of degree 7; where the edges coincide nothing is
+/// interpolated.
+Marginal marginal(const Density& density, Variable variable, std::span<const double> edges);
+
+}  // namespace fpkcheck::transform
