@@ -19,16 +19,16 @@ namespace {
 
 namespace po = boost::program_options;
 
-const std::vector<std::string> kKeys{"system.damping", "system.stiffness",   "system.cubic",
-                                     "system.restitution", "impulse.rate",   "impulse.law",
+const std::vector<std::string> kKeys{"system.damping",     "system.stiffness", "system.cubic",
+                                     "system.restitution", "impulse.rate",     "impulse.law",
                                      "impulse.intensity",  "impulse.mean"};
 // The only key with a default: the paper's impulses have zero mean.
 constexpr const char* kDefaultMean = "0";
 
 void require_known(const std::string& key, const std::string& where) {
   if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
-    throw InputError(fmt::format("{}: unknown key '{}' (known keys: {})", where, key,
-                                 fmt::join(kKeys, ", ")));
+    throw InputError(
+        fmt::format("{}: unknown key '{}' (known keys: {})", where, key, fmt::join(kKeys, ", ")));
   }
 }
 
@@ -54,7 +54,8 @@ Values parse_file(std::istream& ini, const std::string& where) {
       require_known(option.string_key, where);
       const std::string value = option.value.empty() ? "" : option.value.front();
       if (!values.emplace(option.string_key, value).second) {
-        throw InputError(fmt::format("{}: key '{}' is given twice (keep one)", where, option.string_key));
+        throw InputError(
+            fmt::format("{}: key '{}' is given twice (keep one)", where, option.string_key));
       }
     }
   } catch (const po::error& error) {
@@ -68,7 +69,8 @@ void apply(const std::vector<std::string>& overrides, Values& values) {
   for (const auto& pair : overrides) {
     const auto equals = pair.find('=');
     if (equals == std::string::npos) {
-      throw InputError(fmt::format("--set {} (not key=value; write e.g. --set system.cubic=1.0)", pair));
+      throw InputError(
+          fmt::format("--set {} (not key=value; write e.g. --set system.cubic=1.0)", pair));
     }
     const std::string key = pair.substr(0, equals);
     require_known(key, "--set");
@@ -97,15 +99,16 @@ Problem read_case(std::istream& ini, const std::string& name, std::string_view s
   values.emplace("impulse.mean", kDefaultMean);
   for (const auto& key : kKeys) {
     if (!values.contains(key)) {
-      throw InputError(fmt::format("{}: key '{}' is missing (add it, or give --set {}=VALUE)", where,
-                                   key, key));
+      throw InputError(
+          fmt::format("{}: key '{}' is missing (add it, or give --set {}=VALUE)", where, key, key));
     }
   }
   try {
-    return {name, System({.damping = number(values, "system.damping"),
-                          .stiffness = number(values, "system.stiffness"),
-                          .cubic = number(values, "system.cubic"),
-                          .restitution = number(values, "system.restitution")}),
+    return {name,
+            System({.damping = number(values, "system.damping"),
+                    .stiffness = number(values, "system.stiffness"),
+                    .cubic = number(values, "system.cubic"),
+                    .restitution = number(values, "system.restitution")}),
             ImpulseTrain({.arrival_rate = number(values, "impulse.rate"),
                           .law = values.at("impulse.law"),
                           .intensity = number(values, "impulse.intensity"),

@@ -19,8 +19,8 @@ double energy_residual(const Problem& problem, Impact impact, const EnergyTerms&
   const double kappa = impact == Impact::delta ? 1 - r : (1 - r * r) / 2;
   const double input =
       problem.impulses.rate_moment(2) / 2 + problem.impulses.rate_moment(1) * terms.mean_velocity;
-  const double dissipated = problem.system.damping() * terms.mean_square_velocity +
-                            kappa * terms.impact_energy_flux;
+  const double dissipated =
+      problem.system.damping() * terms.mean_square_velocity + kappa * terms.impact_energy_flux;
   return (input - dissipated) / input;
 }
 

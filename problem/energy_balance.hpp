@@ -18,9 +18,9 @@ std::string_view name(Impact impact);
 
 /// What the stationary energy balance needs to know of a density on the physical half-plane.
 struct EnergyTerms {
-  double mean_velocity;          ///< E[y']
-  double mean_square_velocity;   ///< E[y'^2]
-  double impact_energy_flux;     ///< int_{v<0} |v|^3 p(0, v) dv
+  double mean_velocity;         ///< E[y']
+  double mean_square_velocity;  ///< E[y'^2]
+  double impact_energy_flux;    ///< int_{v<0} |v|^3 p(0, v) dv
 };
 
 /// Residual of the balance of power, relative to the input,

@@ -9,7 +9,9 @@ namespace fpkcheck::problem {
 EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   const System& system = problem.system;
   const double d2 = problem.impulses.intensity() / 2;
-  const auto stiffness = [&](double s1) { return system.stiffness() + 3 * system.cubic() * s1 * s1; };
+  const auto stiffness = [&](double s1) {
+    return system.stiffness() + 3 * system.cubic() * s1 * s1;
+  };
   const auto damping = [&](double k_eq) {
     // sigma_2 / sigma_1 = sqrt(k_eq)
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);

@@ -3,7 +3,8 @@
 #include "problem/problem.hpp"
 
 /// Exact results for the stationary response, to test the solvers against. Each applies to r = 1,
-/// where the impact conserves energy and (y, y') = (|z|, z' sgn z) of the oscillator without a wall.
+/// where the impact conserves energy and (y, y') = (|z|, z' sgn z) of the oscillator without a
+/// wall.
 namespace fpkcheck::problem::exact {
 
 /// White noise of intensity 2 D2 and r = 1: in the (z, z') plane
@@ -32,7 +33,8 @@ class WhiteNoiseDensity {
 /// @throws InputError when the restitution is not 1
 double mean_square_velocity(const Problem& problem);
 
-/// Cumulants of (z, z') for the linear oscillator (mu = 0, c^2 < 4k) with r = 1 and a symmetric law,
+/// Cumulants of (z, z') for the linear oscillator (mu = 0, c^2 < 4k) with r = 1 and a symmetric
+/// law,
 ///
 ///     kappa(z^p z'^q) = lambda E[Y^(p+q)] int_0^inf h(t)^p h'(t)^q dt,
 ///     h(t) = exp(-ct/2) sin(wt)/w,   w = sqrt(k - c^2/4).

@@ -14,15 +14,14 @@ struct Parameters {
 
 /// By default the paper's case 1.
 inline problem::Problem make_problem(const Parameters& p = {}) {
-  return {"test",
-          problem::System({.damping = p.damping,
-                           .stiffness = p.stiffness,
-                           .cubic = p.cubic,
-                           .restitution = p.restitution}),
-          problem::ImpulseTrain({.arrival_rate = p.rate,
-                                 .law = "gaussian",
-                                 .intensity = p.intensity,
-                                 .mean = p.mean})};
+  return {
+      "test",
+      problem::System({.damping = p.damping,
+                       .stiffness = p.stiffness,
+                       .cubic = p.cubic,
+                       .restitution = p.restitution}),
+      problem::ImpulseTrain(
+          {.arrival_rate = p.rate, .law = "gaussian", .intensity = p.intensity, .mean = p.mean})};
 }
 
 /// The paper's Table 1, number = 1 .. 4.

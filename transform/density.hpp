@@ -39,7 +39,8 @@ struct Moments {
 /// [0, y_max] x [-v_max, 0] x [0, v_max].
 double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g);
 
-/// int_{v<0} |v|^power p(0, v) dv: power 1 gives the impact rate, 3 twice the energy flux of paper (2).
+/// int_{v<0} |v|^power p(0, v) dv: power 1 gives the impact rate, 3 twice the energy flux of paper
+/// (2).
 double impact_flux(const SmoothDensity& density, int power);
 
 /// The moments of a density that integrates to 1.

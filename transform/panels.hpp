@@ -10,7 +10,8 @@ auto integrate_panels(const Function& f, double a, double b, int panels) {
   const double width = (b - a) / panels;
   auto sum = decltype(f(a)){};
   for (int k = 0; k < panels; ++k) {
-    sum += boost::math::quadrature::gauss<double, 10>::integrate(f, a + k * width, a + (k + 1) * width);
+    sum += boost::math::quadrature::gauss<double, 10>::integrate(f, a + k * width,
+                                                                 a + (k + 1) * width);
   }
   return sum;
 }

@@ -52,8 +52,10 @@ TEST(CaseFile, NamesTheKeyTheValueAndTheFileInOneLine) {
   const std::string out_of_range = message(kGood, {"system.restitution=1.5"});
   EXPECT_NE(out_of_range.find("system.restitution = 1.5"), std::string::npos) << out_of_range;
   EXPECT_NE(out_of_range.find("a.ini"), std::string::npos) << out_of_range;
-  EXPECT_NE(message(kGood + "colour = red\n").find("unknown key 'impulse.colour'"), std::string::npos);
-  EXPECT_NE(message("[system]\ndamping = 1\n").find("'system.stiffness' is missing"), std::string::npos);
+  EXPECT_NE(message(kGood + "colour = red\n").find("unknown key 'impulse.colour'"),
+            std::string::npos);
+  EXPECT_NE(message("[system]\ndamping = 1\n").find("'system.stiffness' is missing"),
+            std::string::npos);
   EXPECT_NE(message(kGood, {"system.cubic=lots"}).find("system.cubic = 'lots'"), std::string::npos);
   EXPECT_NE(message(kGood, {"system.cubic=1.0x"}).find("not a number"), std::string::npos);
   EXPECT_NE(message(kGood, {"system.cubic"}).find("not key=value"), std::string::npos);

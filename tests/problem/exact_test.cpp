@@ -15,9 +15,10 @@ namespace {
 TEST(Exact, WhiteNoiseDensityIsNormalisedAndSolvesTheEquation) {
   const Problem p = tests::make_problem({.cubic = 0.5, .restitution = 1});
   const exact::WhiteNoiseDensity density(p);
-  EXPECT_NEAR(tests::trapezoid([&](double x) { return density.displacement_marginal(std::abs(x)) / 2; },
-                               -6, 6, 600),
-              1.0, 1e-12);
+  EXPECT_NEAR(
+      tests::trapezoid([&](double x) { return density.displacement_marginal(std::abs(x)) / 2; }, -6,
+                       6, 600),
+      1.0, 1e-12);
   // -x2 p_1 + d/dx2[(c x2 + k x1 + mu x1^3) p] + D2 p_22 = 0, by central differences.
   const double h = 1e-3, d2 = p.impulses.intensity() / 2, x1 = 0.6, x2 = -0.4;
   const auto drift = [&](double u) {
@@ -33,17 +34,19 @@ TEST(Exact, WhiteNoiseDensityIsNormalisedAndSolvesTheEquation) {
 TEST(Exact, WhiteNoiseDensityKeepsTheEnergyBalance) {
   const Problem p = tests::make_problem({.restitution = 1});
   const exact::WhiteNoiseDensity density(p);
-  const double v2 = tests::trapezoid(
-      [&](double v) { return v * v * density.velocity_marginal(v); }, -9, 9, 400);
+  const double v2 =
+      tests::trapezoid([&](double v) { return v * v * density.velocity_marginal(v); }, -9, 9, 400);
   EXPECT_NEAR(v2, exact::mean_square_velocity(p), 1e-12);
-  EXPECT_NEAR(energy_residual(p, Impact::map,
-                              {.mean_velocity = 0, .mean_square_velocity = v2, .impact_energy_flux = 3}),
-              0.0, 1e-12);
+  EXPECT_NEAR(
+      energy_residual(p, Impact::map,
+                      {.mean_velocity = 0, .mean_square_velocity = v2, .impact_energy_flux = 3}),
+      0.0, 1e-12);
 }
 
 TEST(Exact, EnergyResidualCountsTheImpactAccordingToItsKind) {
   const Problem p = tests::make_problem({.restitution = 0.8});
-  const EnergyTerms terms{.mean_velocity = 0, .mean_square_velocity = 0.3, .impact_energy_flux = 0.05};
+  const EnergyTerms terms{
+      .mean_velocity = 0, .mean_square_velocity = 0.3, .impact_energy_flux = 0.05};
   // input 0.05; map: 0.03 + 0.18 * 0.05; delta: 0.03 + 0.2 * 0.05
   EXPECT_NEAR(energy_residual(p, Impact::map, terms), (0.05 - 0.039) / 0.05, 1e-14);
   EXPECT_NEAR(energy_residual(p, Impact::exact, terms), (0.05 - 0.039) / 0.05, 1e-14);

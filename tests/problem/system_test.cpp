@@ -9,7 +9,8 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr SystemCoefficients kGood{.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.98};
+constexpr SystemCoefficients kGood{
+    .damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.98};
 
 template <class Change>
 void expect_refused(Change change, const std::string& key) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "fd_fpk/grid.hpp"
+#include "fd_fpk/options.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// The box in which the density is sought.
+struct Box {
+  double x1_max;
+  double x2_max;
+};
+
+/// The grid and the excitation on it. The velocity step divides the equation's own length (the jump
+/// lattice of `kf`, the regularisation length of `km4`), so the two are chosen together.
+struct Discretisation {
+  Grid grid;
+  Excitation excitation;
+  double regularisation_length = 0;  ///< l of km4 as used, else 0
+  double jump_spacing = 0;           ///< d of kf as used, else 0
+};
+
+/// Cells of about 1/6 (x2) and 1/5 (x1) of a deviation of equivalent linearisation, unless the
+/// options set their number.
+Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
+
+/// What the options say of the box, else seven deviations of equivalent linearisation.
+Box initial_box(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,56 @@
+#include "fd_fpk/klu.hpp"
+
+#include <klu.h>
+
+#include <stdexcept>
+
+namespace fpkcheck::fd_fpk {
+
+// KLU takes SuiteSparse_long indices; SparseColumns stores std::int64_t.
+static_assert(sizeof(SuiteSparse_long) == sizeof(SparseColumns::StorageIndex));
+
+struct KluFactorisation::Handles {
+  klu_l_common common{};
+  klu_l_symbolic* symbolic = nullptr;
+  klu_l_numeric* numeric = nullptr;
+
+  Handles() { klu_l_defaults(&common); }
+  ~Handles() {
+    klu_l_free_numeric(&numeric, &common);
+    klu_l_free_symbolic(&symbolic, &common);
+  }
+  Handles(const Handles&) = delete;
+  Handles& operator=(const Handles&) = delete;
+};
+
+KluFactorisation::KluFactorisation(const SparseColumns& matrix)
+    : handles_(std::make_unique<Handles>()) {
+  // KLU's interface is not const-correct; it only reads the three arrays.
+  auto* columns = reinterpret_cast<SuiteSparse_long*>(
+      const_cast<SparseColumns::StorageIndex*>(matrix.outerIndexPtr()));
+  auto* rows = reinterpret_cast<SuiteSparse_long*>(
+      const_cast<SparseColumns::StorageIndex*>(matrix.innerIndexPtr()));
+  auto* values = const_cast<double*>(matrix.valuePtr());
+  auto& [common, symbolic, numeric] = *handles_;
+  symbolic = klu_l_analyze(matrix.cols(), columns, rows, &common);
+  if (symbolic != nullptr) numeric = klu_l_factor(columns, rows, values, symbolic, &common);
+}
+
+KluFactorisation::~KluFactorisation() = default;
+KluFactorisation::KluFactorisation(KluFactorisation&&) noexcept = default;
+KluFactorisation& KluFactorisation::operator=(KluFactorisation&&) noexcept = default;
+
+bool KluFactorisation::succeeded() const {
+  return handles_->numeric != nullptr && handles_->common.status == KLU_OK;
+}
+
+void KluFactorisation::solve_in_place(Eigen::VectorXd& b) const {
+  auto& [common, symbolic, numeric] = *handles_;
+  if (numeric == nullptr || !klu_l_solve(symbolic, numeric, b.size(), 1, b.data(), &common)) {
+    throw std::logic_error("KLU solve without a factorisation");
+  }
+}
+
+long KluFactorisation::entries() const { return handles_->numeric->lnz + handles_->numeric->unz; }
+
+}  // namespace fpkcheck::fd_fpk

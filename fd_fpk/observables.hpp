@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "fd_fpk/grid.hpp"
+#include "problem/energy_balance.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// E[y^n], E[y'^n] from cell averages, with the same order as the operator.
+transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order);
+
+/// int_{v<0} |v|^power p(0, v) dv from the extrapolation to the wall that the operator uses;
+/// power >= 1: 1 is the impact rate, 3 enters the energy balance.
+double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power);
+
+/// Cell averages of the density of equivalent linearisation on the half-plane, mass 1: the start of
+/// the march and of the inverse iteration.
+Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem);
+
+}  // namespace fpkcheck::fd_fpk

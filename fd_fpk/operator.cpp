@@ -1,0 +1,127 @@
+#include "fd_fpk/operator.hpp"
+
+#include <Eigen/Sparse>
+#include <unsupported/Eigen/KroneckerProduct>
+
+#include "fd_fpk/impact_map.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// A acts on x1, B on x2; the index of a cell is i nv + j.
+SparseColumns tensor(const LineOperator& a, const LineOperator& b) {
+  return SparseColumns(LineOperator(Eigen::kroneckerProduct(a, b)));
+}
+
+LineOperator identity(int n) {
+  LineOperator matrix(n, n);
+  matrix.setIdentity();
+  return matrix;
+}
+
+// The single entry `value` at (row, column).
+LineOperator entry(int rows, int columns, int row, int column, double value) {
+  LineOperator matrix(rows, columns);
+  matrix.insert(row, column) = value;
+  return matrix;
+}
+
+int even_points(int order) { return order + order % 2; }
+
+// Rows first .. first+count-1 of `matrix` in place, all others empty.
+LineOperator rows_only(const LineOperator& matrix, int first, int count) {
+  LineOperator mask(matrix.rows(), matrix.rows());
+  for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
+  return mask * matrix;
+}
+
+// -d/dx1 (x2 p) by fluxes through the inner faces of x1.
+SparseColumns streaming(const Grid& grid, int order) {
+  const UniformLine x1 = grid.x1();
+  const LineOperator speed = weighted_averages(grid.x2(), weighting_points(order), {0.0, 1.0});
+  const int half = grid.nv / 2;
+  const LineOperator rightwards = divergence(x1) * face_values(x1, order, Bias::left);
+  const LineOperator leftwards = divergence(x1) * face_values(x1, order, Bias::right);
+  return -(tensor(rightwards, rows_only(speed, half, half)) +
+           tensor(leftwards, rows_only(speed, 0, half)));
+}
+
+// Outgoing probability leaves the first column of cells at x2 < 0 and returns to it at x2 > 0.
+SparseColumns impact(const Grid& grid, double restitution, int order) {
+  const int half = grid.nv / 2;
+  LineOperator exchange(grid.nv, half);  // from speed cells to velocity cells
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int b = 0; b < half; ++b) entries.emplace_back(half - 1 - b, b, -1.0);
+    const LineOperator returned = impact_map(half, restitution, order);
+    for (int a = 0; a < half; ++a) {
+      for (LineOperator::InnerIterator e(returned, a); e; ++e) {
+        entries.emplace_back(half + a, e.col(), e.value());
+      }
+    }
+    exchange.setFromTriplets(entries.begin(), entries.end());
+  }
+  const LineOperator into_first_column = entry(grid.nx, 1, 0, 0, 1 / grid.x1().step);
+  return tensor(into_first_column, exchange) * SparseColumns(wall_flux(grid, order));
+}
+
+// d/dx2 [ (c x2 + k x1 + mu x1^3) p ] by fluxes through the inner faces of x2.
+SparseColumns damping_and_restoring_force(const problem::System& system, const Grid& grid,
+                                          int order) {
+  const UniformLine x2 = grid.x2();
+  const LineOperator values = face_values(x2, even_points(order), Bias::left);
+  LineOperator velocity(grid.nv + 1, grid.nv + 1);
+  for (int f = 0; f <= grid.nv; ++f) velocity.insert(f, f) = system.damping() * x2.face(f);
+  const LineOperator force = weighted_averages(grid.x1(), weighting_points(order),
+                                               {0.0, system.stiffness(), 0.0, system.cubic()});
+  const LineOperator damping = divergence(x2) * LineOperator(velocity * values);
+  return tensor(identity(grid.nx), damping) + tensor(force, divergence(x2) * values);
+}
+
+// What turns the centred x2 transport of an odd order into the upwind-biased one. With the velocity
+// a = -(c x2 + k x1 + mu x1^3) the flux a p, p taken from upstream, is
+//     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
+// and the first part is the centred flux of the next even order.
+SparseColumns upwinding(const problem::System& system, const Grid& grid, int order) {
+  const UniformLine x1 = grid.x1();
+  const UniformLine x2 = grid.x2();
+  const LineOperator half_jump =
+      0.5 * (face_values(x2, order, Bias::left) - face_values(x2, order, Bias::right));
+  Eigen::VectorXd speed(grid.nx * (grid.nv + 1));
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int f = 0; f <= grid.nv; ++f) {
+      speed(i * (grid.nv + 1) + f) =
+          std::abs(system.damping() * x2.face(f) + system.restoring_force(x1.centre(i)));
+    }
+  }
+  const LineOperator columns = identity(grid.nx);
+  return -(tensor(columns, divergence(x2)) *
+           SparseColumns(speed.asDiagonal() * tensor(columns, half_jump)));
+}
+
+}  // namespace
+
+LineOperator wall_flux(const Grid& grid, int order) {
+  const int half = grid.nv / 2;
+  // On the wall the density jumps at x2 = 0: stencils stay on the outgoing side.
+  const LineOperator speed =
+      weighted_averages(grid.x2(), weighting_points(order), {0.0, -1.0}, half);
+  LineOperator reversed(half, grid.nv);  // speed cell b is velocity cell half - 1 - b
+  for (int b = 0; b < half; ++b) reversed.insert(b, half - 1 - b) = 1.0;
+  return Eigen::kroneckerProduct(end_value(grid.x1(), order), LineOperator(reversed * speed))
+      .eval();
+}
+
+SparseColumns fokker_planck_operator(const problem::System& system, const Excitation& excitation,
+                                     const Grid& grid, int order) {
+  SparseColumns matrix =
+      streaming(grid, order) + impact(grid, system.restitution(), order) +
+      damping_and_restoring_force(system, grid, order) +
+      tensor(identity(grid.nx), excitation_operator(grid.x2(), excitation, even_points(order)));
+  if (order % 2 == 1) matrix += upwinding(system, grid, order);
+  matrix.prune(0.0);
+  matrix.makeCompressed();
+  return matrix;
+}
+
+}  // namespace fpkcheck::fd_fpk

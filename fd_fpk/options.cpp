@@ -1,0 +1,56 @@
+#include "fd_fpk/options.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// A line needs room for the one-sided stencils on either side of x2 = 0.
+constexpr int kSmallestLine = 16;
+constexpr int kLargestLine = 2000;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw InputError(message);
+}
+
+void require_positive(const std::optional<double>& value, std::string_view option) {
+  require(!value || (std::isfinite(*value) && *value > 0),
+          fmt::format("{} = {} (must be a positive number)", option, value.value_or(0)));
+}
+
+void require_cells(const std::optional<int>& cells, std::string_view option) {
+  require(!cells || (*cells >= kSmallestLine && *cells <= kLargestLine),
+          fmt::format("{} = {} (must be between {} and {} cells)", option, cells.value_or(0),
+                      kSmallestLine, kLargestLine));
+}
+
+}  // namespace
+
+std::string_view name(Stepper stepper) { return stepper == Stepper::cvode ? "cvode" : "direct"; }
+
+void validate(const Options& options) {
+  require(options.order >= 2 && options.order <= 8,
+          fmt::format("finite-difference order {} (must be 2 .. 8)", options.order));
+  require_cells(options.nx, "nx");
+  require_cells(options.nv, "nv");
+  require(
+      !options.nv || *options.nv % 2 == 0,
+      fmt::format("nv = {} (must be even: x2 = 0 lies between two cells)", options.nv.value_or(0)));
+  require_positive(options.x1_max, "x1-max");
+  require_positive(options.x2_max, "x2-max");
+  require(!options.regularisation_length || options.equation == Equation::km4,
+          fmt::format("regularisation length with equation {} (only km4 has one: leave it out)",
+                      name(options.equation)));
+  require(!options.regularisation_length || (std::isfinite(*options.regularisation_length) &&
+                                             *options.regularisation_length >= 0),
+          fmt::format("regularisation length {} (must be positive, or 0 for the literal scheme)",
+                      options.regularisation_length.value_or(0)));
+  require(std::isfinite(options.residual_tolerance) && options.residual_tolerance > 0,
+          fmt::format("residual tolerance {} (must be positive)", options.residual_tolerance));
+}
+
+}  // namespace fpkcheck::fd_fpk

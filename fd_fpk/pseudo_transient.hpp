@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "fd_fpk/operator.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// How the march to stationarity went.
+struct March {
+  Eigen::VectorXd averages;  ///< the last density reached
+  bool stationary = false;   ///< the residual asked for was reached
+  std::string reason;        ///< why not, with CVODE's own message
+  double residual = 0;       ///< stationarity_residual of `averages`
+  long steps = 0;            ///< CVODE's internal steps
+  long factorisations = 0;   ///< KLU factorisations of I - gamma L
+  long rhs_evaluations = 0;  ///< products L P asked for by CVODE
+};
+
+/// Steps dP/dt = L P from `start` until ||L P||_1 <= tolerance ||P||_1, with SUNDIALS CVODE: BDF of
+/// order 1 (L-stable: the eigenvalues of the turning oscillator lie close to the imaginary axis,
+/// where higher orders creep), loose local errors, steps that grow by up to 100,
+/// SUNLinearSolver_KLU and the analytic sparse Jacobian, L itself. Only the residual is judged,
+/// never CVODE's step size.
+///
+/// @param longest_step bound on CVODE's step
+/// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
+March march_to_stationarity(const SparseColumns& matrix, const Eigen::VectorXd& start,
+                            double tolerance, double longest_step);
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,201 @@
+#include "fd_fpk/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "fd_fpk/discretisation.hpp"
+#include "fd_fpk/null_vector.hpp"
+#include "fd_fpk/observables.hpp"
+#include "fd_fpk/operator.hpp"
+#include "fd_fpk/pseudo_transient.hpp"
+#include "fd_fpk/well_posedness.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+
+// Density on the wall, relative to the peak, above which an automatic box is widened, and above
+// which no box is accepted.
+constexpr double kNegligible = 1e-6;
+constexpr double kTooMuch = 1e-3;
+// Longest CVODE step in units of 1/c. Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma
+// ||L||.
+constexpr double kLongestStep = 300;
+
+// An operator on its grid with its null vector, empty when KLU broke down.
+struct DirectSolution {
+  Discretisation discretisation;
+  SparseColumns matrix;
+  std::optional<Eigen::VectorXd> averages;
+};
+
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
+                              const Box& box) {
+  Discretisation discretisation = discretise(problem, options, box);
+  const Grid& grid = discretisation.grid;
+  SparseColumns matrix =
+      fokker_planck_operator(problem.system, discretisation.excitation, grid, options.order);
+  auto averages = null_vector(matrix, grid, gaussian_start(grid, problem));
+  return {std::move(discretisation), std::move(matrix), std::move(averages)};
+}
+
+// The direct solution in a box whose walls carry no density, as far as the options leave it free.
+DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options) {
+  constexpr double kWidening = 1.25;
+  Box box = initial_box(problem, options);
+  WallDensity last{HUGE_VAL, HUGE_VAL};
+  while (true) {
+    DirectSolution direct = solve_directly(problem, options, box);
+    if (!direct.averages) return direct;
+    const WallDensity wall = wall_density(direct.discretisation.grid, *direct.averages);
+    // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
+    const bool widen_x1 = !options.x1_max && wall.x1 > kNegligible && wall.x1 < last.x1 / 2;
+    const bool widen_x2 = !options.x2_max && wall.x2 > kNegligible && wall.x2 < last.x2 / 2;
+    if (!widen_x1 && !widen_x2) return direct;
+    if (widen_x1) box.x1_max *= kWidening;
+    if (widen_x2) box.x2_max *= kWidening;
+    last = wall;
+  }
+}
+
+// True when the excitation as discretised grows; fills in what to say of it.
+bool grows(const problem::ImpulseTrain& impulses, const Discretisation& discretisation, int order,
+           Result& result) {
+  const double step = discretisation.grid.x2().step;
+  const auto [rate, wavenumber] =
+      largest_growth(discretisation.excitation, step, order + order % 2);
+  result.summary.growth_rate = rate;
+  result.summary.growth_wavenumber = wavenumber;
+  if (rate <= 1e-9 * impulses.arrival_rate()) return false;
+  result.solution.status = Status::ill_posed;
+  result.solution.reason = fmt::format(
+      "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
+      "the "
+      "fourth difference over {:.3g} (use a regularisation length of at least {:.3g}; the default "
+      "is "
+      "{:.3g})",
+      rate, wavenumber, discretisation.regularisation_length,
+      shortest_regularisation_length(impulses.law()),
+      default_regularisation_length(impulses.law()));
+  return true;
+}
+
+// The density by the chosen stepper; empty when there is none. Fills in the status.
+std::optional<Eigen::VectorXd> stationary_density(const DirectSolution& direct,
+                                                  const problem::Problem& problem,
+                                                  const Options& options, Result& result) {
+  auto& [solution, summary] = result;
+  if (!direct.averages) {
+    solution.status = Status::failed;
+    solution.reason = "KLU found the operator singular beyond its null vector (refine the grid)";
+    return std::nullopt;
+  }
+  if (options.stepper == Stepper::direct) {
+    summary.factorisations = 1;
+    summary.residual = stationarity_residual(direct.matrix, *direct.averages);
+    const bool stationary = summary.residual <= options.residual_tolerance;
+    solution.status = stationary ? Status::ok : Status::not_converged;
+    if (!stationary) {
+      solution.reason = fmt::format("residual {:.1e} after inverse iteration, {:.1e} was asked for",
+                                    summary.residual, options.residual_tolerance);
+    }
+    return direct.averages;
+  }
+  March march =
+      march_to_stationarity(direct.matrix, gaussian_start(direct.discretisation.grid, problem),
+                            options.residual_tolerance, kLongestStep / problem.system.damping());
+  summary.steps = march.steps;
+  summary.factorisations = march.factorisations;
+  summary.rhs_evaluations = march.rhs_evaluations;
+  summary.residual = march.residual;
+  summary.stepped_against_direct =
+      (march.averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
+  solution.status = march.stationary ? Status::ok : Status::not_converged;
+  solution.reason = march.reason;
+  if (!march.averages.allFinite()) return std::nullopt;
+  return std::move(march.averages);
+}
+
+void require_empty_walls(const Grid& grid, Result& result) {
+  auto& [solution, summary] = result;
+  const auto& wall = summary.wall;
+  if (solution.status != Status::ok || (wall.x1 <= kTooMuch && wall.x2 <= kTooMuch)) return;
+  solution.status = Status::failed;
+  solution.reason = fmt::format(
+      "the box y <= {:.3g}, |y'| <= {:.3g} is too small: the density on its wall is {:.1e} of the "
+      "peak "
+      "(widen it)",
+      grid.x1_max, grid.x2_max, std::max(wall.x1, wall.x2));
+}
+
+void observe(const problem::Problem& problem, const Grid& grid, const Eigen::VectorXd& averages,
+             int order, Result& result) {
+  auto& [solution, summary] = result;
+  solution.density = grid_density(grid, averages);
+  solution.moments = moments(grid, averages, order);
+  solution.mass = averages.sum() * grid.cell_area();
+  solution.min_density = averages.minCoeff() / averages.maxCoeff();
+  summary.wall = wall_density(grid, averages);
+  summary.impact_rate = impact_flux(grid, averages, order, 1);
+  solution.energy_residual =
+      problem::energy_residual(problem, solution.impact,
+                               {.mean_velocity = solution.moments.v1,
+                                .mean_square_velocity = solution.moments.v2,
+                                .impact_energy_flux = impact_flux(grid, averages, order, 3)});
+}
+
+double largest_column_sum(const SparseColumns& matrix) {
+  return (Eigen::RowVectorXd::Ones(matrix.rows()) * matrix).cwiseAbs().maxCoeff();
+}
+
+void describe(const Discretisation& discretisation, Summary& summary) {
+  const Grid& grid = discretisation.grid;
+  summary.nx = grid.nx;
+  summary.nv = grid.nv;
+  summary.x1_max = grid.x1_max;
+  summary.x2_max = grid.x2_max;
+  summary.regularisation_length = discretisation.regularisation_length;
+  summary.jump_spacing = discretisation.jump_spacing;
+}
+
+Result solve_untimed(const problem::Problem& problem, const Options& options) {
+  Result result;
+  auto& [solution, summary] = result;
+  solution.id = fmt::format("fd-{}", name(options.equation));
+  solution.method = "fd";
+  solution.equation = name(options.equation);
+  solution.impact = problem::Impact::map;
+
+  // Growth depends on the velocity step alone, so it is judged before anything is solved.
+  const auto first = discretise(problem, options, initial_box(problem, options));
+  describe(first, summary);
+  if (grows(problem.impulses, first, options.order, result)) return result;
+
+  const DirectSolution direct = solve_in_wide_enough_box(problem, options);
+  describe(direct.discretisation, summary);
+  summary.nonzeros = direct.matrix.nonZeros();
+  summary.column_sum = largest_column_sum(direct.matrix);
+  const auto density = stationary_density(direct, problem, options, result);
+  if (density) {
+    const Grid& grid = direct.discretisation.grid;
+    observe(problem, grid, *density, options.order, result);
+    require_empty_walls(grid, result);
+  }
+  return result;
+}
+
+}  // namespace
+
+Result solve(const problem::Problem& problem, const Options& options) {
+  validate(options);
+  const auto begin = std::chrono::steady_clock::now();
+  Result result = solve_untimed(problem, options);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  result.solution.seconds = elapsed.count();
+  return result;
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fd_fpk/options.hpp"
+#include "fd_fpk/summary.hpp"
+#include "problem/problem.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+struct Result {
+  transform::Solution solution;  ///< density as transform::GridDensity
+  Summary summary;
+};
+
+/// The stationary density of the (generalised) Fokker-Planck-Kolmogorov equation, paper (15), by
+/// finite volumes of high order on the point-symmetric half of the (z, z') plane with the exact
+/// impact map.
+///
+/// Status: `ok`; `ill_posed` when the discrete excitation grows (the literal km4 on a fine grid: it
+/// is not stepped); `not_converged` when the residual asked for is not reached; `failed` when the
+/// box is too small or KLU breaks down.
+/// @throws InputError when the options cannot be used
+Result solve(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::fd_fpk

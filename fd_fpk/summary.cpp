@@ -1,0 +1,47 @@
+#include "fd_fpk/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+template <class T>
+nlohmann::ordered_json or_null(const std::optional<T>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const Summary& summary) {
+  return {{"nx", summary.nx},
+          {"nv", summary.nv},
+          {"x1_max", summary.x1_max},
+          {"x2_max", summary.x2_max},
+          {"nonzeros", summary.nonzeros},
+          {"column_sum", summary.column_sum},
+          {"steps", summary.steps},
+          {"factorisations", summary.factorisations},
+          {"rhs_evaluations", summary.rhs_evaluations},
+          {"residual", summary.residual},
+          {"stepped_against_direct", summary.stepped_against_direct},
+          {"regularisation_length", summary.regularisation_length},
+          {"jump_spacing", summary.jump_spacing},
+          {"growth_rate", summary.growth_rate},
+          {"growth_wavenumber", summary.growth_wavenumber},
+          {"wall_density", {{"y", summary.wall.x1}, {"ydot", summary.wall.x2}}},
+          {"impact_rate", summary.impact_rate}};
+}
+
+nlohmann::ordered_json to_json(const Options& options) {
+  return {{"equation", name(options.equation)},
+          {"stepper", name(options.stepper)},
+          {"order", options.order},
+          {"nx", or_null(options.nx)},
+          {"nv", or_null(options.nv)},
+          {"x1_max", or_null(options.x1_max)},
+          {"x2_max", or_null(options.x2_max)},
+          {"regularisation_length", or_null(options.regularisation_length)},
+          {"residual_tolerance", options.residual_tolerance}};
+}
+
+}  // namespace fpkcheck::fd_fpk

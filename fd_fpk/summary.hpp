@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "fd_fpk/grid.hpp"
+#include "fd_fpk/options.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// What a run of the solver reports beyond its density.
+struct Summary {
+  int nx = 0;
+  int nv = 0;
+  double x1_max = 0;
+  double x2_max = 0;
+  long nonzeros = 0;        ///< of the operator
+  double column_sum = 0;    ///< largest |column sum| of the operator: a leak of mass
+  long steps = 0;           ///< of CVODE; 0 for the direct solve
+  long factorisations = 0;  ///< KLU factorisations on the final grid
+  long rhs_evaluations = 0;
+  double residual = 0;  ///< ||L P||_1 / ||P||_1, per unit time
+  double stepped_against_direct =
+      0;  ///< max |difference| / max density; 0 for the direct solve alone
+  double regularisation_length = 0;  ///< l of km4, else 0
+  double jump_spacing = 0;           ///< d of kf, else 0
+  double growth_rate = 0;  ///< largest real part of the excitation's symbol (> 0: ill-posed)
+  double growth_wavenumber = 0;
+  WallDensity wall{0, 0};  ///< density on the outer walls relative to the peak
+  double impact_rate = 0;  ///< impacts per unit time, int_{v<0} |v| p(0, v) dv
+};
+
+/// The fields of summary.json that are this method's own.
+nlohmann::ordered_json to_json(const Summary& summary);
+
+/// The options as asked for; null where automatic.
+nlohmann::ordered_json to_json(const Options& options);
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,214 @@
+#include "fd_fpk/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "paper_cases.hpp"
+#include "problem/exact.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+using transform::Variable;
+
+Options direct(Equation equation) { return {.equation = equation, .stepper = Stepper::direct}; }
+
+std::vector<double> uniform(double a, double b, int n) {
+  std::vector<double> edges;
+  for (int k = 0; k <= n; ++k) edges.push_back(a + (b - a) * k / n);
+  return edges;
+}
+
+double l1(const transform::Marginal& a, const transform::Marginal& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += std::abs(a.density[i] - b.density[i]) * a.width(i);
+  return sum;
+}
+
+TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
+  const auto p = tests::make_problem({.restitution = 1});
+  const problem::exact::WhiteNoiseDensity exact(p);
+  const auto y_edges = uniform(0, 4, 50), v_edges = uniform(-4, 4, 80);
+  const auto error = [&](int cells) {
+    Options options = direct(Equation::white);
+    options.nx = cells;
+    options.nv = 2 * cells;
+    options.x1_max = 4.6;
+    options.x2_max = 5.0;
+    const auto solution = solve(p, options).solution;
+    EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+    double sum = 0;
+    for (const auto variable : {Variable::y, Variable::ydot}) {
+      const auto& edges = variable == Variable::y ? y_edges : v_edges;
+      const auto m = marginal(solution, variable, edges);
+      for (std::size_t b = 0; b < m.size(); ++b) {
+        // Average of the exact density over the bin, by Simpson's rule.
+        const auto density = [&](double x) {
+          return variable == Variable::y ? exact.displacement_marginal(x)
+                                         : exact.velocity_marginal(x);
+        };
+        const double average =
+            (density(edges[b]) + 4 * density(m.centre(b)) + density(edges[b + 1])) / 6;
+        sum += std::abs(m.density[b] - average) * m.width(b);
+      }
+    }
+    return sum;
+  };
+  const double coarse = error(24), middle = error(34), fine = error(48);
+  const double ratio = std::log(std::sqrt(2.0));
+  for (const double observed :
+       {std::log(coarse / middle) / ratio, std::log(middle / fine) / ratio}) {
+    EXPECT_GT(observed, 4.5) << coarse << " " << middle << " " << fine;
+    EXPECT_LT(observed, 6.5) << coarse << " " << middle << " " << fine;
+  }
+  EXPECT_LT(fine, 4e-5);
+}
+
+TEST(Solve, JumpsReproduceTheExactCumulantsOfTheLinearOscillator) {
+  const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
+  const auto solution = solve(p, direct(Equation::kf)).solution;
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  const auto fourth = [&](double k4, double k2) { return k4 + 3 * k2 * k2; };
+  const double x2 = problem::exact::linear_cumulant(p, 2, 0);
+  const double v2 = problem::exact::linear_cumulant(p, 0, 2);
+  EXPECT_NEAR(solution.moments.y2, x2, 3e-5);
+  EXPECT_NEAR(solution.moments.v2, v2, 3e-5);
+  EXPECT_NEAR(solution.moments.y4, fourth(problem::exact::linear_cumulant(p, 4, 0), x2), 2e-4);
+  EXPECT_NEAR(solution.moments.v4, fourth(problem::exact::linear_cumulant(p, 0, 4), v2), 2e-4);
+}
+
+TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
+  struct Row {
+    double intensity, cubic, rate;
+    int nx, nv;
+    double y2, y4, v4, y4_error, v4_error;
+  };
+  for (const Row& row : {Row{.1, .1, 1, 36, 84, .44181, .58190, .8078, 2e-4, 3e-4},
+                         Row{.1, 1, 1, 50, 112, .28632, .21368, .8107, 1e-4, 3e-4},
+                         Row{1, 1, 1, 50, 112, 1.2564, 3.743, 81.3, 2e-3, .1},
+                         Row{.1, .1, 10, 36, 94, .44410, .55904, .7558, 2e-4, 3e-4}}) {
+    const auto p = tests::make_problem(
+        {.cubic = row.cubic, .restitution = 1, .rate = row.rate, .intensity = row.intensity});
+    Options options = direct(Equation::kf);
+    options.nx = row.nx;
+    options.nv = row.nv;
+    const auto solution = solve(p, options).solution;
+    ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+    EXPECT_NEAR(solution.moments.y2, row.y2, 5e-5 * row.y2);
+    EXPECT_NEAR(solution.moments.y4, row.y4, row.y4_error);
+    EXPECT_NEAR(solution.moments.v4, row.v4, row.v4_error);
+    EXPECT_NEAR(solution.moments.v2, problem::exact::mean_square_velocity(p),
+                1e-4 * row.intensity * 5);
+  }
+}
+
+TEST(Solve, SteppingMeetsTheBarsOfMassEnergyAndStationarityOnThePapersCases) {
+  for (const int number : {1, 4}) {
+    for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+      const auto [solution, summary] = solve(tests::paper_case(number), {.equation = equation});
+      ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+      EXPECT_NEAR(solution.mass, 1.0, 1e-10);
+      EXPECT_LT(std::abs(solution.energy_residual), 1e-4) << name(equation) << " " << number;
+      EXPECT_LT(summary.residual, 1e-8);
+      EXPECT_LT(summary.stepped_against_direct, 1e-7);
+      EXPECT_LT(summary.column_sum, 1e-10);
+      EXPECT_LE(summary.factorisations, 20);
+      EXPECT_GT(summary.steps, 1);
+      EXPECT_GT(solution.min_density, -1e-5);
+    }
+  }
+}
+
+TEST(Solve, CasesTwoAndThreeAreOneProblem) {
+  // p_3(y) = a p_2(a y) with a = sqrt(10); likewise for y'.
+  const double a = std::sqrt(10.0);
+  const auto two = solve(tests::paper_case(2), direct(Equation::kf)).solution;
+  const auto three = solve(tests::paper_case(3), direct(Equation::kf)).solution;
+  for (const auto variable : {Variable::y, Variable::ydot}) {
+    const auto edges = variable == Variable::y ? uniform(0, 2, 40) : uniform(-2, 2, 80);
+    auto scaled_edges = edges;
+    for (double& e : scaled_edges) e *= a;
+    const auto p3 = marginal(three, variable, edges), p2 = marginal(two, variable, scaled_edges);
+    for (std::size_t b = 0; b < p3.size(); ++b) EXPECT_NEAR(p3.density[b], a * p2.density[b], 1e-8);
+  }
+  EXPECT_NEAR(three.moments.y4 * 100, two.moments.y4, 1e-7 * two.moments.y4);
+}
+
+TEST(Solve, TruncationCostsLittleAndWhiteNoiseMuch) {
+  const auto p = tests::paper_case(1);
+  const auto kf = solve(p, direct(Equation::kf)).solution;
+  const auto km4 = solve(p, direct(Equation::km4)).solution;
+  const auto white = solve(p, direct(Equation::white)).solution;
+  const auto edges = uniform(-4.5, 4.5, 120);
+  const auto reference = marginal(kf, Variable::ydot, edges);
+  EXPECT_LT(l1(marginal(km4, Variable::ydot, edges), reference), 1.5e-3);
+  EXPECT_GT(l1(marginal(white, Variable::ydot, edges), reference), 2e-2);
+}
+
+TEST(Solve, LiteralTruncationOnAFineGridIsReportedAndNotStepped) {
+  const auto [solution, summary] =
+      solve(tests::paper_case(1), {.equation = Equation::km4, .regularisation_length = 0});
+  EXPECT_EQ(solution.status, Status::ill_posed);
+  EXPECT_FALSE(solution.density.has_value());
+  EXPECT_GT(summary.growth_rate, 1.0);
+  EXPECT_EQ(summary.steps, 0);
+  EXPECT_NE(solution.reason.find("0.229"), std::string::npos) << solution.reason;  // what it needs
+  EXPECT_NE(solution.reason.find("0.316"), std::string::npos) << solution.reason;  // the default
+}
+
+TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
+  const auto p = tests::make_problem({.restitution = 0.9, .mean = 0.1});
+  for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+    const auto solution = solve(p, direct(equation)).solution;
+    ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+    EXPECT_LT(std::abs(solution.energy_residual), 3e-4);
+    EXPECT_NEAR(solution.moments.v1, 0.0, 5e-5);  // dE[y]/dt = E[y'] = 0
+  }
+}
+
+TEST(Solve, WidensItsBoxForHeavyTails) {
+  const auto [solution, summary] = solve(tests::make_problem({.rate = 0.3}), direct(Equation::kf));
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_GT(summary.x2_max, 7.5 * std::sqrt(solution.moments.v2));
+  EXPECT_LT(summary.wall.x2, 1e-5);
+}
+
+TEST(Solve, SaysThatABoxIsTooSmall) {
+  Options options = direct(Equation::kf);
+  options.x1_max = 1.0;
+  options.x2_max = 1.2;
+  const auto solution = solve(tests::paper_case(1), options).solution;
+  EXPECT_EQ(solution.status, Status::failed);
+  EXPECT_NE(solution.reason.find("box"), std::string::npos);
+}
+
+TEST(Solve, SaysThatAResidualWasNotReached) {
+  for (const auto stepper : {Stepper::cvode, Stepper::direct}) {
+    const auto solution = solve(tests::paper_case(1), {.equation = Equation::white,
+                                                       .stepper = stepper,
+                                                       .nx = 20,
+                                                       .nv = 40,
+                                                       .residual_tolerance = 1e-30})
+                              .solution;
+    EXPECT_EQ(solution.status, Status::not_converged);
+    EXPECT_NE(solution.reason.find("1.0e-30"), std::string::npos) << solution.reason;
+  }
+}
+
+TEST(Solve, RefusesOptionsThatCannotBeUsed) {
+  const auto p = tests::paper_case(1);
+  EXPECT_THROW(solve(p, {.order = 1}), InputError);
+  EXPECT_THROW(solve(p, {.order = 9}), InputError);
+  EXPECT_THROW(solve(p, {.nx = 3}), InputError);
+  EXPECT_THROW(solve(p, {.nv = 31}), InputError);
+  EXPECT_THROW(solve(p, {.x1_max = -1.0}), InputError);
+  EXPECT_THROW(solve(p, {.regularisation_length = 0.3}), InputError);  // kf has none
+  EXPECT_THROW(solve(p, {.equation = Equation::km4, .regularisation_length = -0.3}), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
