@@ -99,6 +99,23 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   }
 }
 
+// The density on the wall jumps at x2 = 0 by 1/r^2: what leaves must not be mixed with what returns.
+TEST(Operator, TakesTheOutgoingFluxFromOutgoingVelocitiesAlone) {
+  const Grid grid{20, 30, 3.0, 3.0};
+  const LineOperator flux = wall_flux(grid, 5);
+  for (int speed = 0; speed < flux.rows(); ++speed) {
+    for (LineOperator::InnerIterator entry(flux, speed); entry; ++entry) {
+      EXPECT_LT(entry.col() % grid.nv, grid.nv / 2);
+    }
+  }
+  // Particles at x1 = 0.1 or so with velocity -1.1: a flux u p at speed u = 1.1, none elsewhere.
+  Eigen::VectorXd beam = Eigen::VectorXd::Zero(grid.size());
+  for (int i = 0; i < grid.nx; ++i) beam(i * grid.nv + 9) = 1;  // -1.2 < x2 < -1.0
+  const Eigen::VectorXd out = flux * beam;
+  EXPECT_NEAR(out.sum(), 1.1, 1e-2);
+  EXPECT_NEAR(out(5), 1.1, 1e-2);
+}
+
 // Averages over a density that is not normalised.
 template <class Density, class Function>
 double mean(const Grid& grid, const Density& density, const Function& g) {
