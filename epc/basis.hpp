@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "epc/polynomial.hpp"
+#include "epc/residual.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::epc {
+
+/// Which monomials x1^p x2^q make up Q_n and the projections.
+enum class MonomialSet {
+  point_symmetric,  ///< p + q = 2, 4, .. n: all that survives (x1, x2) -> (-x1, -x2)
+  general           ///< p + q = 1, 2, .. n, paper (18)
+};
+
+/// sigma_1 and sigma_2, the deviations of the weights f1 and f2 of paper (25)-(26).
+struct Deviations {
+  double x1;
+  double x2;
+};
+
+Deviations deviations(const problem::EquivalentLinearisation& linear);
+
+/// The monomials x1^p x2^q / N_pq of Q_n, scaled by their norm in the weights,
+/// N_pq^2 = E[x1^2p x2^2q] = sigma_1^2p (2p-1)!! sigma_2^2q (2q-1)!!.
+class Basis {
+ public:
+  Basis(int order, MonomialSet set, const Deviations& sigma);
+
+  int order() const { return order_; }
+  const Deviations& sigma() const { return sigma_; }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
+
+  double value(Eigen::Index s, double x1, double x2) const;
+  Derivatives derivatives(Eigen::Index s, double x1, double x2) const;
+
+  /// Q_n of the scaled coefficients, in physical monomials.
+  Polynomial polynomial(const Eigen::VectorXd& scaled) const;
+  /// The scaled coefficients of a polynomial; terms outside the basis are left out.
+  Eigen::VectorXd scaled(const std::vector<Term>& terms) const;
+
+ private:
+  struct Member {
+    int p, q;
+    double norm;
+  };
+  int order_;
+  Deviations sigma_;
+  std::vector<Member> members_;
+};
+
+}  // namespace fpkcheck::epc

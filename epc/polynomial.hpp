@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+namespace fpkcheck::epc {
+
+/// One term a x1^p x2^q of Q_n.
+struct Term {
+  int x1;    ///< p
+  int x2;    ///< q
+  double a;  ///< coefficient
+};
+
+/// The exponent Q_n(x1, x2; a) of paper (18), constant left out.
+class Polynomial {
+ public:
+  explicit Polynomial(std::vector<Term> terms);
+
+  const std::vector<Term>& terms() const { return terms_; }
+  int degree() const { return degree_; }
+
+  double operator()(double x1, double x2) const;
+
+  /// Coefficients of rho -> Q_n(rho e1, rho e2): entry m belongs to rho^m, m = 0 .. degree.
+  std::vector<double> along(double e1, double e2) const;
+
+ private:
+  std::vector<Term> terms_;
+  int degree_;
+  std::vector<double> triangle_;  // for p = degree .. 0 the row of q = degree - p .. 0
+};
+
+/// Value at rho of the polynomial with the given coefficients, lowest power first.
+double horner(const std::vector<double>& coefficients, double rho);
+
+/// Coefficients of the derivative, lowest power first.
+std::vector<double> derivative(const std::vector<double>& coefficients);
+
+}  // namespace fpkcheck::epc

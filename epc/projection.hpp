@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "epc/basis.hpp"
+#include "epc/residual.hpp"
+
+namespace fpkcheck::epc {
+
+/// The nonlinear equations (23) of the paper in the scaled unknowns of a basis:
+///
+///     R_s(a) = (1/N_s) int int F(x1, x2; a) x1^p x2^q f1(x1) f2(x2) dx1 dx2 = 0.
+///
+/// Every integral is exact up to rounding: each part of F is a polynomial under a Gaussian, and
+/// each has the rule that its factor sgn(x1) or |x2| delta(x1) calls for.
+class Projection {
+ public:
+  explicit Projection(Basis basis);
+
+  const Basis& basis() const { return basis_; }
+
+  /// R(a), shape (basis.size()).
+  Eigen::VectorXd residual(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
+  /// dR_s/da_k in row s and column k.
+  Eigen::MatrixXd jacobian(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
+
+ private:
+  // A quadrature node with the basis functions there.
+  struct Node {
+    double x1, x2;
+    Eigen::VectorXd weighted_tests;    // weight times the projection functions
+    std::vector<Derivatives> members;  // derivatives of each basis function
+  };
+  using Nodes = std::vector<Node>;
+
+  Node node(double x1, double x2, double weight) const;
+  Derivatives of_q(const Node& node, const Eigen::VectorXd& a) const;
+
+  Basis basis_;
+  Nodes smooth_;  // weights f1 f2
+  Nodes signed_;  // weights sgn(x1) f1 f2
+  Nodes impact_;  // weights delta(x1) |x2| f1 f2
+};
+
+}  // namespace fpkcheck::epc

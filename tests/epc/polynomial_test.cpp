@@ -1,0 +1,81 @@
+#include "epc/polynomial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "epc/basis.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+const Polynomial kPolynomial(
+    {{1, 0, 0.5}, {0, 1, -2}, {2, 0, 3}, {1, 1, -1}, {0, 3, 0.25}, {2, 1, 4}});
+
+double by_hand(double x, double y) {
+  return 0.5 * x - 2 * y + 3 * x * x - x * y + 0.25 * y * y * y + 4 * x * x * y;
+}
+
+TEST(Polynomial, ValueIsTheSumOfItsTerms) {
+  EXPECT_EQ(kPolynomial.degree(), 3);
+  EXPECT_NEAR(kPolynomial(0.7, -1.3), by_hand(0.7, -1.3), 1e-14);
+  EXPECT_EQ(kPolynomial(0, 0), 0);
+}
+
+TEST(Polynomial, AlongADirectionIsAPolynomialOfTheRadius) {
+  const auto ray = kPolynomial.along(0.6, -0.8);
+  ASSERT_EQ(ray.size(), 4u);
+  for (const double rho : {0.0, 0.5, 2.0}) {
+    EXPECT_NEAR(horner(ray, rho), by_hand(0.6 * rho, -0.8 * rho), 1e-13);
+  }
+  EXPECT_NEAR(horner(derivative(ray), 1.5),
+              (horner(ray, 1.5 + 1e-5) - horner(ray, 1.5 - 1e-5)) / 2e-5, 1e-8);
+}
+
+TEST(Basis, CountsTheUnknownsOfThePaper) {
+  // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; half of them, roughly, are point-symmetric.
+  const Deviations sigma{1, 1};
+  for (const auto& [order, general, symmetric] :
+       {std::tuple{2, 5, 3}, {4, 14, 8}, {6, 27, 15}, {8, 44, 24}}) {
+    EXPECT_EQ(Basis(order, MonomialSet::general, sigma).size(), general);
+    EXPECT_EQ(Basis(order, MonomialSet::point_symmetric, sigma).size(), symmetric);
+  }
+}
+
+TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
+  const Basis basis(6, MonomialSet::general, {0.7, 1.6});
+  const double x1 = 0.8, x2 = -1.1, h = 2e-2;
+  for (Eigen::Index s = 0; s < basis.size(); ++s) {
+    const auto at = [&](double i, double j) { return basis.value(s, x1 + i * h, x2 + j * h); };
+    const Derivatives d = basis.derivatives(s, x1, x2);
+    const auto lower = [&](double i, double j) {
+      // Fourth-order difference of the first derivative in the direction (i, j).
+      return (8 * (at(i, j) - at(-i, -j)) - (at(2 * i, 2 * j) - at(-2 * i, -2 * j))) / (12 * h);
+    };
+    EXPECT_NEAR(d.q1, lower(1, 0), 1e-5);
+    EXPECT_NEAR(d.q2, lower(0, 1), 1e-5);
+    EXPECT_NEAR(d.q22, (at(0, 1) - 2 * at(0, 0) + at(0, -1)) / (h * h), 1e-3);
+    EXPECT_NEAR(d.q222, (at(0, 2) - 2 * at(0, 1) + 2 * at(0, -1) - at(0, -2)) / (2 * h * h * h),
+                2e-3);
+    EXPECT_NEAR(
+        d.q2222,
+        (at(0, 2) - 4 * at(0, 1) + 6 * at(0, 0) - 4 * at(0, -1) + at(0, -2)) / std::pow(h, 4),
+        4e-3);
+  }
+}
+
+TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
+  const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
+  // x1^2: E[x1^4] = 3 sigma_1^4; x1 x2: sigma_1 sigma_2.
+  EXPECT_NEAR(basis.value(0, 1, 1), 1 / (0.25 * std::sqrt(3)), 1e-14);
+  EXPECT_NEAR(basis.value(1, 1, 1), 1.0, 1e-14);
+}
+
+TEST(Basis, ScaledCoefficientsAndPolynomialsAreInverse) {
+  const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
+  const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(basis.size(), -1, 1);
+  EXPECT_LT((basis.scaled(basis.polynomial(a).terms()) - a).norm(), 1e-14);
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc
