@@ -45,11 +45,12 @@ class Flight {
       cube += square[n] * a_[0];
       a_[n + 2] = -(k * a_[n] + mu * cube + c * (n + 1) * a_[n + 1]) * (1.0 / ((n + 1) * (n + 2)));
     }
-    // Along the flight k + mu y^2 stays below k + sqrt(4 mu E), since mu y^4 / 4 <= E and the
-    // energy E does not grow.
+    // The tangent stiffness k + 3 mu y^2 at the largest excursion: mu y^4 / 4 <= E, and the energy
+    // E does not grow. (The series of a cubic oscillator converges only up to a pole, which this
+    // keeps away.)
     const double y2 = start.y * start.y;
     const double energy = start.v * start.v / 2 + y2 * (k / 2 + mu * y2 / 4);
-    frequency_bound_ = std::sqrt(k + 2 * std::sqrt(mu * energy)) + c;
+    frequency_bound_ = std::sqrt(k + 6 * std::sqrt(mu * energy)) + c;
   }
 
   /// How long the polynomial is used: `phase` radians of the fastest motion possible from here.
@@ -60,8 +61,8 @@ class Flight {
   /// at the end tells whether there was an impact, and impacts cannot accumulate.
   double reach(double phase) const { return phase / frequency_bound_; }
 
-  /// The state s after the start. (Horner's rule in s^2 for even and odd powers apart: half as long a
-  /// chain of operations that wait for one another.)
+  /// The state s after the start. (Horner's rule in s^2 for even and odd powers apart: half as long
+  /// a chain of operations that wait for one another.)
   State at(double s) const {
     static_assert(kOrder % 2 == 0);
     const double s2 = s * s;

@@ -83,7 +83,7 @@ transform::Marginal estimate_marginal(const std::vector<std::vector<std::uint64_
     }
     const auto [density, error] = weights.estimate(densities);
     const double half_width = weights.interval_factor() * error;
-    marginal.density.push_back(std::max(density, 0.0));  // rounding at an empty bin
+    marginal.density.push_back(std::max(density, 0.0));  // see joint_density
     marginal.lower.push_back(std::max(density - half_width, 0.0));
     // Nothing seen in n independent draws: less than 3/n with 95 % confidence ("rule of three").
     marginal.upper.push_back(error > 0 ? density + half_width : 3 / (effective_samples * width));
@@ -107,6 +107,9 @@ transform::GridDensity joint_density(const Records& records, const Plan& plan,
       }
     }
   }
+  // A cell that only streams of negative weight have visited (StreamWeights: short runs, far
+  // tails).
+  for (double& average : density.averages) average = std::max(average, 0.0);
   return density;
 }
 

@@ -26,7 +26,7 @@ struct Options {
   std::vector<double> y_edges;
   std::vector<double> v_edges;
   /// Longest Taylor step, in radians of the fastest motion that the energy allows; at most 1.
-  /// Automatic: 0.7.
+  /// Automatic: 0.8.
   double step = 0;
   /// Told the fraction done: by the working threads, but never by two at once. It may throw to stop
   /// the simulation; what it throws leaves simulate().

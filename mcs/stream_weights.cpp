@@ -12,31 +12,37 @@ double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+double square_about(double centre, std::span<const double> values) {
+  double sum = 0;
+  for (const double x : values) sum += (x - centre) * (x - centre);
+  return sum;
+}
+
 }  // namespace
 
 StreamWeights::StreamWeights(std::span<const double> excess_powers)
     : weights_(excess_powers.size(), 1 / static_cast<double>(excess_powers.size())) {
-  const double b_bar = mean(excess_powers);
-  for (const double b : excess_powers) {
-    controls_.push_back(b - b_bar);
-    control_square_ += controls_.back() * controls_.back();
-  }
-  const auto weight = [&](double control) {
-    return 1 / static_cast<double>(size()) - b_bar * control / control_square_;
+  const auto n = static_cast<double>(excess_powers.size());
+  const auto first = excess_powers.first(excess_powers.size() / 2);
+  const auto second = excess_powers.subspan(first.size());
+  const auto correct = [&](std::span<const double> half, std::span<const double> other,
+                           std::span<double> weights) {
+    const double half_mean = mean(half), square = square_about(half_mean, half);
+    if (square == 0) return;
+    const double scale = static_cast<double>(other.size()) / n * mean(other) / square;
+    for (std::size_t s = 0; s < half.size(); ++s) weights[s] -= scale * (half[s] - half_mean);
   };
-  const bool positive = control_square_ > 0 && std::ranges::all_of(controls_, [&](double control) {
-                          return weight(control) > 0;
-                        });
-  if (positive) {
-    std::ranges::transform(controls_, weights_.begin(), weight);
-  } else {
-    std::ranges::fill(controls_, 0.0);
-    control_square_ = 0;
-  }
+  const std::span<double> weights = weights_;
+  correct(first, second, weights.first(first.size()));
+  correct(second, first, weights.subspan(first.size()));
+
+  const double b_bar = mean(excess_powers);
+  for (const double b : excess_powers) controls_.push_back(b - b_bar);
+  control_square_ = square_about(b_bar, excess_powers);
 }
 
 int StreamWeights::degrees_of_freedom() const {
-  return static_cast<int>(size()) - (control_square_ > 0 ? 2 : 1);
+  return static_cast<int>(size()) - 3;  // a mean and two slopes
 }
 
 Estimate StreamWeights::estimate(std::span<const double> values) const {
@@ -63,10 +69,8 @@ double StreamWeights::interval_factor() const {
 
 Estimate plain_estimate(std::span<const double> values) {
   const double x_bar = mean(values);
-  double square = 0;
-  for (const double x : values) square += (x - x_bar) * (x - x_bar);
   const auto n = static_cast<double>(values.size());
-  return {x_bar, std::sqrt(square / (n - 1) / n)};
+  return {x_bar, std::sqrt(square_about(x_bar, values) / (n - 1) / n)};
 }
 
 }  // namespace fpkcheck::mcs

@@ -16,18 +16,20 @@ struct Estimate {
 ///
 /// A stream whose impulses happened to do more work than expected has larger y and y' than the
 /// stationary average. The expectation of that work is known from the impulse law alone, whatever
-/// the oscillator does with it. So with x_s what stream s found, b_s its excess power (mean zero),
-/// the bars plain means and S = sum (b_s - b_bar)^2,
+/// the oscillator does with it. Let x_s be what stream s found and b_s its excess power (mean
+/// zero), and let the streams fall into two halves, with means x_A, b_A, x_B, b_B and least-squares
+/// slopes beta_A, beta_B of x on b. Each half is corrected by the slope of the other, which is
+/// independent of it, so that no bias arises:
 ///
-///     w_s = 1/n - b_bar (b_s - b_bar) / S:   sum w_s = 1,  sum w_s b_s = 0,
-///     sum w_s x_s = x_bar - beta b_bar,      beta = least-squares slope of x on b.
+///     estimate = (n_A/n) (x_A - beta_B b_A) + (n_B/n) (x_B - beta_A b_B) = sum w_s x_s,
+///     w_s = 1/n - (n_B/n) b_B (b_s - b_A) / S_A   for s in A,   S_A = sum_A (b_s - b_A)^2,
 ///
-/// One set of weights serves moments, histogram and fluxes alike, so these stay consistent with one
-/// another; being near 1/n it keeps densities positive. Should a weight not be positive (few, short
-/// streams), all become 1/n.
+/// and the other way round in B; sum w_s = 1, sum w_s b_s = 0. One set of weights serves moments,
+/// histogram and fluxes alike, so these stay consistent with one another. They are near 1/n; only
+/// in short runs with few streams may one be negative.
 class StreamWeights {
  public:
-  /// @param excess_powers one per stream, three or more
+  /// @param excess_powers one per stream, eight or more
   explicit StreamWeights(std::span<const double> excess_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }
@@ -44,8 +46,8 @@ class StreamWeights {
   int degrees_of_freedom() const;
 
   std::vector<double> weights_;
-  std::vector<double> controls_;  // b_s - b_bar; all zero when the weights are plain
-  double control_square_ = 0;     // S
+  std::vector<double> controls_;  // b_s less the mean of all
+  double control_square_ = 0;     // the sum of their squares
 };
 
 /// The plain mean of one number per stream and its standard error.
