@@ -36,7 +36,7 @@ class Flight {
     for (int n = 0; n + 2 <= kOrder; ++n) {
       double pairs = 0;
 #pragma GCC unroll 16
-      for (int i = (n - 1) / 2; i >= 0 && n > 0; --i) pairs += a_[i] * a_[n - i];
+      for (int i = (n + 1) / 2 - 1; i >= 0; --i) pairs += a_[i] * a_[n - i];
       square[n] = 2 * pairs + (n % 2 == 0 ? a_[n / 2] * a_[n / 2] : 0);
       double cube = 0;
 #pragma GCC unroll 16
