@@ -39,6 +39,16 @@ void estimate_energy_residual(const problem::Problem& problem, const Records& re
   result.summary.standard_errors.energy_residual = residual.standard_error;
 }
 
+/// Whether the impulses followed their law, before the weights set it right.
+void estimate_excess_power(const problem::Problem& problem, const Records& records,
+                           Summary& summary) {
+  const double input = problem.impulses.intensity() / 2;
+  const auto excess =
+      plain_estimate(each(records, [&](const auto& r) { return r.excess_power / input; }));
+  summary.excess_power = excess.mean;
+  summary.excess_power_error = excess.standard_error;
+}
+
 /// What the samples are worth without the weights, and what the weights add.
 void estimate_efficiency(const Records& records, Result& result) {
   const auto plain_variance = [&](auto member) {
@@ -107,6 +117,7 @@ Result simulate(const problem::Problem& problem, const Options& options) {
   solution.status = transform::Status::ok;
   estimate_moments(records, weights, result);
   estimate_energy_residual(problem, records, weights, result);
+  estimate_excess_power(problem, records, result.summary);
   estimate_efficiency(records, result);
   estimate_densities(records, plan, weights, result);
   describe(records, plan, result.summary);

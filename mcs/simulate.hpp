@@ -54,6 +54,11 @@ struct Summary {
   double variance_reduction_y2 = 1;
   double variance_reduction_v2 = 1;
   StandardErrors standard_errors;
+  /// Power that the impulses happened to bring beyond its expectation, relative to lambda E[Y^2]/2,
+  /// and its standard error. The weights take it out of the results; being far from 0 in standard
+  /// errors it would tell of impulses that do not follow their law.
+  double excess_power = 0;
+  double excess_power_error = 0;
   /// Expected L1 distance of a marginal to the exact one by chance: sum over bins of
   /// sqrt(2/pi) * standard error * width.
   double sampling_l1_y = 0;

@@ -81,15 +81,13 @@ StreamRecord run_stream(const problem::Problem& problem, const Plan& plan, std::
   StreamRecord record{.histogram = Histogram(plan.y_bins, plan.v_bins), .moments = {}};
   Recorder recorder(plan, record);
   const double time = plan.stream_time();
-  const double y_before = trajectory.state().y;
   trajectory.advance(time, recorder);
   recorder.finish(time);
 
-  // Impulses come independently of the motion before them, so that their work
-  // sum (v Y + Y^2/2) has the expectation lambda int (E[Y] v + E[Y^2]/2) dt; and int v dt is the
+  // Impulses come independently of the motion before them, so that their work sum (v Y + Y^2/2) has
+  // the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt; and E[v] = 0, since int v dt is the
   // change of y, which impacts leave alone.
-  const double expected = problem.impulses.rate_moment(1) * (trajectory.state().y - y_before) +
-                          problem.impulses.rate_moment(2) / 2 * time;
+  const double expected = problem.impulses.intensity() / 2 * time;
   record.excess_power = (recorder.work() - expected) / time;
   return record;
 }

@@ -14,7 +14,7 @@ struct StreamRecord {
   Histogram histogram;
   transform::Moments moments;     ///< over the samples
   double impact_energy_flux = 0;  ///< (sum of v^2 over impacts) / time = int |v|^3 p(0, v) dv
-  /// Power that the impulses happened to bring, less its expectation given the motion: mean zero.
+  /// Power that the impulses happened to bring, less its expectation: mean zero.
   double excess_power = 0;
   std::uint64_t impacts = 0;
   std::uint64_t impulses = 0;

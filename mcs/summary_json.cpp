@@ -17,6 +17,8 @@ nlohmann::ordered_json to_json(const Summary& summary) {
             {"v2", errors.v2},
             {"v4", errors.v4},
             {"energy_residual", summary.standard_errors.energy_residual}}},
+          {"excess_power",
+           {{"relative", summary.excess_power}, {"standard_error", summary.excess_power_error}}},
           {"sampling_l1", {{"y", summary.sampling_l1_y}, {"ydot", summary.sampling_l1_ydot}}},
           {"variance_reduction",
            {{"y2", summary.variance_reduction_y2}, {"v2", summary.variance_reduction_v2}}},

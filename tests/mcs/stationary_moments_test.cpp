@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "mcs/simulate.hpp"
 #include "paper_cases.hpp"
 #include "problem/exact.hpp"
@@ -56,6 +59,18 @@ TEST(StationaryMoments, WithLossesAtTheImpactKeepTheBalanceOfPower) {
     // With the impulses' work accounted for, the balance is far sharper than the moments
     // themselves.
     EXPECT_LT(summary.standard_errors.energy_residual, 1e-3);
+  }
+}
+
+// The weights would hide a wrong rate or law of the impulses from the moments: look before them.
+TEST(StationaryMoments, AreThoseOfImpulsesThatBringThePowerOfTheirLaw) {
+  for (const double mean : {0.0, 0.2, -0.2}) {
+    SCOPED_TRACE(mean);
+    const auto summary = tests::simulate(tests::make_problem({.rate = 2, .mean = mean})).summary;
+    expect_near(summary.excess_power, 0, summary.excess_power_error, "excess power");
+    EXPECT_LT(summary.excess_power_error, 0.01);
+    expect_near(static_cast<double>(summary.impulses), 2 * summary.time,
+                std::sqrt(2 * summary.time), "number of impulses");
   }
 }
 
