@@ -1,0 +1,56 @@
+#include "mcs/histogram.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace fpkcheck::mcs {
+namespace {
+
+std::size_t by_search(const std::vector<double>& edges, double x) {
+  return static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), x) - edges.begin());
+}
+
+TEST(BinFinder, AgreesWithASearchAtAndAroundEveryEdge) {
+  std::vector<double> even, uneven;
+  for (int k = 0; k <= 140; ++k) {
+    even.push_back(-0.7 + 1.4 * k / 140);
+    uneven.push_back(std::sinh(-4 + 8.0 * k / 140));
+  }
+  for (const auto& edges : {even, uneven, std::vector<double>{0, 1}}) {
+    const BinFinder bin(edges);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const double next = k + 1 < edges.size() ? edges[k + 1] : edges[k] + 1;
+      for (const double x : {std::nextafter(edges[k], -100.0), edges[k], (edges[k] + next) / 2}) {
+        EXPECT_EQ(bin(x), by_search(edges, x)) << x;
+      }
+    }
+  }
+}
+
+TEST(BinFinder, PutsWhatIsFarAwayIntoTheOuterBins) {
+  const BinFinder bin({0, 1, 2});
+  EXPECT_EQ(bin(-1e300), 0u);
+  EXPECT_EQ(bin(1e300), 3u);
+  EXPECT_EQ(bin(std::numeric_limits<double>::infinity()), 3u);
+}
+
+TEST(Histogram, LosesNothing) {
+  const BinFinder y({0, 1, 2}), v({-1, 0, 1});
+  Histogram histogram(y, v);
+  histogram.add(0.5, 0.5);
+  histogram.add(1.5, -0.5);
+  histogram.add(0.5, 7);
+  histogram.add(9, -7);
+  EXPECT_EQ(histogram.count(1, 2), 1u);
+  EXPECT_EQ(histogram.count(2, 1), 1u);
+  EXPECT_EQ(histogram.count(1, 3), 1u);
+  EXPECT_EQ(histogram.count(3, 0), 1u);
+  EXPECT_EQ(histogram.row_counts(), (std::vector<std::uint64_t>{0, 2, 1, 1}));
+  EXPECT_EQ(histogram.column_counts(), (std::vector<std::uint64_t>{1, 1, 1, 1}));
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

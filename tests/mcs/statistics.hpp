@@ -1,0 +1,26 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "mcs/simulate.hpp"
+
+namespace fpkcheck::tests {
+
+/// Within four standard errors, and half a unit of the reference's last digit.
+inline void expect_near(double simulated, double exact, double standard_error, const char* what,
+                        double reference_error = 0) {
+  EXPECT_GT(standard_error, 0.0) << what;
+  EXPECT_NEAR(simulated, exact, 4 * standard_error + reference_error)
+      << what << ": " << (simulated - exact) / standard_error << " standard errors";
+}
+
+/// A simulation long enough for standard errors of 1e-3 or less in the moments.
+inline mcs::Result simulate(const problem::Problem& problem, double time = 6e5,
+                            std::uint64_t seed = 20240601) {
+  mcs::Options options;
+  options.time = time;
+  options.seed = seed;
+  return mcs::simulate(problem, options);
+}
+
+}  // namespace fpkcheck::tests
