@@ -90,6 +90,23 @@ TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   }
 }
 
+TEST(Pictures, OfAGnuplotThatStopsHalfWayAreNotKept) {
+  const tests::TemporaryDirectory directory;
+  const fs::path stops = directory.path() / "stops";
+  std::ofstream(stops) << "#!/bin/sh\n"
+                          "target=${2#*target=\\'}\n"
+                          "echo half > \"${target%%\\'*}\"\n"
+                          "echo 'line 7: undefined function' >&2\n"
+                          "exit 3\n";
+  fs::permissions(stops, fs::perms::owner_all);
+  const SavedRun run = made_up_run();
+  const auto warnings = draw_pictures(directory.path(), run.summary, run.marginals, stops.string());
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(contains(warnings.front(), "code 3 (line 7: undefined function)"))
+      << warnings.front();
+  EXPECT_FALSE(fs::exists(directory.path() / "figures" / "case1.png"));
+}
+
 TEST(Pictures, ACaseWithoutADensityIsAWarning) {
   const tests::TemporaryDirectory directory;
   const SavedRun run = made_up_run();
