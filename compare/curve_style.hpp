@@ -1,0 +1,24 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace fpkcheck::compare {
+
+/// How a solution is drawn. Colours are those of Okabe and Ito, which stay apart for colour-blind
+/// readers.
+struct CurveStyle {
+  std::string colour;  ///< "#RRGGBB"
+  std::string dash;    ///< a dash type of gnuplot
+  double width;
+  bool as_points;  ///< hollow points with 95 % intervals instead of a line
+  int layer;       ///< lower layers are drawn first
+};
+
+/// Finite differences are solid, the trusted one broad and beneath all others; closures are dashed
+/// by their order, in another colour for each formulation, and above them; the simulation is points
+/// on top.
+/// @param solution one element of "solutions" in summary.json
+CurveStyle curve_style(const nlohmann::ordered_json& solution);
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,87 @@
+#include "compare/distances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace fpkcheck::compare {
+namespace {
+
+using transform::Marginal;
+
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kDecades = 6;
+constexpr double kWidestRelativeHalfInterval = 0.5;
+
+void require_same_bins(const Marginal& a, const Marginal& b) {
+  if (a.edges != b.edges) throw std::invalid_argument("densities on different bins");
+  for (const Marginal* m : {&a, &b}) {
+    const auto fits = [&](const auto& bound) { return bound.empty() || bound.size() == m->size(); };
+    if (m->edges.size() != m->size() + 1 || !fits(m->lower) || !fits(m->upper)) {
+      throw std::invalid_argument("a density whose bins, averages and intervals do not fit");
+    }
+  }
+}
+
+bool finite(const Marginal& m) {
+  return std::ranges::all_of(m.density, [](double p) { return std::isfinite(p); });
+}
+
+// b log(b/a) - b + a, with its limits at 0.
+double divergence_term(double a, double b) {
+  if (b == 0) return a;
+  return a == 0 ? kInfinity : b * std::log(b / a) - b + a;
+}
+
+bool known_well(const Marginal& m, std::size_t bin) {
+  if (m.lower.empty() || m.upper.empty()) return true;
+  return m.upper[bin] - m.lower[bin] <= 2 * kWidestRelativeHalfInterval * m.density[bin];
+}
+
+TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, double to) {
+  TailDistance tail{from, to, 0, 0, 0};
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    if (b.density[k] < from || b.density[k] >= to) continue;
+    if (a.density[k] > 0 && known_well(a, k) && known_well(b, k)) {
+      tail.mean_abs += std::abs(std::log10(a.density[k] / b.density[k]));
+      ++tail.bins;
+    } else {
+      ++tail.left_out;
+    }
+  }
+  tail.mean_abs = tail.bins > 0 ? tail.mean_abs / tail.bins : kNotANumber;
+  return tail;
+}
+
+}  // namespace
+
+Distances distances(const Marginal& a, const Marginal& b) {
+  require_same_bins(a, b);
+  if (!finite(a) || !finite(b)) {
+    return {kNotANumber, kNotANumber, kNotANumber, kNotANumber, kNotANumber, {}};
+  }
+  Distances d{};
+  double squares = 0, root_squares = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double width = a.width(k);
+    const double difference = a.density[k] - b.density[k];
+    d.l1 += std::abs(difference) * width;
+    squares += difference * difference * width;
+    d.sup = std::max(d.sup, std::abs(difference));
+    const double pa = std::max(a.density[k], 0.0), pb = std::max(b.density[k], 0.0);
+    const double root_difference = std::sqrt(pa) - std::sqrt(pb);
+    root_squares += root_difference * root_difference * width;
+    d.kl += divergence_term(pa, pb) * width;
+  }
+  d.l2 = std::sqrt(squares);
+  d.hellinger = std::sqrt(root_squares / 2);
+  for (int decade = 0; decade < kDecades; ++decade) {
+    d.log10_tail.push_back(
+        tail_distance(a, b, std::pow(10.0, -decade - 1), std::pow(10.0, -decade)));
+  }
+  return d;
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,133 @@
+#include "compare/findings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "compare/summary_view.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using transform::Variable;
+
+/// L1 distances in both variables.
+struct Cost {
+  double y;
+  double ydot;
+};
+
+std::string text(const Cost& cost) {
+  return fmt::format("{:.2g} in p(y) and {:.2g} in p(y')", cost.y, cost.ydot);
+}
+
+bool usable(const Json& summary_case, std::string_view id) {
+  const Json* solution = find_solution(summary_case, id);
+  return solution != nullptr && is_ok(*solution);
+}
+
+std::optional<Cost> cost(const Json& summary_case, std::string_view id,
+                         std::string_view reference) {
+  if (!usable(summary_case, id) || !usable(summary_case, reference)) return std::nullopt;
+  const auto y = l1_between(summary_case, id, reference, Variable::y);
+  const auto ydot = l1_between(summary_case, id, reference, Variable::ydot);
+  if (!y || !ydot) return std::nullopt;
+  return Cost{*y, *ydot};
+}
+
+void say_what_approximations_cost(const Json& summary_case, std::vector<std::string>& sentences) {
+  struct Approximation {
+    const char* id;
+    const char* reference;
+    const char* what;
+  };
+  constexpr Approximation kApproximations[] = {
+      {"fd-white", "fd-kf", "replacing the impulses by white noise costs L1"},
+      {"fd-km4", "fd-kf", "cutting the Kramers-Moyal series after the fourth derivative costs"},
+      {"fd-km4-delta", "fd-km4", "the impact to first order in 1-r costs"},
+  };
+  std::vector<std::string> parts;
+  for (const auto& [id, reference, what] : kApproximations) {
+    if (const auto found = cost(summary_case, id, reference)) {
+      parts.push_back(fmt::format("{} {}", what, text(*found)));
+    }
+  }
+  if (parts.empty()) return;
+  std::string sentence = fmt::format("{}.", fmt::join(parts, "; "));
+  sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+  sentences.push_back(sentence);
+}
+
+void say_which_closure_is_closest(const Json& summary_case, std::vector<std::string>& sentences) {
+  const bool simulated = usable(summary_case, "mcs");
+  const std::string reference = simulated ? "mcs" : "fd-kf";
+  struct Closure {
+    std::string id;
+    Cost cost;
+  };
+  std::map<std::string, Closure> closest;  // by formulation
+  bool any = false;
+  for (const auto& solution : summary_case.at("solutions")) {
+    if (solution.at("method") != "epc") continue;
+    any = true;
+    const auto id = solution.at("id").get<std::string>();
+    const auto found = cost(summary_case, id, reference);
+    if (!found) continue;
+    const auto formulation = solution.value("formulation", std::string("given"));
+    const auto [best, first] = closest.try_emplace(formulation, Closure{id, *found});
+    if (!first && found->y + found->ydot < best->second.cost.y + best->second.cost.ydot) {
+      best->second = {id, *found};
+    }
+  }
+  if (closest.empty()) {
+    if (any && usable(summary_case, reference)) {
+      sentences.push_back("No exponential-polynomial closure gave an admissible density.");
+    }
+    return;
+  }
+  std::vector<std::string> parts;
+  for (const auto& [formulation, closure] : closest) {
+    parts.push_back(fmt::format("{} with L1 {}", closure.id, text(closure.cost)));
+  }
+  sentences.push_back(fmt::format("Of the admissible closures closest to the {}: {}.",
+                                  simulated ? "simulation" : "full jump equation",
+                                  fmt::join(parts, "; ")));
+}
+
+void say_whether_the_references_agree(const Json& summary_case,
+                                      std::vector<std::string>& sentences) {
+  const auto gap = cost(summary_case, "fd-kf", "mcs");
+  if (!gap) return;
+  std::string sentence =
+      fmt::format("The full jump equation (fd-kf) and the simulation differ by {}", text(*gap));
+  const Json* simulation = find_solution(summary_case, "mcs");
+  const auto sampling = simulation->find("sampling_l1");
+  if (sampling != simulation->end()) {
+    const auto y = number(*sampling, "y"), ydot = number(*sampling, "ydot");
+    if (y && ydot) {
+      sentence += fmt::format("; the simulation's own sampling error is {}", text({*y, *ydot}));
+      // The sampling error is an expectation: half as much again is still within its scatter.
+      constexpr double kScatter = 1.5;
+      const bool explained = gap->y <= kScatter * *y && gap->ydot <= kScatter * *ydot;
+      sentence += explained ? ", which explains the difference"
+                            : ", which does not explain all of the difference";
+    }
+  }
+  sentences.push_back(sentence + '.');
+}
+
+}  // namespace
+
+std::vector<std::string> findings(const Json& summary_case) {
+  std::vector<std::string> sentences;
+  say_what_approximations_cost(summary_case, sentences);
+  say_which_closure_is_closest(summary_case, sentences);
+  say_whether_the_references_agree(summary_case, sentences);
+  return sentences;
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/marginals_csv.hpp"
+
+namespace fpkcheck::compare {
+
+/// Draws every case into DIRECTORY/figures: NAME.png, NAME.svg and the script NAME.gp that drew
+/// them and can draw them again. From what a run has saved alone.
+/// @param gnuplot the program that draws
+/// @return warnings, one line each: pictures that could not be drawn, and why
+/// @throws std::runtime_error when a script cannot be written
+std::vector<std::string> draw_pictures(const std::filesystem::path& directory,
+                                       const nlohmann::ordered_json& summary,
+                                       std::span<const MarginalCurve> curves,
+                                       const std::string& gnuplot = "gnuplot");
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,86 @@
+#include "compare/report.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "compare/pictures.hpp"
+#include "compare/run_directory.hpp"
+#include "compare/summary.hpp"
+#include "compare/table.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSummaryFile = "summary.json";
+constexpr const char* kMarginalsFile = "marginals.csv";
+
+std::ifstream open_saved(const fs::path& file) {
+  std::error_code ignored;
+  std::ifstream in;
+  if (fs::is_regular_file(file, ignored)) in.open(file);
+  if (!in.is_open()) {
+    throw InputError(
+        fmt::format("no run in '{}' ({} is not a readable file; give the --out of a run)",
+                    file.parent_path().string(), file.filename().string()));
+  }
+  return in;
+}
+
+Json load_summary(const fs::path& file) {
+  auto in = open_saved(file);
+  Json json;
+  try {
+    json = Json::parse(in);
+  } catch (const Json::parse_error& error) {
+    throw InputError(
+        fmt::format("{} is not JSON (at byte {}; run again)", file.string(), error.byte));
+  }
+  if (!json.is_object() || !json.contains("schema")) {
+    throw InputError(
+        fmt::format("{} is not the summary of a run (it has no schema)", file.string()));
+  }
+  if (json["schema"] != kSummarySchema) {
+    throw InputError(fmt::format("{} has schema {} (this program reads schema {}; run again)",
+                                 file.string(), json["schema"].dump(), kSummarySchema));
+  }
+  return json;
+}
+
+}  // namespace
+
+SavedRun make_run(const std::string& command, std::span<const CaseReport> cases) {
+  return {summary(command, cases), marginal_curves(cases)};
+}
+
+std::vector<std::string> write_report(const fs::path& directory, const SavedRun& run) {
+  std::ostringstream csv;
+  write_marginals_csv(csv, run.marginals);
+  write_file(directory / kMarginalsFile, csv.str());
+  write_file(directory / kSummaryFile, run.summary.dump(2) + '\n');
+  return draw_pictures(directory, run.summary, run.marginals);
+}
+
+SavedRun load_run(const fs::path& directory) {
+  SavedRun run{load_summary(directory / kSummaryFile), {}};
+  auto csv = open_saved(directory / kMarginalsFile);
+  run.marginals = read_marginals_csv(csv, (directory / kMarginalsFile).string());
+  return run;
+}
+
+ReportAgain report_again(const fs::path& directory, std::size_t width) {
+  const SavedRun run = load_run(directory);
+  try {
+    return {table(run.summary, width), draw_pictures(directory, run.summary, run.marginals)};
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{} is not a whole summary ({}; run again)",
+                                 (directory / kSummaryFile).string(), error.what()));
+  }
+}
+
+}  // namespace fpkcheck::compare

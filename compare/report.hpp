@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/case_report.hpp"
+#include "compare/marginals_csv.hpp"
+
+namespace fpkcheck::compare {
+
+/// What a run saves; tables and pictures are made from it alone.
+struct SavedRun {
+  nlohmann::ordered_json summary;
+  std::vector<MarginalCurve> marginals;
+};
+
+/// @param command the command line of the run
+SavedRun make_run(const std::string& command, std::span<const CaseReport> cases);
+
+/// Writes summary.json, marginals.csv and figures/ into a directory that make_writable prepared.
+/// Each file is either whole or absent.
+/// @return warnings, one line each, about pictures that could not be drawn
+/// @throws std::runtime_error when a file cannot be written
+std::vector<std::string> write_report(const std::filesystem::path& directory, const SavedRun& run);
+
+/// Reads back what write_report wrote.
+/// @throws InputError on one line: no run there, broken JSON or CSV, another schema
+SavedRun load_run(const std::filesystem::path& directory);
+
+/// A report made again from a directory.
+struct ReportAgain {
+  std::string table;
+  std::vector<std::string> warnings;  ///< about pictures, one line each
+};
+
+/// The table of a saved run, and its pictures drawn anew; solves nothing.
+/// @param width characters per line of the table
+/// @throws InputError as load_run does, and when the summary lacks what its schema promises
+ReportAgain report_again(const std::filesystem::path& directory, std::size_t width = 100);
+
+}  // namespace fpkcheck::compare

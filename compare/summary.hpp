@@ -1,0 +1,25 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "compare/case_report.hpp"
+
+namespace fpkcheck::compare {
+
+/// Version of the shape of summary.json.
+inline constexpr int kSummarySchema = 1;
+
+/// The program's version, from the build.
+std::string program_version();
+
+/// The contents of summary.json: everything a run found but the curves.
+/// A number that is not finite becomes null, and so do the moments, the mass and the energy
+/// residual of a solution without a density.
+/// @param command the command line of the run
+/// @throws std::logic_error when an entry's details are not an object or claim a common field's
+/// name
+nlohmann::ordered_json summary(const std::string& command, std::span<const CaseReport> cases);
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,88 @@
+#include "compare/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "compare/run_directory.hpp"
+#include "compare/table.hpp"
+#include "made_up_solutions.hpp"
+#include "problem/input_error.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::contents;
+
+SavedRun made_up_run(const std::string& name = "case1") {
+  return make_run("fpkcheck run", std::vector<CaseReport>{tests::full_report(name)});
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool gnuplot_exists() { return std::system("command -v gnuplot >/dev/null 2>&1") == 0; }
+
+std::string refusal(const fs::path& directory) {
+  try {
+    report_again(directory);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
+  const tests::TemporaryDirectory directory;
+  const auto warnings = write_report(directory.path(), made_up_run());
+  EXPECT_EQ(directory.entries().size(), 3u);
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "summary.json"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "marginals.csv"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_TRUE(warnings.empty()) << warnings.front();
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& file : fs::directory_iterator(directory.path() / "figures")) {
+    ++files;
+  }
+  EXPECT_EQ(files, 3u);
+}
+
+TEST(Report, AgainIsTheSameReport) {
+  const tests::TemporaryDirectory directory;
+  const SavedRun run = made_up_run();
+  write_report(directory.path(), run);
+  const SavedRun loaded = load_run(directory.path());
+  EXPECT_EQ(loaded.summary, run.summary);
+  EXPECT_EQ(loaded.marginals, run.marginals);
+  const std::string script = contents(directory.path() / "figures" / "case1.gp");
+  fs::remove_all(directory.path() / "figures");
+  EXPECT_EQ(report_again(directory.path(), 80).table, table(run.summary, 80));
+  EXPECT_EQ(contents(directory.path() / "figures" / "case1.gp"), script);
+}
+
+TEST(Report, OfADirectoryWithoutARunIsRefusedInOneLine) {
+  const tests::TemporaryDirectory directory;
+  EXPECT_TRUE(contains(refusal(directory.path()), "no run in"));
+  EXPECT_TRUE(contains(refusal(directory.path() / "absent"), "no run in"));
+  const fs::path summary = directory.path() / "summary.json";
+  write_file(summary, "{\"schema\": 1, ");
+  EXPECT_TRUE(contains(refusal(directory.path()), "is not JSON"));
+  write_file(summary, "[1]");
+  EXPECT_TRUE(contains(refusal(directory.path()), "not the summary of a run"));
+  write_file(summary, "{\"schema\": 2}");
+  EXPECT_TRUE(contains(refusal(directory.path()), "has schema 2 (this program reads schema 1"));
+  write_file(summary, "{\"schema\": 1}");
+  EXPECT_TRUE(contains(refusal(directory.path()), "marginals.csv is not a readable file"));
+  write_file(directory.path() / "marginals.csv",
+             "case,solution,variable,abscissa,density,lower,upper\n");
+  const std::string message = refusal(directory.path());
+  EXPECT_TRUE(contains(message, "not a whole summary")) << message;
+  EXPECT_FALSE(contains(message, "\n")) << message;
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare

@@ -1,0 +1,97 @@
+#include "compare/run_directory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "problem/input_error.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string refusal(const fs::path& directory) {
+  try {
+    make_writable(directory);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(RunDirectory, IsMadeWithItsParentsAndLeftEmpty) {
+  const tests::TemporaryDirectory parent;
+  const fs::path directory = parent.path() / "a" / "b";
+  make_writable(directory);
+  EXPECT_TRUE(fs::is_directory(directory));
+  EXPECT_TRUE(fs::is_empty(directory));
+  make_writable(directory);  // again is fine
+}
+
+TEST(RunDirectory, ThatCannotBeIsRefusedInOneLineAndNothingIsLeft) {
+  const tests::TemporaryDirectory parent;
+  const std::string too_long(300, 'x');
+  const std::string message = refusal(parent.path() / "a" / "b" / too_long);
+  EXPECT_NE(message.find("cannot write into directory"), std::string::npos) << message;
+  EXPECT_NE(message.find("name too long"), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_TRUE(parent.entries().empty());
+}
+
+TEST(RunDirectory, WhereAFileStandsIsRefused) {
+  const tests::TemporaryDirectory parent;
+  write_file(parent.path() / "file", "text");
+  EXPECT_NE(refusal(parent.path() / "file").find("Not a directory"), std::string::npos);
+  EXPECT_NE(refusal(parent.path() / "file" / "below").find("ot a directory"), std::string::npos);
+  EXPECT_EQ(tests::contents(parent.path() / "file"), "text");
+}
+
+TEST(RunDirectory, ThatIsNotWritableIsRefused) {
+  // Holds for the superuser too.
+  EXPECT_NE(refusal("/proc/self").find("cannot write into"), std::string::npos);
+}
+
+TEST(ReplaceFile, WritesTheWholeFileAndNothingElse) {
+  const tests::TemporaryDirectory directory;
+  write_file(directory.path() / "f", "old and longer");
+  write_file(directory.path() / "f", "new");
+  EXPECT_EQ(tests::contents(directory.path() / "f"), "new");
+  EXPECT_EQ(directory.entries(), std::vector<std::string>{"f"});
+}
+
+TEST(ReplaceFile, KeepsTheOldFileWhileTheNewOneIsWritten) {
+  const tests::TemporaryDirectory directory;
+  const fs::path target = directory.path() / "f";
+  write_file(target, "old");
+  replace_file(target, [&](const fs::path& temporary) {
+    std::ofstream(temporary) << "new";
+    EXPECT_EQ(tests::contents(target), "old");
+    EXPECT_EQ(temporary.parent_path(), target.parent_path());  // a rename cannot cross disks
+  });
+  EXPECT_EQ(tests::contents(target), "new");
+}
+
+TEST(ReplaceFile, ThatFailsLeavesTheTargetAndNoHalfFile) {
+  const tests::TemporaryDirectory directory;
+  const fs::path target = directory.path() / "f";
+  write_file(target, "old");
+  const auto fails = [](const fs::path& temporary) {
+    std::ofstream(temporary) << "half";
+    throw std::domain_error("stopped");
+  };
+  EXPECT_THROW(replace_file(target, fails), std::domain_error);
+  EXPECT_EQ(tests::contents(target), "old");
+  EXPECT_EQ(directory.entries(), std::vector<std::string>{"f"});
+}
+
+TEST(ReplaceFile, OfADirectoryOrByNothingIsAnError) {
+  const tests::TemporaryDirectory directory;
+  fs::create_directories(directory.path() / "taken" / "inside");
+  EXPECT_THROW(write_file(directory.path() / "taken", "text"), std::runtime_error);
+  EXPECT_EQ(directory.entries(), std::vector<std::string>{"taken"});
+  EXPECT_THROW(replace_file(directory.path() / "f", [](const fs::path&) {}), std::runtime_error);
+  EXPECT_THROW(write_file(directory.path() / "absent" / "f", "text"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare
