@@ -81,4 +81,7 @@ inline constexpr double kEnergyAllowed = 0.2;
 /// The fields of summary.json that belong to this solver.
 nlohmann::ordered_json to_json(const Summary& summary);
 
+/// The options as asked for.
+nlohmann::ordered_json to_json(const Options& options);
+
 }  // namespace fpkcheck::epc

@@ -53,4 +53,13 @@ nlohmann::ordered_json to_json(const Summary& summary) {
           {"leading_form", leading_form(summary)}};
 }
 
+nlohmann::ordered_json to_json(const Options& options) {
+  return {{"order", options.order},
+          {"formulation", name(options.formulation)},
+          {"monomials", options.monomials == MonomialSet::general ? "general" : "point_symmetric"},
+          {"equation", options.equation == Equation::white ? "white" : "km4"},
+          {"tolerance", options.tolerance},
+          {"max_iterations", options.max_iterations}};
+}
+
 }  // namespace fpkcheck::epc

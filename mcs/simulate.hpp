@@ -92,4 +92,8 @@ Result simulate(const problem::Problem& problem, const Options& options);
 /// The members that summary.json has for the method "mcs", in the contract's names.
 nlohmann::ordered_json to_json(const Summary& summary);
 
+/// The options as asked for; null where automatic. The histogram's edges are those of
+/// marginals.csv.
+nlohmann::ordered_json to_json(const Options& options);
+
 }  // namespace fpkcheck::mcs

@@ -33,4 +33,15 @@ nlohmann::ordered_json to_json(const Summary& summary) {
           {"impulses", summary.impulses}};
 }
 
+nlohmann::ordered_json to_json(const Options& options) {
+  const auto or_null = [](auto value) {
+    return value == 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
+  };
+  return {{"time", or_null(options.time)},
+          {"seed", options.seed},
+          {"threads", or_null(options.threads)},
+          {"streams", options.streams},
+          {"step", or_null(options.step)}};
+}
+
 }  // namespace fpkcheck::mcs

@@ -1,0 +1,72 @@
+#include "cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <set>
+
+#include "problem/case_file.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::cli {
+
+namespace po = boost::program_options;
+
+po::options_description with_common_options(const po::options_description& own,
+                                            CommonArguments& common) {
+  po::options_description all("options", 96);
+  all.add(own);
+  all.add_options()  //
+      ("set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
+       "override a key of the case, e.g. --set system.restitution=0.9; may be repeated")(
+          "out",
+          po::value<std::string>()->value_name("DIR")->notifier(
+              [&common](const std::string& value) { common.out = value; }),
+          "write summary.json, marginals.csv and figures/ there")(
+          "quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
+          "json", po::bool_switch(&common.json),
+          "print the summary as JSON on standard output, and nothing else there")("help,h",
+                                                                                  "this text");
+  return all;
+}
+
+bool parse(const std::vector<std::string>& arguments, const std::string& usage,
+           const po::options_description& options, std::vector<std::string>& positional) {
+  po::options_description all;
+  all.add(options).add_options()("positional", po::value(&positional));
+  po::positional_options_description rest;
+  rest.add("positional", -1);
+  try {
+    po::variables_map values;
+    const int style = po::command_line_style::unix_style ^ po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(arguments).options(all).positional(rest).style(style).run(),
+              values);
+    if (values.count("help") > 0) {
+      std::cout << usage << "\n" << options;
+      return false;
+    }
+    po::notify(values);
+  } catch (const po::error& error) {
+    throw InputError(fmt::format("{} (--help lists the options)", error.what()));
+  }
+  return true;
+}
+
+std::vector<problem::Problem> load_cases(const CommonArguments& common) {
+  std::vector<problem::Problem> problems;
+  std::set<std::string> names;
+  for (const auto& name : common.cases) {
+    problems.push_back(problem::load_case(name, common.overrides));
+    if (!names.insert(problems.back().name).second) {
+      throw InputError(
+          fmt::format("two cases are called '{}' (results are filed by that name: rename one)",
+                      problems.back().name));
+    }
+  }
+  if (problems.empty()) {
+    throw InputError("no case (name one: case1 .. case4, or an ini file)");
+  }
+  return problems;
+}
+
+}  // namespace fpkcheck::cli

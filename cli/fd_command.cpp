@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/solve_and_report.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kUsage =
+    "usage: fpkcheck fd CASE ... [options]\n\n"
+    "Finite differences for the stationary density on the half-plane y >= 0, of fifth order and\n"
+    "conservative, stepped to stationarity by CVODE with KLU and checked against the null vector "
+    "of\n"
+    "the same operator. The excitation term of the equation:\n"
+    "  white  Gaussian white noise of the same intensity\n"
+    "  km4    the series cut after the fourth derivative, with a fixed step l of the fourth\n"
+    "         difference: with l = grid step it is ill-posed, and the solver says so\n"
+    "  kf     the full jump integral (Kolmogorov-Feller equation)\n";
+
+template <class Enum>
+Enum choice(const std::string& value, const char* option, std::initializer_list<Enum> known) {
+  std::string names;
+  for (const Enum e : known) {
+    if (value == fd_fpk::name(e)) return e;
+    names += (names.empty() ? "" : ", ") + std::string(fd_fpk::name(e));
+  }
+  throw InputError(fmt::format("{} {} (use one of {})", option, value, names));
+}
+
+void require_map(const std::string& impact) {
+  if (impact != "map") throw InputError(fmt::format("--impact {} (use map)", impact));
+}
+
+// Boost.Program_options fills std::optional only through a notifier.
+template <class T>
+auto optional_value(std::optional<T>& target, const char* name) {
+  return boost::program_options::value<T>()->value_name(name)->notifier(
+      [&target](const T& value) { target = value; });
+}
+
+}  // namespace
+
+int fd_command(const std::vector<std::string>& arguments, const std::string& command_line) {
+  namespace po = boost::program_options;
+  CommonArguments common;
+  fd_fpk::Options options;
+  std::string equation, stepper, impact;
+  po::options_description own;
+  own.add_options()  //
+      ("equation", po::value(&equation)->value_name("E")->default_value("kf"), "white, km4 or kf")(
+          "impact", po::value(&impact)->value_name("I")->default_value("map"),
+          "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2")(
+          "stepper", po::value(&stepper)->value_name("S")->default_value("cvode"),
+          "cvode, or direct: the null vector alone")(
+          "order", po::value(&options.order)->value_name("P")->default_value(options.order),
+          "order of the transport terms, 2 .. 8; odd ones are upwind-biased")(
+          "nx", optional_value(options.nx, "N"),
+          "cells in y (default: from equivalent linearisation)")(
+          "nv", optional_value(options.nv, "N"), "cells in y', even (default: likewise)")(
+          "y-max", optional_value(options.x1_max, "Y"),
+          "box 0 <= y <= Y (default: until it is empty there)")(
+          "v-max", optional_value(options.x2_max, "V"), "box |y'| <= V (default: likewise)")(
+          "regularisation-length", optional_value(options.regularisation_length, "L"),
+          "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4])); 0: the literal "
+          "scheme")("tolerance",
+                    po::value(&options.residual_tolerance)
+                        ->value_name("R")
+                        ->default_value(options.residual_tolerance),
+                    "stationarity residual ||L p||_1 / ||p||_1 to reach");
+  if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
+  options.equation = choice(equation, "--equation",
+                            {fd_fpk::Equation::white, fd_fpk::Equation::km4, fd_fpk::Equation::kf});
+  options.stepper = choice(stepper, "--stepper", {fd_fpk::Stepper::cvode, fd_fpk::Stepper::direct});
+  require_map(impact);
+  return solve_and_report(common, {compare::fd_method(options)}, 0, Required::all, command_line);
+}
+
+}  // namespace fpkcheck::cli

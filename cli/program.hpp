@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fpkcheck::cli {
+
+/// Exit codes of every command.
+enum ExitCode {
+  kDone = 0,
+  kNotReached = 1,  ///< ran, but a solver did not reach what was asked, or a check failed
+  kBadInput = 2     ///< bad input or usage; nothing was solved
+};
+
+/// Runs the command that `arguments` (without the program's name) ask for. Results go to standard
+/// output, messages and progress to standard error.
+/// @return an ExitCode
+int run_program(const std::vector<std::string>& arguments);
+
+}  // namespace fpkcheck::cli

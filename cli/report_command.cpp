@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/program.hpp"
+#include "cli/solve_and_report.hpp"
+#include "compare/report.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kUsage =
+    "usage: fpkcheck report DIR\n\n"
+    "Prints the table of a saved run and draws its pictures again. Solves nothing.\n";
+
+}  // namespace
+
+int report_command(const std::vector<std::string>& arguments, const std::string&) {
+  namespace po = boost::program_options;
+  std::vector<std::string> directories;
+  po::options_description options("options", 96);
+  options.add_options()("help,h", "this text");
+  if (!parse(arguments, kUsage, options, directories)) return kDone;
+  if (directories.size() != 1) {
+    throw InputError("report takes one directory (that of a saved run, e.g. fpkcheck-out)");
+  }
+  const auto [table, warnings] = compare::report_again(directories.front(), table_width());
+  fmt::print("{}", table);
+  for (const auto& warning : warnings) fmt::print(stderr, "fpkcheck: {}\n", warning);
+  return kDone;
+}
+
+}  // namespace fpkcheck::cli

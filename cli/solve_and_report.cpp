@@ -1,0 +1,73 @@
+#include "cli/solve_and_report.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "cli/program.hpp"
+#include "cli/progress_line.hpp"
+#include "compare/report.hpp"
+#include "compare/run_cases.hpp"
+#include "compare/run_directory.hpp"
+#include "compare/table.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+bool reached(const std::vector<compare::CaseReport>& cases, Required required) {
+  return std::ranges::all_of(cases, [&](const compare::CaseReport& report) {
+    return std::ranges::all_of(report.entries, [&](const compare::Entry& entry) {
+      const bool needed = required == Required::all || entry.solution.method != "epc";
+      return !needed || entry.solution.status == transform::Status::ok;
+    });
+  });
+}
+
+}  // namespace
+
+std::size_t table_width() {
+  constexpr std::size_t kNarrowest = 80, kWidest = 100;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kWidest;
+  return std::clamp<std::size_t>(size.ws_col, kNarrowest, kWidest);
+}
+
+int solve_and_report(const CommonArguments& common, const std::vector<compare::Method>& methods,
+                     int threads, Required required, const std::string& command_line) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto problems = load_cases(common);
+  if (common.out) compare::make_writable(*common.out);
+
+  ProgressLine progress(common.quiet);
+  const auto cases = compare::run_cases(problems, methods, threads,
+                                        [&](const compare::RunProgress& at) { progress.show(at); });
+  progress.clear();
+
+  const auto run = compare::make_run(command_line, cases);
+  if (common.json) {
+    fmt::print("{}\n", run.summary.dump(2));
+  } else if (!common.quiet) {
+    fmt::print("{}", compare::table(run.summary, table_width()));
+    std::fflush(stdout);
+  }
+  if (common.out) {
+    for (const auto& warning : compare::write_report(*common.out, run)) {
+      fmt::print(stderr, "fpkcheck: {}\n", warning);
+    }
+  }
+  if (!common.quiet && !common.json) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    fmt::print("\n{}{:.1f} s.\n",
+               common.out ? fmt::format("Wrote summary.json, marginals.csv and figures/ to {} in ",
+                                        *common.out)
+                          : "Done in ",
+               elapsed.count());
+  }
+  return reached(cases, required) ? kDone : kNotReached;
+}
+
+}  // namespace fpkcheck::cli

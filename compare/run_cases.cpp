@@ -1,0 +1,111 @@
+#include "compare/run_cases.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace fpkcheck::compare {
+namespace {
+
+struct Task {
+  std::size_t problem;
+  std::size_t method;
+};
+
+// The cells of the table problems x methods as they get filled.
+class Run {
+ public:
+  Run(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
+      const ProgressListener& listener)
+      : problems_(problems), methods_(methods), listener_(listener) {
+    for (const auto& problem : problems) axes_.push_back(comparison_axes(problem));
+    entries_.assign(problems.size(), std::vector<std::optional<Entry>>(methods.size()));
+  }
+
+  void solve(const Task& task) {
+    const Method& method = methods_[task.method];
+    tell(task, 0);
+    entries_[task.problem][task.method] =
+        method.solve(problems_[task.problem], axes_[task.problem],
+                     [this, &task](double fraction) { tell(task, std::min(fraction, 0.999)); });
+    ++done_;
+    tell(task, 1);
+  }
+
+  // Runs the tasks on several threads; rethrows the first exception when all have ended.
+  void solve_side_by_side(const std::vector<Task>& tasks, unsigned threads) {
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr failure;
+    std::mutex failure_mutex;
+    {
+      std::vector<std::jthread> workers;
+      for (unsigned w = 0; w < std::min<std::size_t>(threads, tasks.size()); ++w) {
+        workers.emplace_back([&] {
+          for (std::size_t t = next++; t < tasks.size(); t = next++) {
+            try {
+              solve(tasks[t]);
+            } catch (...) {
+              const std::lock_guard lock(failure_mutex);
+              if (!failure) failure = std::current_exception();
+              next = tasks.size();
+            }
+          }
+        });
+      }
+    }
+    if (failure) std::rethrow_exception(failure);
+  }
+
+  std::vector<CaseReport> reports() {
+    std::vector<CaseReport> reports;
+    for (std::size_t p = 0; p < problems_.size(); ++p) {
+      std::vector<Entry> entries;
+      for (auto& entry : entries_[p]) entries.push_back(std::move(*entry));
+      reports.push_back(report_on_case(problems_[p], axes_[p], std::move(entries)));
+    }
+    return reports;
+  }
+
+ private:
+  void tell(const Task& task, double fraction) {
+    if (!listener_) return;
+    const std::lock_guard lock(listener_mutex_);
+    listener_({.done = done_,
+               .total = problems_.size() * methods_.size(),
+               .case_name = problems_[task.problem].name,
+               .method = methods_[task.method].id,
+               .fraction = fraction});
+  }
+
+  const std::vector<problem::Problem>& problems_;
+  const std::vector<Method>& methods_;
+  const ProgressListener& listener_;
+  std::vector<ComparisonAxes> axes_;
+  std::vector<std::vector<std::optional<Entry>>> entries_;
+  std::atomic<std::size_t> done_ = 0;
+  std::mutex listener_mutex_;
+};
+
+}  // namespace
+
+std::vector<CaseReport> run_cases(const std::vector<problem::Problem>& problems,
+                                  const std::vector<Method>& methods, int threads,
+                                  const ProgressListener& listener) {
+  Run run(problems, methods, listener);
+  std::vector<Task> side_by_side;
+  std::vector<Task> alone;
+  for (std::size_t p = 0; p < problems.size(); ++p) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      (methods[m].parallel ? alone : side_by_side).push_back({p, m});
+    }
+  }
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  run.solve_side_by_side(side_by_side, threads > 0 ? static_cast<unsigned>(threads) : processors);
+  for (const Task& task : alone) run.solve(task);
+  return run.reports();
+}
+
+}  // namespace fpkcheck::compare

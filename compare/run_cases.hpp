@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "compare/case_report.hpp"
+#include "compare/methods.hpp"
+
+namespace fpkcheck::compare {
+
+/// Where a run stands.
+struct RunProgress {
+  std::size_t done;   ///< solutions finished
+  std::size_t total;  ///< solutions asked for
+  std::string case_name;
+  std::string method;
+  double fraction;  ///< of this method's work: 1 when it has just finished
+};
+
+/// Told of progress; called from several threads, never two at once.
+using ProgressListener = std::function<void(const RunProgress&)>;
+
+/// Solves every problem by every method and compares. Methods that use one processor run side by
+/// side; those that use all of them run alone.
+/// @param methods by increasing trust
+/// @param threads processors to use; 0 for all
+/// @throws whatever a solver throws, after the others have ended
+std::vector<CaseReport> run_cases(const std::vector<problem::Problem>& problems,
+                                  const std::vector<Method>& methods, int threads,
+                                  const ProgressListener& listener);
+
+}  // namespace fpkcheck::compare
