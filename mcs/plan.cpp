@@ -21,7 +21,7 @@ constexpr double kLongestStep = 1;  // the series of order Flight::kOrder loses 
 
 constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;    // standard deviations
-constexpr double kAutomaticTime = 1.2e6;  // relaxation times: L1 noise of p(y), p(y') below 1e-3
+constexpr double kAutomaticTime = 2.4e6;  // relaxation times: L1 noise of p(y), p(y') about 6e-4
 constexpr double kAutomaticStep = 0.8;    // radians: dissipation right to 1e-6
 constexpr double kBurnIn = 20;            // relaxation times: exp(-20) of the start is left
 constexpr double kSamplesPerPeriod = 50;  // the bins are narrow: with 25 they are a sixth noisier

@@ -14,7 +14,7 @@ namespace fpkcheck::mcs {
 
 /// How to simulate. Zero or empty means automatic.
 struct Options {
-  /// Simulated time over all streams; automatic: 1.2e6 relaxation times 1/c_eq.
+  /// Simulated time over all streams; automatic: 2.4e6 relaxation times 1/c_eq.
   double time = 0;
   std::uint64_t seed = 1;
   /// Automatic: one per processor. The results do not depend on it.
