@@ -30,9 +30,8 @@ struct Distances {
 /// l2 and sup, and as zero in hellinger and kl. KL(b || a) is infinite where b > 0 = a; it is taken
 /// in the form int (b log(b/a) - b + a), which is the usual one for equal masses and never
 /// negative, so that mass beyond the axes does not spoil it. In the tail, a bin whose 95 % interval
-/// is wider than
-/// +-50 % of the density is left out, so that noise is not called error. All are NaN when an
-/// average is not finite.
+/// is wider than +-50 % of the density is left out, so that noise is not called error. All are NaN
+/// when an average is not finite.
 /// @throws std::invalid_argument when the bins differ or the shapes do not fit
 Distances distances(const transform::Marginal& a, const transform::Marginal& b);
 

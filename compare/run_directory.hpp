@@ -14,8 +14,7 @@ void make_writable(const std::filesystem::path& directory);
 
 /// Lets `produce` write a file under a temporary name in the target's directory, then renames it to
 /// the target. When anything fails, the target is as it was and the temporary file is gone.
-/// @throws whatever `produce` throws; std::runtime_error on one line when there is no file to
-/// rename
+/// @throws whatever `produce` throws; std::runtime_error on one line when it left no file
 void replace_file(const std::filesystem::path& target,
                   const std::function<void(const std::filesystem::path& temporary)>& produce);
 

@@ -18,8 +18,7 @@ std::string program_version();
 /// A number that is not finite becomes null, and so do the moments, the mass and the energy
 /// residual of a solution without a density.
 /// @param command the command line of the run
-/// @throws std::logic_error when an entry's details are not an object or claim a common field's
-/// name
+/// @throws std::logic_error when an entry's details are not an object or claim a common field
 nlohmann::ordered_json summary(const std::string& command, std::span<const CaseReport> cases);
 
 }  // namespace fpkcheck::compare

@@ -55,8 +55,8 @@ TEST(CaseReport, ComparesTheMarginalOfTheVariableItNames) {
   // Made with the same p(y), and with another p(y').
   std::vector<Entry> entries;
   for (const double quartic : {0.0, 0.1}) {
-    entries.push_back(tests::entry("s" + std::to_string(quartic), "fd", "kf", problem::Impact::map,
-                                   tests::smooth({2, 0, 2, quartic}, 5, 5)));
+    entries.push_back(tests::entry(quartic > 0 ? "flat" : "normal", "fd", "kf",
+                                   problem::Impact::map, tests::smooth({2, 0, 2, quartic}, 5, 5)));
   }
   const auto two = report_on_case(report.problem, report.axes, entries);
   ASSERT_EQ(two.comparisons.size(), 2u);

@@ -26,7 +26,8 @@ FigureContent content_of(const SavedRun& run) {
 TEST(Figure, SubtractsTheFullEquationElseTheSimulation) {
   SavedRun run = made_up_run();
   EXPECT_EQ(content_of(run).reference, "fd-kf");
-  for (const auto& drawn : content_of(run).sides[1].curves) {
+  const FigureContent content = content_of(run);
+  for (const auto& drawn : content.sides[1].curves) {
     for (const auto& kf : run.marginals) {
       if (kf.solution != "fd-kf" || kf.variable != "ydot") continue;
       EXPECT_EQ(drawn.difference[70], drawn.curve->density[70] - kf.density[70]);
@@ -52,7 +53,8 @@ TEST(Figure, RangesFollowOnlySolutionsThatAreOk) {
 
 TEST(Figure, RangesHoldWhatTheLogarithmShows) {
   const SavedRun run = made_up_run();
-  for (const auto& side : content_of(run).sides) {
+  const FigureContent content = content_of(run);
+  for (const auto& side : content.sides) {
     for (const auto& drawn : side.curves) {
       if (drawn.solution->at("status") != "ok") continue;
       for (std::size_t k = 0; k < drawn.curve->density.size(); ++k) {
