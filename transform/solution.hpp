@@ -25,20 +25,20 @@ std::string_view name(Status status);
 
 /// What every solver returns, whatever its method.
 struct Solution {
-  std::string id;        ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
+  std::string id = {};        ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
   std::string method;    ///< "epc", "fd" or "mcs"
   std::string equation;  ///< "white", "km4" or "kf": the excitation term that was solved
   problem::Impact impact = problem::Impact::map;
   Status status = Status::failed;
-  std::string reason;  ///< one sentence; never empty unless the status is ok
+  std::string reason = {};  ///< one sentence; never empty unless the status is ok
   double seconds = 0;  ///< wall-clock time of the solve
 
   /// Absent when there is nothing that could be called a density.
-  std::optional<Density> density;
+  std::optional<Density> density = {};
   /// Marginals that the solver estimated itself, with intervals (simulation); else empty.
-  std::vector<std::pair<Variable, Marginal>> estimated_marginals;
+  std::vector<std::pair<Variable, Marginal>> estimated_marginals = {};
 
-  Moments moments;
+  Moments moments = {};
   double mass = 0;             ///< integral of the density as returned
   double min_density = 0;      ///< smallest value, relative to the largest
   double energy_residual = 0;  ///< problem::energy_residual

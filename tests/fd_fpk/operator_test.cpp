@@ -99,7 +99,8 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   }
 }
 
-// The density on the wall jumps at x2 = 0 by 1/r^2: what leaves must not be mixed with what returns.
+// The density on the wall jumps at x2 = 0 by 1/r^2: what leaves must not be mixed with what
+// returns.
 TEST(Operator, TakesTheOutgoingFluxFromOutgoingVelocitiesAlone) {
   const Grid grid{20, 30, 3.0, 3.0};
   const LineOperator flux = wall_flux(grid, 5);

@@ -1,0 +1,179 @@
+#include "cli/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace fpkcheck::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+
+Outcome program(const std::vector<std::string>& arguments) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exit_code = run_program(arguments);
+  std::fflush(stdout);
+  return {exit_code, testing::internal::GetCapturedStdout(),
+          testing::internal::GetCapturedStderr()};
+}
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / ("fpkcheck-" + std::string(test->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  fs::path folder_;
+};
+
+TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
+  std::ofstream(path("unknown.ini")) << "[system]\ncolour = red\n";
+  std::ofstream(path("file")) << "not a directory";
+  const std::string out = path("out");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
+      {{}, "no command"},
+      {{"solve"}, "'solve' is no command"},
+      {{"run", "case9"}, "no case 'case9'"},
+      {{"run", path("unknown.ini")}, "unknown key 'system.colour'"},
+      {{"run", "case1", "case1"}, "two cases are called 'case1'"},
+      {{"run", "--set", "system.color=1"}, "unknown key 'system.color'"},
+      {{"run", "--set", "system.restitution=0"}, "system.restitution = 0"},
+      {{"run", "--set", "system.restitution=1.01"}, "system.restitution = 1.01"},
+      {{"run", "--set", "system.damping=-0.1"}, "system.damping = -0.1"},
+      {{"run", "--set", "system.damping=nan"}, "system.damping = nan"},
+      {{"run", "--set", "impulse.rate=0"}, "impulse.rate = 0"},
+      {{"run", "--set", "impulse.law=cauchy"}, "impulse.law = cauchy"},
+      {{"run", "--methods", "fdm"}, "'fdm' is no method"},
+      {{"run", "--methods", "epc-gaussian-n5"}, "order"},
+      {{"run", "--time", "-1"}, "time"},
+      {{"run", "--seed", "-1"}, "seed"},
+      {{"run", "--threads", "-3"}, "threads"},
+      {{"run", "--threads", "two"}, "threads"},
+      {{"run", "--metods", "epc"}, "--metods"},
+      {{"epc", "case1", "--order", "3"}, "order"},
+      {{"epc", "case1", "--order", "1000"}, "order"},
+      {{"epc", "case1", "--order", "0"}, "order"},
+      {{"epc", "case1", "--formulation", "magic"}, "magic"},
+      {{"epc"}, "no case"},
+      {{"fd", "case1", "--equation", "fokker"}, "fokker"},
+      {{"fd", "case1", "--impact", "delta"}, "delta"},
+      {{"fd", "case1", "--nv", "41"}, "nv = 41"},
+      {{"fd", "case1", "--regularisation-length", "0.3"}, "only km4"},
+      {{"mcs", "case1", "--streams", "1"}, "streams"},
+      {{"report"}, "one directory"},
+  };
+  for (auto [arguments, expected] : bad) {
+    if (arguments.size() > 1) arguments.insert(arguments.end(), {"--out", out});
+    const auto [exit_code, standard_out, message] = program(arguments);
+    EXPECT_EQ(exit_code, kBadInput) << message;
+    EXPECT_NE(message.find(expected), std::string::npos) << expected << " not in: " << message;
+    EXPECT_EQ(std::ranges::count(message, '\n'), 1) << message;
+    EXPECT_EQ(standard_out, "") << expected;
+    EXPECT_FALSE(fs::exists(out)) << expected;
+  }
+}
+
+TEST_F(Program, AnUnwritableDirectoryIsFoundOutBeforeSolving) {
+  std::ofstream(path("file")) << "not a directory";
+  for (const std::string& out :
+       {path("file"), path("file") + "/deeper", std::string("/proc/nowhere")}) {
+    const auto [exit_code, standard_out, message] = program({"run", "case1", "--out", out});
+    EXPECT_EQ(exit_code, kBadInput);
+    EXPECT_NE(message.find(out), std::string::npos) << message;
+    EXPECT_EQ(std::ranges::count(message, '\n'), 1) << message;
+  }
+}
+
+TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
+  const std::string out = path("out");
+  const auto run = program({"run", "case1", "--methods", "epc-gaussian-n6,fd-white,mcs", "--time",
+                            "20000", "--out", out});
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  EXPECT_EQ(run.err, "");  // no progress: not a terminal
+  std::ifstream file(fs::path(out) / "summary.json");
+  const auto summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary.at("schema"), 1);
+  EXPECT_EQ(summary.at("cases").at(0).at("solutions").size(), 3u);
+  EXPECT_NE(summary.at("program").at("command").get<std::string>().find("--time 20000"),
+            std::string::npos);
+  EXPECT_GT(fs::file_size(fs::path(out) / "marginals.csv"), 1000u);
+
+  const auto again = program({"report", out});
+  EXPECT_EQ(again.exit_code, kDone);
+  EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // the run adds its closing line
+}
+
+TEST_F(Program, JsonIsAllThatStandsOnStandardOutput) {
+  const auto [exit_code, out, err] = program({"epc", "case1", "--order", "2", "--json"});
+  EXPECT_EQ(exit_code, kDone);
+  const auto summary = nlohmann::json::parse(out);
+  const auto& solution = summary.at("cases").at(0).at("solutions").at(0);
+  EXPECT_EQ(solution.at("id"), "epc-gaussian-n2");
+  EXPECT_EQ(solution.at("coefficients").size(), 3u);  // x1^2, x1 x2, x2^2
+}
+
+TEST_F(Program, WhatWasAskedForAndNotReachedIsCodeOne) {
+  const auto closure = program({"epc", "case1", "--order", "8"});
+  EXPECT_EQ(closure.exit_code, kNotReached);
+  EXPECT_NE(closure.out.find("not_converged"), std::string::npos);
+  const auto literal =
+      program({"fd", "case1", "--equation", "km4", "--regularisation-length", "0", "--quiet"});
+  EXPECT_EQ(literal.exit_code, kNotReached);
+  EXPECT_EQ(literal.out, "");
+}
+
+TEST_F(Program, TheFullRunIsDoneThoughSomeClosuresFindNoDensity) {
+  const auto run = program({"run", "case1", "--time", "20000", "--json", "--out", path("out")});
+  EXPECT_EQ(run.exit_code, kDone) << run.err;
+  const auto summary = nlohmann::json::parse(run.out);
+  const auto& solutions = summary.at("cases").at(0).at("solutions");
+  ASSERT_EQ(solutions.size(), 8u);
+  EXPECT_EQ(solutions.at(3).at("status"), "not_converged");
+}
+
+TEST_F(Program, SettingsReachTheSolver) {
+  const auto [exit_code, out, err] =
+      program({"fd", "case1", "--set", "system.restitution=1", "--equation", "white", "--stepper",
+               "direct", "--nx", "40", "--nv", "80", "--json"});
+  ASSERT_EQ(exit_code, kDone) << err;
+  const auto solution = nlohmann::json::parse(out).at("cases").at(0).at("solutions").at(0);
+  EXPECT_EQ(solution.at("nx"), 40);
+  EXPECT_EQ(solution.at("steps"), 0);
+  EXPECT_NEAR(solution.at("moments").at("v2").get<double>(), 0.5, 1e-5);  // lambda E[Y^2]/(2c)
+}
+
+TEST_F(Program, HelpAndVersionAreAnswersNotErrors) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"run", "--help"},
+                                                    {"epc", "--help"},
+                                                    {"fd", "-h"},
+                                                    {"mcs", "--help"},
+                                                    {"report", "--help"},
+                                                    {"--version"}}) {
+    const auto [exit_code, out, err] = program(arguments);
+    EXPECT_EQ(exit_code, kDone);
+    EXPECT_FALSE(out.empty());
+    EXPECT_EQ(err, "");
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::cli

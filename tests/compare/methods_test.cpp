@@ -1,0 +1,63 @@
+#include "compare/methods.hpp"
+
+#include <gtest/gtest.h>
+
+#include "paper_cases.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+std::vector<std::string> ids(const std::string& list) {
+  std::vector<std::string> result;
+  for (const auto& method : select_methods(list, {})) result.push_back(method.id);
+  return result;
+}
+
+using Ids = std::vector<std::string>;
+
+TEST(Methods, FamiliesStandForTheirMembersByIncreasingTrust) {
+  EXPECT_EQ(ids("mcs,fd,epc"), (Ids{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6",
+                                    "epc-gaussian-n8", "fd-white", "fd-km4", "fd-kf", "mcs"}));
+}
+
+TEST(Methods, ItemsAreTakenOnceAndOrdersByNumber) {
+  EXPECT_EQ(ids("epc-gaussian-n12,fd-kf,epc-gaussian-n2,fd-kf,fd-km4"),
+            (Ids{"epc-gaussian-n2", "epc-gaussian-n12", "fd-km4", "fd-kf"}));
+}
+
+TEST(Methods, WhatIsNoMethodIsRefusedByName) {
+  for (const std::string bad :
+       {"", "fdm", "fd-kf2", "epc-gaussian-n", "epc-gaussian-n6x", "epc,,mcs", "mcs2"}) {
+    EXPECT_THROW(ids(bad), InputError) << bad;
+  }
+  EXPECT_THROW(ids("epc-gaussian-n7"), InputError);    // odd
+  EXPECT_THROW(ids("epc-gaussian-n400"), InputError);  // huge
+}
+
+TEST(Methods, SolutionsCarryTheIdThatTheMethodPromised) {
+  const auto problem = tests::paper_case(1);
+  const auto axes = comparison_axes(problem);
+  mcs::Options brief;
+  brief.time = 5000;
+  for (const auto& method : select_methods("epc-gaussian-n2,fd-white,mcs", brief)) {
+    const Entry entry = method.solve(problem, axes, [](double) {});
+    EXPECT_EQ(entry.solution.id, method.id);
+    EXPECT_TRUE(entry.solution.density.has_value()) << method.id;
+    EXPECT_TRUE(entry.details.is_object());
+    EXPECT_TRUE(entry.options.is_object());
+  }
+}
+
+TEST(Methods, SimulationCountsOnTheComparisonAxes) {
+  const auto problem = tests::paper_case(1);
+  const auto axes = comparison_axes(problem);
+  mcs::Options brief;
+  brief.time = 5000;
+  const Entry entry = mcs_method(brief).solve(problem, axes, {});
+  const auto m = marginal(entry.solution, transform::Variable::y, axes.y_edges);
+  EXPECT_FALSE(m.lower.empty());  // its own estimate, with intervals
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare

@@ -1,0 +1,88 @@
+#include "compare/run_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+// A solver whose result names its problem, and that counts how many run at once.
+struct Probe {
+  std::atomic<int> running = 0;
+  std::atomic<int> most_at_once = 0;
+
+  Method method(const std::string& id, bool parallel = false) {
+    return {.id = id,
+            .parallel = parallel,
+            .solve = [this, id, parallel](const problem::Problem& problem, const ComparisonAxes&,
+                                          const Fraction& progress) {
+              const int now = ++running;
+              if (parallel && now > 1) throw std::logic_error("a parallel method is not alone");
+              for (int seen = most_at_once;
+                   now > seen && !most_at_once.compare_exchange_weak(seen, now);) {
+              }
+              std::this_thread::sleep_for(std::chrono::milliseconds(20));
+              if (progress) progress(0.5);
+              --running;
+              Entry entry;
+              entry.solution.id = id;
+              entry.solution.reason = problem.name;
+              return entry;
+            }};
+  }
+};
+
+std::vector<problem::Problem> two_problems() {
+  auto a = tests::paper_case(1), b = tests::paper_case(2);
+  a.name = "a";
+  b.name = "b";
+  return {a, b};
+}
+
+TEST(RunCases, FillsTheTableOfProblemsAndMethodsInOrder) {
+  Probe probe;
+  const std::vector<Method> methods{probe.method("one"), probe.method("two"),
+                                    probe.method("three", true)};
+  const auto reports = run_cases(two_problems(), methods, 2, {});
+  ASSERT_EQ(reports.size(), 2u);
+  for (const auto& report : reports) {
+    ASSERT_EQ(report.entries.size(), 3u);
+    EXPECT_EQ(report.entries[0].solution.id, "one");
+    EXPECT_EQ(report.entries[2].solution.id, "three");
+    for (const auto& entry : report.entries) EXPECT_EQ(entry.solution.reason, report.problem.name);
+  }
+  EXPECT_EQ(probe.most_at_once, 2);
+}
+
+TEST(RunCases, TellsOfEverySolutionUntilAllAreDone) {
+  Probe probe;
+  std::size_t finished = 0;
+  RunProgress last{};
+  run_cases(two_problems(), {probe.method("one"), probe.method("two", true)}, 2,
+            [&](const RunProgress& at) {
+              finished += at.fraction == 1;
+              last = at;
+            });
+  EXPECT_EQ(finished, 4u);
+  EXPECT_EQ(last.done, 4u);
+  EXPECT_EQ(last.total, 4u);
+  EXPECT_EQ(last.method, "two");
+}
+
+TEST(RunCases, PassesOnWhatASolverThrows) {
+  const Method broken{
+      .id = "broken",
+      .solve = [](const problem::Problem&, const ComparisonAxes&, const Fraction&) -> Entry {
+        throw std::runtime_error("no memory");
+      }};
+  EXPECT_THROW(run_cases(two_problems(), {broken}, 2, {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare
