@@ -14,15 +14,17 @@ namespace po = boost::program_options;
 
 po::options_description with_common_options(const po::options_description& own,
                                             CommonArguments& common) {
-  po::options_description all("options", 96);
-  all.add(own);
+  constexpr unsigned kWidth = 96;
+  po::options_description all("options", kWidth);
+  // One by one: a nested group would be printed after the others, and in its own width.
+  for (const auto& option : own.options()) all.add(option);
   all.add_options()  //
       ("set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
        "override a key of the case, e.g. --set system.restitution=0.9; may be repeated")(
           "out",
           po::value<std::string>()->value_name("DIR")->notifier(
               [&common](const std::string& value) { common.out = value; }),
-          "write summary.json, marginals.csv and figures/ there")(
+          "write summary.json, marginals.csv and figures/ there (run: default fpkcheck-out)")(
           "quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
           "json", po::bool_switch(&common.json),
           "print the summary as JSON on standard output, and nothing else there")("help,h",

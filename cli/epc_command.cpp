@@ -17,7 +17,10 @@ constexpr const char* kUsage =
     "                 support\n"
     "  inadmissible   the equations are met, but not by such a density (condition (19) of the "
     "paper)\n"
-    "  not_converged  the equations are not met\n";
+    "  not_converged  the equations are not met\n\n"
+    "examples:\n"
+    "  fpkcheck epc case1 --order 6\n"
+    "  fpkcheck epc case2 --order 8 --json\n";
 
 epc::MonomialSet monomial_set(const std::string& name) {
   if (name == "point_symmetric") return epc::MonomialSet::point_symmetric;

@@ -17,7 +17,11 @@ constexpr const char* kUsage =
     "  white  Gaussian white noise of the same intensity\n"
     "  km4    the series cut after the fourth derivative, with a fixed step l of the fourth\n"
     "         difference: with l = grid step it is ill-posed, and the solver says so\n"
-    "  kf     the full jump integral (Kolmogorov-Feller equation)\n";
+    "  kf     the full jump integral (Kolmogorov-Feller equation)\n\n"
+    "examples:\n"
+    "  fpkcheck fd case1\n"
+    "  fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)\n"
+    "  fpkcheck fd case4 --stepper direct --nx 50 --nv 120\n";
 
 template <class Enum>
 Enum choice(const std::string& value, const char* option, std::initializer_list<Enum> known) {

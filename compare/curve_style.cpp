@@ -13,6 +13,7 @@ constexpr const char* kGreen = "#009E73";
 constexpr const char* kOrange = "#E69F00";
 constexpr const char* kVermillion = "#D55E00";
 constexpr const char* kPurple = "#CC79A7";
+constexpr const char* kGrey = "#606060";
 
 constexpr const char* kSolid = "solid";
 
@@ -30,7 +31,7 @@ CurveStyle curve_style(const nlohmann::ordered_json& solution) {
   if (method == "mcs") return {kBlack, kSolid, 1, true, 3};
   if (method == "fd") return finite_differences(solution.at("id").get<std::string>());
 
-  constexpr std::array kColours{kOrange, kVermillion, kPurple};
+  constexpr std::array kColours{kOrange, kVermillion, kPurple, kGrey};
   // The higher the order, the more ink.
   constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
                                "(10,4,2,4,2,4)", "(20,4,2,4)", "(20,6)"};

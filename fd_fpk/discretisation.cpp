@@ -8,10 +8,11 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kBoxDeviations = 7;
-// Cells per deviation. The paper's cases then lie within about 2e-4 (L1) of the limit of fine
-// grids.
-constexpr double kX1Step = 0.2125;
+// In deviations of equivalent linearisation. A hardening spring keeps p(y) short, the impulses make
+// p(y') long; the steep tail of p(y) in turn wants the finer step.
+constexpr double kX1Box = 6;
+constexpr double kX2Box = 7;
+constexpr double kX1Step = 0.15;
 constexpr double kX2Step = 0.17;
 
 // Length that an integer number of velocity steps must cover; 0 where there is none.
@@ -49,8 +50,8 @@ int cells_over(double length, double step) {
 
 Box initial_box(const problem::Problem& problem, const Options& options) {
   const auto linear = problem::equivalent_linearisation(problem);
-  return {options.x1_max.value_or(kBoxDeviations * linear.displacement_deviation),
-          options.x2_max.value_or(kBoxDeviations * linear.velocity_deviation)};
+  return {options.x1_max.value_or(kX1Box * linear.displacement_deviation),
+          options.x2_max.value_or(kX2Box * linear.velocity_deviation)};
 }
 
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {

@@ -21,11 +21,11 @@ struct Discretisation {
   double jump_spacing = 0;           ///< d of kf as used, else 0
 };
 
-/// Cells of about 1/6 (x2) and 1/5 (x1) of a deviation of equivalent linearisation, unless the
+/// Cells of about 1/7 (x1) and 1/6 (x2) of a deviation of equivalent linearisation, unless the
 /// options set their number.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
-/// What the options say of the box, else seven deviations of equivalent linearisation.
+/// What the options say of the box, else 6 (x1) and 7 (x2) deviations of equivalent linearisation.
 Box initial_box(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk
