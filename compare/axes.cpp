@@ -13,7 +13,8 @@ constexpr int kBins = 140;
 
 ComparisonAxes comparison_axes(const problem::Problem& problem) {
   const auto bell = problem::equivalent_linearisation(problem);
-  const double y_max = kDeviations * bell.displacement_deviation;
+  const double y_max =
+      problem::static_deflection(problem) + kDeviations * bell.displacement_deviation;
   const double v_max = kDeviations * bell.velocity_deviation;
   ComparisonAxes axes;
   for (int k = 0; k <= kBins; ++k) {

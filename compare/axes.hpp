@@ -13,9 +13,10 @@ struct ComparisonAxes {
   std::vector<double> v_edges;  ///< increasing and symmetric, one of them 0
 };
 
-/// Uniform bins over 0 <= y <= 7 sigma_1 and |y'| <= 7 sigma_2, with the deviations of equivalent
-/// linearisation. Only the problem decides them, so that a simulation can be given the same bins
-/// for its histogram and nothing is interpolated for it.
+/// Uniform bins over 0 <= y <= y_s + 7 sigma_1 and |y'| <= 7 sigma_2, with the deviations of
+/// equivalent linearisation and the static deflection y_s under the mean of the impulses (0 in the
+/// paper). Only the problem decides them, so that a simulation can be given the same bins for its
+/// histogram and nothing is interpolated for it.
 ComparisonAxes comparison_axes(const problem::Problem& problem);
 
 /// The edges of one variable.

@@ -1,5 +1,7 @@
 #include "fd_fpk/discretisation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,15 +44,42 @@ Excitation excitation(const problem::ImpulseTrain& impulses, Equation equation, 
   return {};
 }
 
-int cells_over(double length, double step) {
-  return std::max(16, static_cast<int>(std::ceil(length / step - 1e-9)));
+// As a double: a box may ask for more cells than an int can count.
+double cells_over(double length, double step) {
+  return std::max(16.0, std::ceil(length / step - 1e-9));
+}
+
+// Why a grid cannot be made or would not do; empty when it can.
+std::string objection(const Options& options, const Box& box, double nx, double nv, double length,
+                      double step) {
+  if (length > box.x2_max / 2) {
+    return fmt::format(
+        "the lattice of {} has step {:.3g} in a box |y'| <= {:.3g} (take a shorter regularisation "
+        "length or a wider box)",
+        name(options.equation), length, box.x2_max);
+  }
+  if (step * nv / 2 < box.x2_max * (1 - 1e-9)) {
+    return fmt::format(
+        "{:.0f} cells in y' do not reach |y'| = {:.3g}: the lattice of {} allows steps of at most "
+        "{:.3g} (give nv = {:.0f} or more, or leave it out)",
+        nv, box.x2_max, name(options.equation), length, 2 * std::ceil(box.x2_max / length));
+  }
+  if (nx * nv > kMostCells) {
+    return fmt::format(
+        "the grid needs {:.0f} x {:.0f} cells, more than {} (the impulses or the cells asked for "
+        "are "
+        "small against the box: solve white or km4, or give nx, nv or a smaller box)",
+        nx, nv, kMostCells);
+  }
+  return "";
 }
 
 }  // namespace
 
 Box initial_box(const problem::Problem& problem, const Options& options) {
   const auto linear = problem::equivalent_linearisation(problem);
-  return {options.x1_max.value_or(kX1Box * linear.displacement_deviation),
+  return {options.x1_max.value_or(problem::static_deflection(problem) +
+                                  kX1Box * linear.displacement_deviation),
           options.x2_max.value_or(kX2Box * linear.velocity_deviation)};
 }
 
@@ -65,12 +94,15 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
     lattice_cells = std::max(1, static_cast<int>(wanted));
     step = length / lattice_cells;
   }
-  const int nv = options.nv.value_or(2 * cells_over(box.x2_max, step));
+  const double nv = options.nv ? *options.nv : 2 * cells_over(box.x2_max, step);
   if (length == 0) step = 2 * box.x2_max / nv;
-  const int nx =
-      options.nx.value_or(cells_over(box.x1_max, kX1Step * linear.displacement_deviation));
+  const double nx =
+      options.nx ? *options.nx : cells_over(box.x1_max, kX1Step * linear.displacement_deviation);
+  const std::string refusal = objection(options, box, nx, nv, length, step);
+  if (!refusal.empty())
+    return {.grid = {0, 0, box.x1_max, box.x2_max}, .excitation = {}, .refusal = refusal};
   const double spacing = lattice_cells * step;
-  return {.grid = {nx, nv, box.x1_max, step * nv / 2},
+  return {.grid = {static_cast<int>(nx), static_cast<int>(nv), box.x1_max, step * nv / 2},
           .excitation = excitation(problem.impulses, options.equation, step, lattice_cells),
           .regularisation_length = options.equation == Equation::km4 ? spacing : 0,
           .jump_spacing = options.equation == Equation::kf ? spacing : 0};

@@ -51,6 +51,15 @@ void KluFactorisation::solve_in_place(Eigen::VectorXd& b) const {
   }
 }
 
-long KluFactorisation::entries() const { return handles_->numeric->lnz + handles_->numeric->unz; }
+std::string KluFactorisation::failure() const {
+  if (succeeded()) return "";
+  switch (handles_->common.status) {
+    case KLU_OUT_OF_MEMORY:
+    case KLU_TOO_LARGE:
+      return "not enough memory to factor the operator (take a coarser grid or a smaller box)";
+    default:
+      return "KLU found the operator singular beyond its null vector (take a finer grid)";
+  }
+}
 
 }  // namespace fpkcheck::fd_fpk

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 
 #include "fd_fpk/operator.hpp"
 
@@ -16,14 +17,13 @@ class KluFactorisation {
   KluFactorisation(KluFactorisation&&) noexcept;
   KluFactorisation& operator=(KluFactorisation&&) noexcept;
 
-  /// False when the matrix is singular to working precision; then solve must not be called.
+  /// False when there is no factorisation; then solve must not be called.
   bool succeeded() const;
+  /// Why it failed and what to do; empty when it succeeded.
+  std::string failure() const;
 
   /// Replaces b by the solution x of A x = b.
   void solve_in_place(Eigen::VectorXd& b) const;
-
-  /// Entries of L and U together.
-  long entries() const;
 
  private:
   struct Handles;

@@ -20,9 +20,8 @@ using SparseColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>
 /// Conservative: every term is a difference of fluxes or an exchange between cells, so columns sum
 /// to zero and the mass, the sum of P over the cells, is kept.
 ///
-/// @param order of the transport terms: odd orders take their x1 stencils from upstream, even ones
-/// are
-///        centred. Derivatives in x2 are centred, of the next even order.
+/// @param order of the transport terms: odd orders take their stencils from upstream, even ones are
+///        centred. The excitation's derivatives are centred, of the next even order.
 SparseColumns fokker_planck_operator(const problem::System& system, const Excitation& excitation,
                                      const Grid& grid, int order);
 

@@ -28,7 +28,8 @@ struct Options {
   /// Step l of the fourth difference of km4; 0 is the literal scheme. Automatic:
   /// default_regularisation_length.
   std::optional<double> regularisation_length{};
-  /// ||L P||_1 / ||P||_1 that counts as stationary, per unit time.
+  /// ||L P||_1 / ||P||_1 that counts as stationary, in units of the frequency sqrt(k_eq) of
+  /// equivalent linearisation, so that the unit of time does not matter.
   double residual_tolerance = 1e-10;
 };
 

@@ -68,12 +68,11 @@ void check(int flag, const char* call) {
 }  // namespace
 
 March march_to_stationarity(const SparseColumns& matrix, const Eigen::VectorXd& start,
-                            double tolerance, double longest_step) {
+                            double tolerance, const TimeScales& scales) {
   constexpr long kMaxSteps = 200;
   // Local errors are no aim here: a step may change the density by as much as itself.
   constexpr double kRelativeTolerance = 1;
   const double absolute_tolerance = start.maxCoeff();
-  constexpr double kFirstStep = 0.1;
   constexpr double kStepGrowth = 100;
 
   sundials::Context context;
@@ -92,8 +91,8 @@ March march_to_stationarity(const SparseColumns& matrix, const Eigen::VectorXd& 
   check(CVodeSStolerances(cvode.get(), kRelativeTolerance, absolute_tolerance),
         "CVodeSStolerances");
   check(CVodeSetMaxOrd(cvode.get(), 1), "CVodeSetMaxOrd");
-  check(CVodeSetInitStep(cvode.get(), kFirstStep), "CVodeSetInitStep");
-  check(CVodeSetMaxStep(cvode.get(), longest_step), "CVodeSetMaxStep");
+  check(CVodeSetInitStep(cvode.get(), scales.first_step), "CVodeSetInitStep");
+  check(CVodeSetMaxStep(cvode.get(), scales.longest_step), "CVodeSetMaxStep");
   check(CVodeSetEtaMaxFirstStep(cvode.get(), kStepGrowth), "CVodeSetEtaMaxFirstStep");
   check(CVodeSetEtaMaxEarlyStep(cvode.get(), kStepGrowth), "CVodeSetEtaMaxEarlyStep");
   check(CVodeSetEtaMax(cvode.get(), kStepGrowth), "CVodeSetEtaMax");
@@ -118,10 +117,6 @@ March march_to_stationarity(const SparseColumns& matrix, const Eigen::VectorXd& 
   check(CVodeGetNumRhsEvals(cvode.get(), &march.rhs_evaluations), "CVodeGetNumRhsEvals");
   march.averages = view(p.get());
   march.stationary = march.residual <= tolerance;  // false for NaN
-  if (!march.stationary && march.reason.empty()) {
-    march.reason = fmt::format("residual {:.1e} after {} steps, {:.1e} was asked for",
-                               march.residual, march.steps, tolerance);
-  }
   return march;
 }
 

@@ -11,11 +11,17 @@ namespace fpkcheck::fd_fpk {
 struct March {
   Eigen::VectorXd averages;  ///< the last density reached
   bool stationary = false;   ///< the residual asked for was reached
-  std::string reason;        ///< why not, with CVODE's own message
+  std::string reason;        ///< why CVODE stopped, in its own words; empty when it did not
   double residual = 0;       ///< stationarity_residual of `averages`
   long steps = 0;            ///< CVODE's internal steps
   long factorisations = 0;   ///< KLU factorisations of I - gamma L
   long rhs_evaluations = 0;  ///< products L P asked for by CVODE
+};
+
+/// Times that belong to the problem.
+struct TimeScales {
+  double first_step;
+  double longest_step;
 };
 
 /// Steps dP/dt = L P from `start` until ||L P||_1 <= tolerance ||P||_1, with SUNDIALS CVODE: BDF of
@@ -24,9 +30,9 @@ struct March {
 /// SUNLinearSolver_KLU and the analytic sparse Jacobian, L itself. Only the residual is judged,
 /// never CVODE's step size.
 ///
-/// @param longest_step bound on CVODE's step
+/// @param tolerance on stationarity_residual, per unit time
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
 March march_to_stationarity(const SparseColumns& matrix, const Eigen::VectorXd& start,
-                            double tolerance, double longest_step);
+                            double tolerance, const TimeScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

@@ -11,6 +11,7 @@
 #include "fd_fpk/operator.hpp"
 #include "fd_fpk/pseudo_transient.hpp"
 #include "fd_fpk/well_posedness.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -21,25 +22,38 @@ using transform::Status;
 // which no box is accepted.
 constexpr double kNegligible = 1e-6;
 constexpr double kTooMuch = 1e-3;
-// Longest CVODE step in units of 1/c. Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma
-// ||L||.
-constexpr double kLongestStep = 300;
+// First and longest CVODE step, in units of the oscillator's radian and of its slowest decay time.
+// Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the bound.
+constexpr double kFirstStep = 0.1;
+constexpr double kLongestStep = 500;
 
-// An operator on its grid with its null vector, empty when KLU broke down.
+// A density that falls below this share of its peak, or misses the power balance by more, is not
+// resolved by its grid.
+constexpr double kMostNegative = -1e-3;
+constexpr double kEnergyAllowed = 5e-3;
+
+// An operator on its grid with its null vector, empty with a reason when there is none.
 struct DirectSolution {
   Discretisation discretisation;
-  SparseColumns matrix;
-  std::optional<Eigen::VectorXd> averages;
+  SparseColumns matrix = {};
+  std::optional<Eigen::VectorXd> averages = {};
+  std::string failure = {};
 };
 
 DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
                               const Box& box) {
   Discretisation discretisation = discretise(problem, options, box);
+  if (!discretisation.refusal.empty()) {
+    std::string refusal = discretisation.refusal;
+    return {.discretisation = std::move(discretisation), .failure = std::move(refusal)};
+  }
   const Grid& grid = discretisation.grid;
   SparseColumns matrix =
       fokker_planck_operator(problem.system, discretisation.excitation, grid, options.order);
-  auto averages = null_vector(matrix, grid, gaussian_start(grid, problem));
-  return {std::move(discretisation), std::move(matrix), std::move(averages)};
+  auto [averages, failure] =
+      null_vector(matrix, grid, gaussian_start(grid, problem),
+                  problem::slowest_decay(problem::equivalent_linearisation(problem)));
+  return {std::move(discretisation), std::move(matrix), std::move(averages), std::move(failure)};
 }
 
 // The direct solution in a box whose walls carry no density, as far as the options leave it free.
@@ -90,33 +104,41 @@ std::optional<Eigen::VectorXd> stationary_density(const DirectSolution& direct,
   auto& [solution, summary] = result;
   if (!direct.averages) {
     solution.status = Status::failed;
-    solution.reason = "KLU found the operator singular beyond its null vector (refine the grid)";
+    solution.reason = direct.failure;
     return std::nullopt;
   }
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double frequency = std::sqrt(linear.stiffness);
+  std::optional<Eigen::VectorXd> averages;
   if (options.stepper == Stepper::direct) {
     summary.factorisations = 1;
-    summary.residual = stationarity_residual(direct.matrix, *direct.averages);
-    const bool stationary = summary.residual <= options.residual_tolerance;
-    solution.status = stationary ? Status::ok : Status::not_converged;
-    if (!stationary) {
-      solution.reason = fmt::format("residual {:.1e} after inverse iteration, {:.1e} was asked for",
-                                    summary.residual, options.residual_tolerance);
-    }
-    return direct.averages;
+    summary.residual = stationarity_residual(direct.matrix, *direct.averages) / frequency;
+    averages = direct.averages;
+  } else {
+    March march =
+        march_to_stationarity(direct.matrix, gaussian_start(direct.discretisation.grid, problem),
+                              options.residual_tolerance * frequency,
+                              {.first_step = kFirstStep / frequency,
+                               .longest_step = kLongestStep / problem::slowest_decay(linear)});
+    summary.steps = march.steps;
+    summary.factorisations = march.factorisations;
+    summary.rhs_evaluations = march.rhs_evaluations;
+    summary.residual = march.residual / frequency;
+    summary.stepped_against_direct =
+        (march.averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
+    solution.reason = march.reason;
+    if (march.averages.allFinite()) averages = std::move(march.averages);
   }
-  March march =
-      march_to_stationarity(direct.matrix, gaussian_start(direct.discretisation.grid, problem),
-                            options.residual_tolerance, kLongestStep / problem.system.damping());
-  summary.steps = march.steps;
-  summary.factorisations = march.factorisations;
-  summary.rhs_evaluations = march.rhs_evaluations;
-  summary.residual = march.residual;
-  summary.stepped_against_direct =
-      (march.averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
-  solution.status = march.stationary ? Status::ok : Status::not_converged;
-  solution.reason = march.reason;
-  if (!march.averages.allFinite()) return std::nullopt;
-  return std::move(march.averages);
+  solution.status = Status::ok;
+  if (!(summary.residual <= options.residual_tolerance)) {
+    solution.status = Status::not_converged;
+    if (solution.reason.empty()) {
+      solution.reason = fmt::format(
+          "residual {:.1e} after {} steps and {} factorisations, {:.1e} was asked for",
+          summary.residual, summary.steps, summary.factorisations, options.residual_tolerance);
+    }
+  }
+  return averages;
 }
 
 void require_empty_walls(const Grid& grid, Result& result) {
@@ -129,6 +151,24 @@ void require_empty_walls(const Grid& grid, Result& result) {
       "peak "
       "(widen it)",
       grid.x1_max, grid.x2_max, std::max(wall.x1, wall.x2));
+}
+
+void require_resolved(transform::Solution& solution) {
+  if (solution.status != Status::ok) return;
+  if (solution.min_density < kMostNegative) {
+    solution.reason = fmt::format(
+        "the density is negative down to {:.1g} of its peak: the grid does not resolve it (refine "
+        "with "
+        "nx and nv)",
+        solution.min_density);
+  } else if (std::abs(solution.energy_residual) > kEnergyAllowed) {
+    solution.reason = fmt::format(
+        "the balance of power is missed by {:.1g} of the input: the grid does not resolve the "
+        "density "
+        "(refine with nx and nv)",
+        solution.energy_residual);
+  }
+  if (!solution.reason.empty()) solution.status = Status::inadmissible;
 }
 
 void observe(const problem::Problem& problem, const Grid& grid, const Eigen::VectorXd& averages,
@@ -172,17 +212,25 @@ Result solve_untimed(const problem::Problem& problem, const Options& options) {
   // Growth depends on the velocity step alone, so it is judged before anything is solved.
   const auto first = discretise(problem, options, initial_box(problem, options));
   describe(first, summary);
+  if (!first.refusal.empty()) {
+    solution.status = Status::failed;
+    solution.reason = first.refusal;
+    return result;
+  }
   if (grows(problem.impulses, first, options.order, result)) return result;
 
   const DirectSolution direct = solve_in_wide_enough_box(problem, options);
   describe(direct.discretisation, summary);
-  summary.nonzeros = direct.matrix.nonZeros();
-  summary.column_sum = largest_column_sum(direct.matrix);
+  if (direct.averages) {
+    summary.nonzeros = direct.matrix.nonZeros();
+    summary.column_sum = largest_column_sum(direct.matrix);
+  }
   const auto density = stationary_density(direct, problem, options, result);
   if (density) {
     const Grid& grid = direct.discretisation.grid;
     observe(problem, grid, *density, options.order, result);
     require_empty_walls(grid, result);
+    require_resolved(result.solution);
   }
   return result;
 }

@@ -17,8 +17,9 @@ struct Result {
 /// impact map.
 ///
 /// Status: `ok`; `ill_posed` when the discrete excitation grows (the literal km4 on a fine grid: it
-/// is not stepped); `not_converged` when the residual asked for is not reached; `failed` when the
-/// box is too small or KLU breaks down.
+/// is not stepped); `not_converged` when the residual asked for is not reached; `inadmissible` when
+/// the density is negative or misses the balance of power by more than a resolved one would;
+/// `failed` when the box is too small, the grid would be too large or KLU breaks down.
 /// @throws InputError when the options cannot be used
 Result solve(const problem::Problem& problem, const Options& options);
 

@@ -18,7 +18,7 @@ struct Summary {
   long steps = 0;           ///< of CVODE; 0 for the direct solve
   long factorisations = 0;  ///< KLU factorisations on the final grid
   long rhs_evaluations = 0;
-  double residual = 0;  ///< ||L P||_1 / ||P||_1, per unit time
+  double residual = 0;  ///< ||L P||_1 / ||P||_1 in units of sqrt(k_eq)
   double stepped_against_direct =
       0;  ///< max |difference| / max density; 0 for the direct solve alone
   double regularisation_length = 0;  ///< l of km4, else 0

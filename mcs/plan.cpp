@@ -21,9 +21,9 @@ constexpr double kLongestStep = 1;  // the series of order Flight::kOrder loses 
 
 constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;    // standard deviations
-constexpr double kAutomaticTime = 2.4e6;  // relaxation times: L1 noise of p(y), p(y') about 6e-4
+constexpr double kAutomaticTime = 1.2e6;  // slowest decay times: L1 noise of p(y), p(y') about 6e-4
 constexpr double kAutomaticStep = 0.8;    // radians: dissipation right to 1e-6
-constexpr double kBurnIn = 20;            // relaxation times: exp(-20) of the start is left
+constexpr double kBurnIn = 20;            // slowest decay times: exp(-20) of the start is left
 constexpr double kSamplesPerPeriod = 50;  // the bins are narrow: with 25 they are a sixth noisier
 
 void validate_edges(const std::vector<double>& edges, std::string_view key) {
@@ -85,8 +85,9 @@ void validate(const Options& options) {
 Plan make_plan(const problem::Problem& problem, const Options& options) {
   validate(options);
   const auto linear = problem::equivalent_linearisation(problem);
+  const double decay = problem::slowest_decay(linear);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
-  const double time = options.time > 0 ? options.time : kAutomaticTime / linear.damping;
+  const double time = options.time > 0 ? options.time : kAutomaticTime / decay;
   const double interval = 2 * std::numbers::pi / std::sqrt(linear.stiffness) / kSamplesPerPeriod;
   const double samples = std::ceil(time / options.streams / interval);
   const int threads = options.threads > 0 ? options.threads : available_threads();
@@ -94,12 +95,13 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
           .threads = std::min(threads, options.streams),
           .seed = options.seed,
           .step = options.step > 0 ? options.step : kAutomaticStep,
-          .burn_in = kBurnIn / linear.damping,
+          .burn_in = kBurnIn / decay,
           .sampling_interval = interval,
           .samples_per_stream = static_cast<std::uint64_t>(samples),
           .displacement_deviation = s1,
           .velocity_deviation = s2,
-          .y_bins = bins(options.y_edges, 0, kAutomaticExtent * s1),
+          .y_bins =
+              bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
           .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};
 }
 

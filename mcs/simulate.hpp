@@ -14,7 +14,8 @@ namespace fpkcheck::mcs {
 
 /// How to simulate. Zero or empty means automatic.
 struct Options {
-  /// Simulated time over all streams; automatic: 2.4e6 relaxation times 1/c_eq.
+  /// Simulated time over all streams; automatic: 1.2e6 decay times of the slowest mode
+  /// of equivalent linearisation (2/c_eq below critical damping).
   double time = 0;
   std::uint64_t seed = 1;
   /// Automatic: one per processor. The results do not depend on it.
@@ -83,7 +84,8 @@ struct Result {
 };
 
 /// Simulates `options.streams` independent realisations, each from the equivalent-linearisation
-/// Gaussian folded to y >= 0 and past a burn-in of 20/c_eq, and averages over them with the weights
+/// Gaussian folded to y >= 0 and past a burn-in of 20 decay times of
+/// the slowest mode, and averages over them with the weights
 /// of StreamWeights. The same seed gives the same result, bit for bit, for any number of threads
 /// (on processors and with compilers that round alike).
 /// @throws InputError as validate()

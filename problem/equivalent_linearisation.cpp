@@ -6,6 +6,21 @@
 
 namespace fpkcheck::problem {
 
+namespace {
+
+// The root of a function that grows without bound from a negative value at 0.
+template <class Function>
+double positive_root(const Function& f) {
+  double upper = 1;
+  while (f(upper) <= 0) upper *= 2;
+  std::uintmax_t iterations = 200;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      f, 0.0, upper, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return (low + high) / 2;
+}
+
+}  // namespace
+
 EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   const System& system = problem.system;
   const double d2 = problem.impulses.intensity() / 2;
@@ -21,14 +36,22 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
     const double k_eq = stiffness(s1);
     return s1 * s1 * k_eq * damping(k_eq) - d2;
   };
-  double upper = 1;
-  while (excess(upper) <= 0) upper *= 2;
-  std::uintmax_t iterations = 200;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      excess, 0.0, upper, boost::math::tools::eps_tolerance<double>(52), iterations);
-  const double s1 = (low + high) / 2;
+  const double s1 = positive_root(excess);
   const double k_eq = stiffness(s1);
   return {damping(k_eq), k_eq, s1, s1 * std::sqrt(k_eq)};
+}
+
+double slowest_decay(const EquivalentLinearisation& linear) {
+  const double discriminant = linear.damping * linear.damping - 4 * linear.stiffness;
+  if (discriminant <= 0) return linear.damping / 2;
+  // Without the cancellation of c - sqrt(c^2 - 4k).
+  return 2 * linear.stiffness / (linear.damping + std::sqrt(discriminant));
+}
+
+double static_deflection(const Problem& problem) {
+  const double force = problem.impulses.rate_moment(1);
+  if (force <= 0) return 0;
+  return positive_root([&](double y) { return problem.system.restoring_force(y) - force; });
 }
 
 }  // namespace fpkcheck::problem

@@ -7,10 +7,10 @@ namespace fpkcheck::problem {
 /// The Gaussian that equivalent linearisation gives for (z, z') under white noise of the same
 /// intensity. Independent, zero-mean components.
 struct EquivalentLinearisation {
-  double damping;                 ///< c_eq
-  double stiffness;               ///< k_eq
-  double displacement_deviation;  ///< sigma_1 of paper (25)
-  double velocity_deviation;      ///< sigma_2 of paper (26)
+  double damping;                     ///< c_eq
+  double stiffness;                   ///< k_eq
+  double displacement_deviation = 0;  ///< sigma_1 of paper (25)
+  double velocity_deviation = 0;      ///< sigma_2 of paper (26)
 };
 
 /// Solves, with D2 = lambda E[Y^2] / 2,
@@ -19,5 +19,14 @@ struct EquivalentLinearisation {
 ///     k_eq = k + 3 mu sigma_1^2
 ///     sigma_2^2 = D2 / c_eq,   sigma_1 = sigma_2 / sqrt(k_eq).
 EquivalentLinearisation equivalent_linearisation(const Problem& problem);
+
+/// The rate at which the slowest mode of the linearised oscillator decays, per unit time:
+/// Re (c_eq - sqrt(c_eq^2 - 4 k_eq)) / 2. That is c_eq/2 below critical damping, about k_eq/c_eq
+/// far above it.
+double slowest_decay(const EquivalentLinearisation& linear);
+
+/// Where the mean of the impulses alone would hold the oscillator: k y + mu y^3 = lambda E[Y] when
+/// they push away from the wall, else 0. The Gaussian above knows nothing of it.
+double static_deflection(const Problem& problem);
 
 }  // namespace fpkcheck::problem

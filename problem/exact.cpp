@@ -1,9 +1,9 @@
 #include "problem/exact.hpp"
 
+#include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/pow.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -18,18 +18,17 @@ void require_elastic(const Problem& problem) {
   }
 }
 
-double potential(double k, double mu, double x) { return x * x * (k / 2 + mu * x * x / 4); }
-
 }  // namespace
 
 WhiteNoiseDensity::WhiteNoiseDensity(const Problem& problem)
     : beta_(2 * problem.system.damping() / problem.impulses.intensity()),
+      mean_force_(problem.impulses.rate_moment(1)),
       stiffness_(problem.system.stiffness()),
       cubic_(problem.system.cubic()) {
   require_elastic(problem);
   boost::math::quadrature::exp_sinh<double> integrate;
-  displacement_norm_ = integrate.integrate(
-      [this](double y) { return std::exp(-beta_ * potential(stiffness_, cubic_, y)); });
+  displacement_norm_ = 1;
+  displacement_norm_ = integrate.integrate([this](double y) { return displacement_marginal(y); });
 }
 
 double WhiteNoiseDensity::operator()(double x1, double x2) const {
@@ -38,7 +37,8 @@ double WhiteNoiseDensity::operator()(double x1, double x2) const {
 }
 
 double WhiteNoiseDensity::displacement_marginal(double y) const {
-  return std::exp(-beta_ * potential(stiffness_, cubic_, y)) / displacement_norm_;
+  const double potential = y * (y * (stiffness_ / 2 + cubic_ * y * y / 4) - mean_force_);
+  return std::exp(-beta_ * potential) / displacement_norm_;
 }
 
 double WhiteNoiseDensity::velocity_marginal(double v) const {
@@ -65,8 +65,8 @@ double linear_cumulant(const Problem& problem, int p, int q) {
     const double h_dot = decay * (std::cos(w * t) - c / (2 * w) * std::sin(w * t));
     return std::pow(h, p) * std::pow(h_dot, q);
   };
-  // One Gauss-Legendre panel per half turn until exp(-(p+q) c t / 2) is below 1e-18.
-  const double panel = std::numbers::pi / w;
+  // One Gauss-Legendre panel per half turn or decay time, until exp(-(p+q) c t / 2) is below 1e-18.
+  const double panel = std::min(std::numbers::pi / w, 2 / c);
   const double t_end = 2 * 41.5 / (c * (p + q));
   double integral = 0;
   for (double t = 0; t < t_end; t += panel) {

@@ -7,9 +7,11 @@
 /// wall.
 namespace fpkcheck::problem::exact {
 
-/// White noise of intensity 2 D2 and r = 1: in the (z, z') plane
+/// White noise of intensity 2 D2 with mean lambda E[Y], and r = 1: on the half-plane x1 > 0
 ///
-///     p(x1, x2) ~ exp( -(c/D2) (x2^2/2 + k x1^2/2 + mu x1^4/4) ).
+///     p(x1, x2) ~ exp( -(c/D2) (x2^2/2 + k x1^2/2 + mu x1^4/4 - lambda E[Y] x1) ),
+///
+/// and symmetric about the origin of the (z, z') plane.
 class WhiteNoiseDensity {
  public:
   /// @throws InputError when the restitution is not 1
@@ -23,13 +25,14 @@ class WhiteNoiseDensity {
   double velocity_marginal(double v) const;
 
  private:
-  double beta_;  // c/D2
+  double beta_;        // c/D2
+  double mean_force_;  // lambda E[Y]
   double stiffness_;
   double cubic_;
   double displacement_norm_;  // integral of exp(-beta V(y)) over y > 0
 };
 
-/// E[y'^2] = lambda E[Y^2] / (2c): r = 1, zero-mean impulses, any even potential.
+/// E[y'^2] = lambda E[Y^2] / (2c): r = 1, any law and any spring.
 /// @throws InputError when the restitution is not 1
 double mean_square_velocity(const Problem& problem);
 

@@ -52,15 +52,4 @@ double ImpulseLaw::density(double amplitude) const {
   return std::visit(Density{amplitude}, kind_);
 }
 
-std::complex<double> ImpulseLaw::characteristic_function(double u) const {
-  struct CharacteristicFunction {
-    double u;
-    std::complex<double> operator()(const GaussianLaw& law) const {
-      const double us = u * law.deviation;
-      return std::exp(std::complex<double>(-0.5 * us * us, u * law.mean));
-    }
-  };
-  return std::visit(CharacteristicFunction{u}, kind_);
-}
-
 }  // namespace fpkcheck::problem

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <complex>
 #include <string_view>
 #include <variant>
 
@@ -35,9 +34,6 @@ class ImpulseLaw {
 
   /// Probability density of Y at `amplitude`.
   double density(double amplitude) const;
-
-  /// Characteristic function E[exp(i u Y)].
-  std::complex<double> characteristic_function(double u) const;
 
  private:
   Kind kind_;

@@ -6,6 +6,7 @@
 
 #include "paper_cases.hpp"
 #include "problem/energy_balance.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/input_error.hpp"
 #include "trapezoid.hpp"
 
@@ -62,6 +63,21 @@ TEST(Exact, LinearCumulantsGiveTheFourthMomentsOfTheTheoryNotes) {
   EXPECT_NEAR(exact::linear_cumulant(p, 4, 0) + 3 * x2 * x2, 0.8058313, 5e-8);
   // (The notes give 0.8063895; the integral of h'^4, done by hand, ends in ...896.)
   EXPECT_NEAR(exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2, 0.8063896, 5e-8);
+}
+
+TEST(Exact, LinearCumulantsHoldUpToCriticalDamping) {
+  const Problem p = tests::make_problem({.damping = 1.9999, .cubic = 0, .restitution = 1});
+  EXPECT_NEAR(exact::linear_cumulant(p, 2, 0), 0.1 / (2 * 1.9999), 1e-12);
+  EXPECT_NEAR(exact::linear_cumulant(p, 0, 2), 0.1 / (2 * 1.9999), 1e-12);
+}
+
+TEST(Exact, WhiteNoiseWithAMeanShiftsTheDensityByTheStaticDeflection) {
+  const Problem p = tests::make_problem({.cubic = 0, .restitution = 1, .mean = 0.1});
+  const exact::WhiteNoiseDensity density(p);
+  // A normal about lambda E[Y] / k with variance D2/(c k) = 0.5, cut at the wall.
+  EXPECT_NEAR(density.displacement_marginal(0.3) / density.displacement_marginal(1.2),
+              std::exp((1.1 * 1.1 - 0.2 * 0.2) / (2 * 0.5)), 1e-10);
+  EXPECT_NEAR(static_deflection(p), 0.1, 1e-14);
 }
 
 TEST(Exact, RefusesProblemsWithoutAnExactSolution) {

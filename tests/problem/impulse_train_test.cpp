@@ -30,16 +30,6 @@ TEST(ImpulseTrain, IntensityIsRateTimesSecondMomentWhateverTheMean) {
   EXPECT_NEAR(ImpulseTrain(train(1.0, 0.1, 0.0)).rate_moment(4), 3 * 0.1 * 0.1, 1e-15);
 }
 
-TEST(ImpulseTrain, CharacteristicFunctionHasTheMomentsAsDerivatives) {
-  const ImpulseTrain impulses(train(1.0, 0.5, 0.4));
-  const ImpulseLaw& law = impulses.law();
-  const double h = 1e-4;
-  const auto plus = law.characteristic_function(h);
-  const auto minus = law.characteristic_function(-h);
-  EXPECT_NEAR((plus - minus).imag() / (2 * h), law.moment(1), 1e-7);
-  EXPECT_NEAR(-(plus + minus - 2.0).real() / (h * h), law.moment(2), 1e-6);
-}
-
 TEST(ImpulseTrain, RefusesWhatIsNoTrain) {
   EXPECT_THROW(ImpulseTrain(train(0, 0.1, 0)), InputError);
   EXPECT_THROW(ImpulseTrain(train(1, 0, 0)), InputError);
