@@ -5,6 +5,7 @@
 #include <iostream>
 #include <set>
 
+#include "compare/pictures.hpp"
 #include "problem/case_file.hpp"
 #include "problem/input_error.hpp"
 
@@ -59,10 +60,11 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   std::set<std::string> names;
   for (const auto& name : common.cases) {
     problems.push_back(problem::load_case(name, common.overrides));
-    if (!names.insert(problems.back().name).second) {
-      throw InputError(
-          fmt::format("two cases are called '{}' (results are filed by that name: rename one)",
-                      problems.back().name));
+    // Pictures are filed under a plainer name, so that is what must not be shared.
+    if (!names.insert(compare::picture_stem(problems.back().name)).second) {
+      throw InputError(fmt::format(
+          "two cases are called '{}' or alike (results are filed by that name: rename one)",
+          problems.back().name));
     }
   }
   if (problems.empty()) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iostream>
+#include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "compare/summary.hpp"
@@ -70,7 +72,13 @@ int dispatch(const Arguments& arguments) {
 
 int run_program(const Arguments& arguments) {
   try {
-    return dispatch(arguments);
+    const int exit_code = dispatch(arguments);
+    // A full disk or a closed pipe shows only when the buffers go out.
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw std::runtime_error("standard output could not be written");
+    }
+    return exit_code;
   } catch (const InputError& error) {
     fmt::print(stderr, "fpkcheck: {}\n", error.what());
     return kBadInput;

@@ -49,7 +49,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<compare::M
 
   const auto run = compare::make_run(command_line, cases);
   if (common.json) {
-    fmt::print("{}\n", run.summary.dump(2));
+    fmt::print("{}\n", compare::json_text(run.summary));
   } else if (!common.quiet) {
     fmt::print("{}", compare::table(run.summary, table_width()));
     std::fflush(stdout);

@@ -113,7 +113,10 @@ std::vector<Method> select_methods(const std::string& list, const mcs::Options& 
     throw InputError("--methods: the list is empty (use epc, fd, mcs, or ids separated by commas)");
   }
   std::map<std::string, Method> methods;
-  for (const auto& id : ids) methods.emplace(id, method_of(id, simulation));
+  for (const auto& id : ids) {
+    Method method = method_of(id, simulation);
+    methods.emplace(method.id, std::move(method));
+  }
   std::vector<Method> ordered;
   for (auto& [id, method] : methods) ordered.push_back(std::move(method));
   std::ranges::stable_sort(ordered, {}, [](const Method& m) { return rank(m.id); });

@@ -19,13 +19,6 @@ struct GnuplotMissing : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::string file_stem(std::string case_name) {
-  std::ranges::replace_if(
-      case_name,
-      [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_' && c != '.'; }, '_');
-  return case_name;
-}
-
 std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
   return start == std::string::npos ? "it said nothing"
@@ -54,7 +47,27 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
   });
 }
 
+void remove_pictures_of(const fs::path& figures, const std::string& stem) {
+  std::error_code ignored;
+  for (const char* extension : {".png", ".svg", ".gp"})
+    fs::remove(figures / (stem + extension), ignored);
+}
+
 }  // namespace
+
+std::string picture_stem(std::string case_name) {
+  std::ranges::replace_if(
+      case_name,
+      [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_' && c != '.'; }, '_');
+  return case_name;
+}
+
+void remove_pictures(const fs::path& directory, const nlohmann::ordered_json& summary) {
+  for (const auto& summary_case : summary.at("cases")) {
+    remove_pictures_of(directory / "figures",
+                       picture_stem(summary_case.at("name").get<std::string>()));
+  }
+}
 
 std::vector<std::string> draw_pictures(const fs::path& directory,
                                        const nlohmann::ordered_json& summary,
@@ -70,12 +83,13 @@ std::vector<std::string> draw_pictures(const fs::path& directory,
     std::ranges::copy_if(curves, std::back_inserter(own),
                          [&](const auto& curve) { return curve.case_name == name; });
     const FigureContent content = figure_content(summary_case, own);
+    const std::string stem = picture_stem(name);
+    remove_pictures_of(figures, stem);
     if (content.sides.empty()) {
       warnings.push_back(
           fmt::format("no picture of {}: none of its solutions has a density", name));
       continue;
     }
-    const std::string stem = file_stem(name);
     const fs::path script = figures / (stem + ".gp");
     write_file(script, figure_script(summary_case, content, stem));
     for (const char* format : {".png", ".svg"}) {

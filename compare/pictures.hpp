@@ -10,8 +10,15 @@
 
 namespace fpkcheck::compare {
 
+/// The name, without extension, under which a case's pictures are filed.
+std::string picture_stem(std::string case_name);
+
+/// Removes what draw_pictures made of the cases of a summary.
+void remove_pictures(const std::filesystem::path& directory, const nlohmann::ordered_json& summary);
+
 /// Draws every case into DIRECTORY/figures: NAME.png, NAME.svg and the script NAME.gp that drew
-/// them and can draw them again. From what a run has saved alone.
+/// them and can draw them again. From what a run has saved alone. A case that cannot be drawn has
+/// no pictures afterwards.
 /// @param gnuplot the program that draws
 /// @return warnings, one line each: pictures that could not be drawn, and why
 /// @throws std::runtime_error when a script cannot be written

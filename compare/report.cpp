@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "compare/pictures.hpp"
@@ -52,17 +53,47 @@ Json load_summary(const fs::path& file) {
   return json;
 }
 
+void remove_pictures_of_earlier_run(const fs::path& directory) {
+  std::error_code ignored;
+  if (!fs::exists(directory / kSummaryFile, ignored)) return;
+  try {
+    remove_pictures(directory, load_summary(directory / kSummaryFile));
+  } catch (const std::exception&) {
+    // Not a summary of ours: then the pictures are not ours either.
+  }
+}
+
+// Every solution with a density has its curves, and there are no others.
+void require_belonging(const SavedRun& run, const fs::path& directory) {
+  std::set<std::pair<std::string, std::string>> in_summary, in_marginals;
+  for (const auto& one : run.summary.at("cases")) {
+    for (const auto& solution : one.at("solutions")) {
+      if (!solution.at("mass").is_null()) in_summary.emplace(one.at("name"), solution.at("id"));
+    }
+  }
+  for (const auto& curve : run.marginals) in_marginals.emplace(curve.case_name, curve.solution);
+  if (in_summary != in_marginals) {
+    throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
+                                 kSummaryFile, kMarginalsFile, directory.string()));
+  }
+}
+
 }  // namespace
 
 SavedRun make_run(const std::string& command, std::span<const CaseReport> cases) {
   return {summary(command, cases), marginal_curves(cases)};
 }
 
+std::string json_text(const Json& summary) {
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
 std::vector<std::string> write_report(const fs::path& directory, const SavedRun& run) {
+  remove_pictures_of_earlier_run(directory);
   std::ostringstream csv;
   write_marginals_csv(csv, run.marginals);
   write_file(directory / kMarginalsFile, csv.str());
-  write_file(directory / kSummaryFile, run.summary.dump(2) + '\n');
+  write_file(directory / kSummaryFile, json_text(run.summary) + '\n');
   return draw_pictures(directory, run.summary, run.marginals);
 }
 
@@ -76,6 +107,7 @@ SavedRun load_run(const fs::path& directory) {
 ReportAgain report_again(const fs::path& directory, std::size_t width) {
   const SavedRun run = load_run(directory);
   try {
+    require_belonging(run, directory);
     return {table(run.summary, width), draw_pictures(directory, run.summary, run.marginals)};
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{} is not a whole summary ({}; run again)",

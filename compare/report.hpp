@@ -17,11 +17,14 @@ struct SavedRun {
   std::vector<MarginalCurve> marginals;
 };
 
+/// The summary as text. Bytes that are not UTF-8 (a file's name may have any) are replaced.
+std::string json_text(const nlohmann::ordered_json& summary);
+
 /// @param command the command line of the run
 SavedRun make_run(const std::string& command, std::span<const CaseReport> cases);
 
 /// Writes summary.json, marginals.csv and figures/ into a directory that make_writable prepared.
-/// Each file is either whole or absent.
+/// Each file is either whole or absent. Pictures of an earlier run there are removed.
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory, const SavedRun& run);
@@ -38,7 +41,8 @@ struct ReportAgain {
 
 /// The table of a saved run, and its pictures drawn anew; solves nothing.
 /// @param width characters per line of the table
-/// @throws InputError as load_run does, and when the summary lacks what its schema promises
+/// @throws InputError as load_run does, when the marginals are of another run, and when the summary
+/// lacks what its schema promises
 ReportAgain report_again(const std::filesystem::path& directory, std::size_t width = 100);
 
 }  // namespace fpkcheck::compare

@@ -15,9 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kPartial = ".partial-";
+
 // Of this process alone, so that two runs into one directory do not write into each other's files.
 fs::path temporary_beside(const fs::path& target) {
-  return target.parent_path() / fmt::format(".{}.partial-{}", target.filename().string(), getpid());
+  return target.parent_path() /
+         fmt::format(".{}{}{}", target.filename().string(), kPartial, getpid());
+}
+
+void remove_partial_files(const fs::path& directory) {
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') && name.find(kPartial) != std::string::npos) fs::remove(entry.path());
+  }
 }
 
 void write_plainly(const fs::path& path, std::string_view text) {
@@ -45,12 +55,19 @@ std::vector<fs::path> missing_parts(const fs::path& directory) {
 }  // namespace
 
 void make_writable(const fs::path& directory) {
-  const auto missing = missing_parts(directory);
+  if (directory.empty()) throw InputError("--out is empty (name a directory)");
+  const fs::path figures = directory / "figures";
+  const auto missing = missing_parts(figures);
   try {
-    fs::create_directories(directory);
-    const fs::path probe = temporary_beside(directory / "probe");
-    write_plainly(probe, "");
-    fs::remove(probe);
+    fs::create_directories(figures);
+    for (const auto& place : {directory, figures}) {
+      remove_partial_files(place);
+      const fs::path probe = temporary_beside(place / "probe");
+      write_plainly(probe, "");
+      fs::remove(probe);
+    }
+    std::error_code not_empty;
+    fs::remove(figures, not_empty);  // until there is something to put into it
   } catch (const std::exception& error) {
     std::error_code ignored;
     for (auto part = missing.rbegin(); part != missing.rend(); ++part) fs::remove(*part, ignored);

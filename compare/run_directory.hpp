@@ -7,8 +7,9 @@
 /// Writing so that a file is either whole or absent: beside the target first, then renamed.
 namespace fpkcheck::compare {
 
-/// Creates the directory with its parents and proves that a file can be written in it. What it
-/// created it removes again when that fails.
+/// Creates the directory with its parents, proves that files can be written in it and in figures/
+/// below it, and removes what a stopped run may have left half written there. What it created it
+/// removes again when that fails.
 /// @throws InputError on one line
 void make_writable(const std::filesystem::path& directory);
 

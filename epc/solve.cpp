@@ -130,10 +130,9 @@ transform::Solution labelled(const Options& options) {
 void validate(const Options& options) {
   if (options.order < 2 || options.order > kMaxOrder || options.order % 2 != 0) {
     throw InputError(
-        fmt::format("epc order = {} (an odd order cannot fall in every direction, and rounding "
-                    "shows above {}) use "
-                    "an even number from 2 to {}",
-                    options.order, kMaxOrder, kMaxOrder));
+        fmt::format("epc order = {} (must be an even number from 2 to {}: an odd one cannot fall "
+                    "in every direction, and rounding shows in higher ones)",
+                    options.order, kMaxOrder));
   }
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw InputError(fmt::format("epc tolerance = {} (no iteration can end) use a positive number",

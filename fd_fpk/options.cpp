@@ -40,8 +40,8 @@ void validate(const Options& options) {
   require(
       !options.nv || *options.nv % 2 == 0,
       fmt::format("nv = {} (must be even: x2 = 0 lies between two cells)", options.nv.value_or(0)));
-  require_positive(options.x1_max, "x1-max");
-  require_positive(options.x2_max, "x2-max");
+  require_positive(options.x1_max, "y-max");
+  require_positive(options.x2_max, "v-max");
   require(!options.regularisation_length || options.equation == Equation::km4,
           fmt::format("regularisation length with equation {} (only km4 has one: leave it out)",
                       name(options.equation)));

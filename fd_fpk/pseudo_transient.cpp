@@ -116,7 +116,6 @@ March march_to_stationarity(const SparseColumns& matrix, const Eigen::VectorXd& 
   check(CVodeGetNumLinSolvSetups(cvode.get(), &march.factorisations), "CVodeGetNumLinSolvSetups");
   check(CVodeGetNumRhsEvals(cvode.get(), &march.rhs_evaluations), "CVodeGetNumRhsEvals");
   march.averages = view(p.get());
-  march.stationary = march.residual <= tolerance;  // false for NaN
   return march;
 }
 

@@ -10,7 +10,6 @@ namespace fpkcheck::fd_fpk {
 /// How the march to stationarity went.
 struct March {
   Eigen::VectorXd averages;  ///< the last density reached
-  bool stationary = false;   ///< the residual asked for was reached
   std::string reason;        ///< why CVODE stopped, in its own words; empty when it did not
   double residual = 0;       ///< stationarity_residual of `averages`
   long steps = 0;            ///< CVODE's internal steps

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "mcs/density_estimate.hpp"
@@ -101,6 +102,18 @@ void describe(const Records& records, const Plan& plan, Summary& summary) {
   summary.impact_rate = static_cast<double>(impacts) / summary.time;
 }
 
+void judge(transform::Solution& solution) {
+  const transform::Moments& m = solution.moments;
+  const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
+  solution.status = transform::Status::ok;
+  if (!finite || !(solution.mass > 0)) {
+    solution.status = transform::Status::failed;
+    solution.reason =
+        "the trajectories left the range of numbers, or the histogram altogether (is the problem "
+        "scaled sensibly?)";
+  }
+}
+
 }  // namespace
 
 Result simulate(const problem::Problem& problem, const Options& options) {
@@ -114,13 +127,13 @@ Result simulate(const problem::Problem& problem, const Options& options) {
   solution.id = solution.method = "mcs";
   solution.equation = "kf";
   solution.impact = problem::Impact::exact;
-  solution.status = transform::Status::ok;
   estimate_moments(records, weights, result);
   estimate_energy_residual(problem, records, weights, result);
   estimate_excess_power(problem, records, result.summary);
   estimate_efficiency(records, result);
   estimate_densities(records, plan, weights, result);
   describe(records, plan, result.summary);
+  judge(solution);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <boost/program_options.hpp>
 #include <charconv>
 #include <filesystem>
@@ -32,12 +33,15 @@ void require_known(const std::string& key, const std::string& where) {
   }
 }
 
-// Boost.Program_options knows '#' comments; ini files also use ';'.
+// Boost.Program_options knows '#' comments; ini files also use ';', and may begin with a byte-order
+// mark.
 std::string without_semicolon_comments(std::istream& ini) {
   std::string text;
   for (std::string line; std::getline(ini, line);) {
     text += line.substr(0, line.find(';')) + '\n';
   }
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return text;
 }
 
@@ -74,7 +78,7 @@ void apply(const std::vector<std::string>& overrides, Values& values) {
     }
     const std::string key = pair.substr(0, equals);
     require_known(key, "--set");
-    values[key] = pair.substr(equals + 1);
+    values[key] = boost::algorithm::trim_copy(pair.substr(equals + 1));
   }
 }
 
@@ -82,7 +86,11 @@ double number(const Values& values, const std::string& key) {
   const std::string& text = values.at(key);
   double value = 0;
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error == std::errc::result_out_of_range) {
+    throw InputError(fmt::format("{} = '{}' (out of the range of double precision)", key, text));
+  }
   if (error != std::errc{} || stop != end) {
     throw InputError(fmt::format("{} = '{}' (not a number)", key, text));
   }

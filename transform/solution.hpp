@@ -25,13 +25,13 @@ std::string_view name(Status status);
 
 /// What every solver returns, whatever its method.
 struct Solution {
-  std::string id = {};        ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
+  std::string id = {};   ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
   std::string method;    ///< "epc", "fd" or "mcs"
   std::string equation;  ///< "white", "km4" or "kf": the excitation term that was solved
   problem::Impact impact = problem::Impact::map;
   Status status = Status::failed;
   std::string reason = {};  ///< one sentence; never empty unless the status is ok
-  double seconds = 0;  ///< wall-clock time of the solve
+  double seconds = 0;       ///< wall-clock time of the solve
 
   /// Absent when there is nothing that could be called a density.
   std::optional<Density> density = {};

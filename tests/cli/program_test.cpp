@@ -92,7 +92,7 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
 TEST_F(Program, AnUnwritableDirectoryIsFoundOutBeforeSolving) {
   std::ofstream(path("file")) << "not a directory";
   for (const std::string& out :
-       {path("file"), path("file") + "/deeper", std::string("/proc/nowhere")}) {
+       {std::string(), path("file"), path("file") + "/deeper", std::string("/proc/nowhere")}) {
     const auto [exit_code, standard_out, message] = program({"run", "case1", "--out", out});
     EXPECT_EQ(exit_code, kBadInput);
     EXPECT_NE(message.find(out), std::string::npos) << message;
@@ -117,6 +117,41 @@ TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
   const auto again = program({"report", out});
   EXPECT_EQ(again.exit_code, kDone);
   EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // the run adds its closing line
+}
+
+TEST_F(Program, ASecondRunLeavesNothingOfTheFirst) {
+  const std::string out = path("out");
+  ASSERT_EQ(
+      program({"run", "case1", "case2", "--methods", "epc-gaussian-n2", "--out", out}).exit_code,
+      kDone);
+  std::ofstream(fs::path(out) / "figures" / ".case2.png.partial-1") << "stopped";
+  std::ofstream(fs::path(out) / "figures" / "mine.png") << "not ours";
+  const auto second = program({"run", "case1", "--methods", "epc-gaussian-n8", "--out", out});
+  EXPECT_EQ(second.exit_code, kNotReached);  // no density, so no picture
+  std::vector<std::string> left;
+  for (const auto& entry : fs::directory_iterator(fs::path(out) / "figures")) {
+    left.push_back(entry.path().filename());
+  }
+  EXPECT_EQ(left, std::vector<std::string>{"mine.png"});
+}
+
+TEST_F(Program, ReportRefusesFilesOfDifferentRuns) {
+  const std::string a = path("a"), b = path("b");
+  program({"run", "case1", "--methods", "epc-gaussian-n2", "--out", a});
+  program({"run", "case2", "--methods", "epc-gaussian-n2", "--out", b});
+  fs::copy_file(fs::path(b) / "marginals.csv", fs::path(a) / "marginals.csv",
+                fs::copy_options::overwrite_existing);
+  const auto report = program({"report", a});
+  EXPECT_EQ(report.exit_code, kBadInput);
+  EXPECT_NE(report.err.find("not of the same run"), std::string::npos) << report.err;
+}
+
+TEST_F(Program, AFileNameNeedNotBeUtf8) {
+  const std::string ini = path("bad\xff.ini");
+  std::ofstream(ini) << "[system]\ndamping=0.1\nstiffness=1\ncubic=0\nrestitution=1\n"
+                     << "[impulse]\nrate=1\nlaw=gaussian\nintensity=0.1\n";
+  EXPECT_EQ(program({"run", ini, "--methods", "epc-gaussian-n2", "--out", path("out")}).exit_code,
+            kDone);
 }
 
 TEST_F(Program, JsonIsAllThatStandsOnStandardOutput) {

@@ -22,7 +22,7 @@ TEST(Methods, FamiliesStandForTheirMembersByIncreasingTrust) {
 }
 
 TEST(Methods, ItemsAreTakenOnceAndOrdersByNumber) {
-  EXPECT_EQ(ids("epc-gaussian-n12,fd-kf,epc-gaussian-n2,fd-kf,fd-km4"),
+  EXPECT_EQ(ids("epc-gaussian-n12,fd-kf,epc-gaussian-n2,fd-kf,fd-km4,epc-gaussian-n02"),
             (Ids{"epc-gaussian-n2", "epc-gaussian-n12", "fd-km4", "fd-kf"}));
 }
 

@@ -39,6 +39,12 @@ TEST(CaseFile, ReadsEveryKeyAndBothKindsOfComment) {
   EXPECT_EQ(p.impulses.law().moment(1), 0.1);
 }
 
+TEST(CaseFile, ReadsWhatEditorsLeaveInFiles) {
+  EXPECT_EQ(read("\xEF\xBB\xBF" + kGood).system.stiffness(), 2.0);
+  EXPECT_EQ(read(kGood, {"system.cubic= +7 "}).system.cubic(), 7.0);
+  EXPECT_NE(message(kGood, {"system.cubic=1e400"}).find("out of the range"), std::string::npos);
+}
+
 TEST(CaseFile, MeanDefaultsToZero) { EXPECT_EQ(read(kGood).impulses.law().moment(1), 0.0); }
 
 TEST(CaseFile, OverridesReplaceAndComplete) {
