@@ -8,19 +8,19 @@
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage =
-    "usage: fpkcheck epc CASE ... [options]\n\n"
-    "Exponential-polynomial closure: p(z, z') = C exp(Q_n(z, z')), the coefficients of Q_n from\n"
-    "the weak equations (23) of the paper. The status says what the result is worth:\n"
-    "  ok             the equations are met by a density that has decayed on the whole edge of "
-    "its\n"
-    "                 support\n"
-    "  inadmissible   the equations are met, but not by such a density (condition (19) of the "
-    "paper)\n"
-    "  not_converged  the equations are not met\n\n"
-    "examples:\n"
-    "  fpkcheck epc case1 --order 6\n"
-    "  fpkcheck epc case2 --order 8 --json\n";
+constexpr const char* kUsage = R"(usage: fpkcheck epc CASE ... [options]
+
+Exponential-polynomial closure: p(z, z') = C exp(Q_n(z, z')), the coefficients of Q_n from
+the weak equations (23) of the paper. The status says what the result is worth:
+  ok             the equations are met by a density that has decayed on the whole edge of its
+                 support
+  inadmissible   the equations are met, but not by such a density (condition (19) of the paper)
+  not_converged  the equations are not met
+
+examples:
+  fpkcheck epc case1 --order 6
+  fpkcheck epc case2 --order 8 --json
+)";
 
 epc::MonomialSet monomial_set(const std::string& name) {
   if (name == "point_symmetric") return epc::MonomialSet::point_symmetric;

@@ -8,20 +8,21 @@
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage =
-    "usage: fpkcheck fd CASE ... [options]\n\n"
-    "Finite differences for the stationary density on the half-plane y >= 0, of fifth order and\n"
-    "conservative, stepped to stationarity by CVODE with KLU and checked against the null vector "
-    "of\n"
-    "the same operator. The excitation term of the equation:\n"
-    "  white  Gaussian white noise of the same intensity\n"
-    "  km4    the series cut after the fourth derivative, with a fixed step l of the fourth\n"
-    "         difference: with l = grid step it is ill-posed, and the solver says so\n"
-    "  kf     the full jump integral (Kolmogorov-Feller equation)\n\n"
-    "examples:\n"
-    "  fpkcheck fd case1\n"
-    "  fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)\n"
-    "  fpkcheck fd case4 --stepper direct --nx 50 --nv 120\n";
+constexpr const char* kUsage = R"(usage: fpkcheck fd CASE ... [options]
+
+Finite differences for the stationary density on the half-plane y >= 0, of fifth order and
+conservative, stepped to stationarity by CVODE with KLU and checked against the null vector of
+the same operator. The excitation term of the equation:
+  white  Gaussian white noise of the same intensity
+  km4    the series cut after the fourth derivative, with a fixed step l of the fourth
+         difference: with l = grid step it is ill-posed, and the solver says so
+  kf     the full jump integral (Kolmogorov-Feller equation)
+
+examples:
+  fpkcheck fd case1
+  fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)
+  fpkcheck fd case4 --stepper direct --nx 50 --nv 120
+)";
 
 template <class Enum>
 Enum choice(const std::string& value, const char* option, std::initializer_list<Enum> known) {

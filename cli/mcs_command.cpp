@@ -6,14 +6,15 @@
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage =
-    "usage: fpkcheck mcs CASE ... [options]\n\n"
-    "Simulates the impact system itself: impulses at their exact times, impacts located by root\n"
-    "finding, independent streams whose differences give the standard errors and 95 % "
-    "intervals.\n\n"
-    "examples:\n"
-    "  fpkcheck mcs case1 --seed 7\n"
-    "  fpkcheck mcs case1 --time 1e6 --json\n";
+constexpr const char* kUsage = R"(usage: fpkcheck mcs CASE ... [options]
+
+Simulates the impact system itself: impulses at their exact times, impacts located by root
+finding, independent streams whose differences give the standard errors and 95 % intervals.
+
+examples:
+  fpkcheck mcs case1 --seed 7
+  fpkcheck mcs case1 --time 1e6 --json
+)";
 
 }  // namespace
 

@@ -34,15 +34,21 @@ constexpr Command kCommands[] = {
 
 void print_overview() {
   fmt::print(
-      "fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson impulses,\n"
-      "           by independent methods that are compared with one another\n\n"
-      "    y'' + c y' + k y + mu y^3 = impulses  (y > 0),      y'(+) = -r y'(-)  at y = 0\n\n"
-      "usage: fpkcheck COMMAND [CASE ...] [options]\n\ncommands:\n");
+      R"(fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson impulses,
+           by independent methods that are compared with one another
+
+    y'' + c y' + k y + mu y^3 = impulses  (y > 0),      y'(+) = -r y'(-)  at y = 0
+
+usage: fpkcheck COMMAND [CASE ...] [options]
+
+commands:
+)");
   for (const auto& command : kCommands) fmt::print("  {:<8} {}\n", command.name, command.summary);
-  fmt::print(
-      "\nA CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.\n"
-      "`fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.\n"
-      "Exit codes: 0 done; 1 a solver did not reach what was asked; 2 bad input.\n");
+  fmt::print(R"(
+A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
+`fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.
+Exit codes: 0 done; 1 a solver did not reach what was asked; 2 bad input.
+)");
 }
 
 int dispatch(const Arguments& arguments) {

@@ -12,9 +12,10 @@
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage =
-    "usage: fpkcheck report DIR\n\n"
-    "Prints the table of a saved run and draws its pictures again. Solves nothing.\n";
+constexpr const char* kUsage = R"(usage: fpkcheck report DIR
+
+Prints the table of a saved run and draws its pictures again. Solves nothing.
+)";
 
 }  // namespace
 

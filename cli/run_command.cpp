@@ -7,22 +7,23 @@
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage =
-    "usage: fpkcheck run [CASE ...] [options]\n\n"
-    "Solves each case (default: the paper's four) by all methods, compares the marginal densities\n"
-    "p(y) and p(y'), prints a table and draws pictures. Methods, by increasing trust:\n"
-    "  epc   the paper's exponential-polynomial closure\n"
-    "        epc-gaussian-n2, epc-gaussian-n4, epc-gaussian-n6, epc-gaussian-n8\n"
-    "  fd    finite differences: white noise, series cut after the 4th derivative, all jumps\n"
-    "        fd-white, fd-km4, fd-kf\n"
-    "  mcs   simulation of the impact system itself\n"
-    "Exit code 0 when finite differences and simulation reached their solutions: how far the\n"
-    "closures carry is what the run finds out. With --methods, every method named must reach "
-    "one.\n\n"
-    "examples:\n"
-    "  fpkcheck run\n"
-    "  fpkcheck run case1 --set system.restitution=0.9 --methods epc-gaussian-n6,fd,mcs\n"
-    "  fpkcheck run mine.ini --out results --seed 7\n";
+constexpr const char* kUsage = R"(usage: fpkcheck run [CASE ...] [options]
+
+Solves each case (default: the paper's four) by all methods, compares the marginal densities
+p(y) and p(y'), prints a table and draws pictures. Methods, by increasing trust:
+  epc   the paper's exponential-polynomial closure
+        epc-gaussian-n2, epc-gaussian-n4, epc-gaussian-n6, epc-gaussian-n8
+  fd    finite differences: white noise, series cut after the 4th derivative, all jumps
+        fd-white, fd-km4, fd-kf
+  mcs   simulation of the impact system itself
+Exit code 0 when finite differences and simulation reached their solutions: how far the
+closures carry is what the run finds out. With --methods, every method named must reach one.
+
+examples:
+  fpkcheck run
+  fpkcheck run case1 --set system.restitution=0.9 --methods epc-gaussian-n6,fd,mcs
+  fpkcheck run mine.ini --out results --seed 7
+)";
 constexpr const char* kAllMethods = "epc,fd,mcs";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 

@@ -65,7 +65,8 @@ std::string data(const FigureContent& content) {
 
 std::string settings() {
   return fmt::format(
-      "\nsmallest = {}\n"
+      "\n"
+      "smallest = {}\n"
       "positive(p) = p > 0 ? p : NaN\n"
       "at_least_smallest(p) = p > smallest ? p : smallest\n"
       "set grid linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
@@ -99,8 +100,10 @@ std::string panels(const FigureContent& content) {
     for (std::size_t column = 0; column < shown.size(); ++column) {
       const double left = kLeft + static_cast<double>(column) * (width + kColumnGap);
       text += fmt::format(
-          "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
-          "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n",
+          "set lmargin at screen {:.4f}\n"
+          "set rmargin at screen {:.4f}\n"
+          "set tmargin at screen {:.4f}\n"
+          "set bmargin at screen {:.4f}\n",
           left, left + width, top, top - height);
       text += panel_commands(shown[column], content.sides[row], content.reference);
     }
@@ -130,9 +133,16 @@ std::string legend(const FigureContent& content) {
     }
   }
   return fmt::format(
-      "unset title\nunset xlabel\nunset ylabel\nunset border\nunset tics\nunset grid\n"
-      "set lmargin at screen 0.02\nset rmargin at screen 0.98\n"
-      "set tmargin at screen {:.4f}\nset bmargin at screen 0.005\n"
+      "unset title\n"
+      "unset xlabel\n"
+      "unset ylabel\n"
+      "unset border\n"
+      "unset tics\n"
+      "unset grid\n"
+      "set lmargin at screen 0.02\n"
+      "set rmargin at screen 0.98\n"
+      "set tmargin at screen {:.4f}\n"
+      "set bmargin at screen 0.005\n"
       "set key center center horizontal maxcols 4 Left reverse samplen 5 spacing 1.2\n"
       "plot [0:1] [0:1] {}\n",
       kLegendTop - 0.035, fmt::join(parts, ", \\\n     "));

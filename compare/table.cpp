@@ -178,9 +178,9 @@ std::string reasons(const Json& summary_case, std::size_t width) {
 
 constexpr const char* kLegend =
     "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones. solves: the "
-    "excitation term (white: white noise; km4: Kramers-Moyal series to the fourth derivative; kf: "
-    "full "
-    "jump integral) / the impact. energy: residual of the power balance relative to the input.";
+    "excitation term (white: white noise; km4: Kramers-Moyal series to the fourth derivative; "
+    "kf: full jump integral) / the impact. energy: residual of the power balance relative to the "
+    "input.";
 
 }  // namespace
 

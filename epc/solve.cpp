@@ -47,8 +47,7 @@ Search find_root(const Projection& projection, const ResidualCoefficients& f,
   search.failure = fmt::format(
       "plain Newton steps from equivalent linearisation found no root in {} iterations (least "
       "residual {:.1e}, asked for {:.1e}), and the branch of solutions that starts from white "
-      "noise "
-      "at an impact without loss ends at {:.0f} % of the way to the full problem",
+      "noise at an impact without loss ends at {:.0f} % of the way to the full problem",
       plain_iterations, search.root.residual, options.tolerance, 100 * branch.reached);
   return search;
 }
@@ -80,9 +79,8 @@ std::string objection(const Support& support, const LeadingForm& form, double en
   }
   if (!(std::abs(energy_residual) <= kEnergyAllowed)) {
     return fmt::format(
-        "the root misses the stationary balance of power by {:.0f} % of the input (allowed {:.0f} "
-        "%), "
-        "so it is near no stationary density",
+        "the root misses the stationary balance of power by {:.0f} % of the input (allowed "
+        "{:.0f} %), so it is near no stationary density",
         100 * std::abs(energy_residual), 100 * kEnergyAllowed);
   }
   return "";

@@ -54,21 +54,20 @@ std::string objection(const Options& options, const Box& box, double nx, double 
                       double step) {
   if (length > box.x2_max / 2) {
     return fmt::format(
-        "the lattice of {} has step {:.3g} in a box |y'| <= {:.3g} (take a shorter regularisation "
-        "length or a wider box)",
+        "the lattice of {} has step {:.3g} in a box |y'| <= {:.3g} (take a shorter "
+        "regularisation length or a wider box)",
         name(options.equation), length, box.x2_max);
   }
   if (step * nv / 2 < box.x2_max * (1 - 1e-9)) {
     return fmt::format(
-        "{:.0f} cells in y' do not reach |y'| = {:.3g}: the lattice of {} allows steps of at most "
-        "{:.3g} (give nv = {:.0f} or more, or leave it out)",
+        "{:.0f} cells in y' do not reach |y'| = {:.3g}: the lattice of {} allows steps of at "
+        "most {:.3g} (give nv = {:.0f} or more, or leave it out)",
         nv, box.x2_max, name(options.equation), length, 2 * std::ceil(box.x2_max / length));
   }
   if (nx * nv > kMostCells) {
     return fmt::format(
         "the grid needs {:.0f} x {:.0f} cells, more than {} (the impulses or the cells asked for "
-        "are "
-        "small against the box: solve white or km4, or give nx, nv or a smaller box)",
+        "are small against the box: solve white or km4, or give nx, nv or a smaller box)",
         nx, nv, kMostCells);
   }
   return "";

@@ -5,10 +5,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "fd_fpk/direct_solution.hpp"
 #include "fd_fpk/discretisation.hpp"
 #include "fd_fpk/null_vector.hpp"
 #include "fd_fpk/observables.hpp"
-#include "fd_fpk/operator.hpp"
 #include "fd_fpk/pseudo_transient.hpp"
 #include "fd_fpk/well_posedness.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -18,9 +18,7 @@ namespace {
 
 using transform::Status;
 
-// Density on the wall, relative to the peak, above which an automatic box is widened, and above
-// which no box is accepted.
-constexpr double kNegligible = 1e-6;
+// Density on the wall, relative to the peak, above which no box is accepted.
 constexpr double kTooMuch = 1e-3;
 // First and longest CVODE step, in units of the oscillator's radian and of its slowest decay time.
 // Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the bound.
@@ -31,49 +29,6 @@ constexpr double kLongestStep = 500;
 // resolved by its grid.
 constexpr double kMostNegative = -1e-3;
 constexpr double kEnergyAllowed = 5e-3;
-
-// An operator on its grid with its null vector, empty with a reason when there is none.
-struct DirectSolution {
-  Discretisation discretisation;
-  SparseColumns matrix = {};
-  std::optional<Eigen::VectorXd> averages = {};
-  std::string failure = {};
-};
-
-DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
-                              const Box& box) {
-  Discretisation discretisation = discretise(problem, options, box);
-  if (!discretisation.refusal.empty()) {
-    std::string refusal = discretisation.refusal;
-    return {.discretisation = std::move(discretisation), .failure = std::move(refusal)};
-  }
-  const Grid& grid = discretisation.grid;
-  SparseColumns matrix =
-      fokker_planck_operator(problem.system, discretisation.excitation, grid, options.order);
-  auto [averages, failure] =
-      null_vector(matrix, grid, gaussian_start(grid, problem),
-                  problem::slowest_decay(problem::equivalent_linearisation(problem)));
-  return {std::move(discretisation), std::move(matrix), std::move(averages), std::move(failure)};
-}
-
-// The direct solution in a box whose walls carry no density, as far as the options leave it free.
-DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options) {
-  constexpr double kWidening = 1.25;
-  Box box = initial_box(problem, options);
-  WallDensity last{HUGE_VAL, HUGE_VAL};
-  while (true) {
-    DirectSolution direct = solve_directly(problem, options, box);
-    if (!direct.averages) return direct;
-    const WallDensity wall = wall_density(direct.discretisation.grid, *direct.averages);
-    // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
-    const bool widen_x1 = !options.x1_max && wall.x1 > kNegligible && wall.x1 < last.x1 / 2;
-    const bool widen_x2 = !options.x2_max && wall.x2 > kNegligible && wall.x2 < last.x2 / 2;
-    if (!widen_x1 && !widen_x2) return direct;
-    if (widen_x1) box.x1_max *= kWidening;
-    if (widen_x2) box.x2_max *= kWidening;
-    last = wall;
-  }
-}
 
 // True when the excitation as discretised grows; fills in what to say of it.
 bool grows(const problem::ImpulseTrain& impulses, const Discretisation& discretisation, int order,
@@ -87,10 +42,8 @@ bool grows(const problem::ImpulseTrain& impulses, const Discretisation& discreti
   result.solution.status = Status::ill_posed;
   result.solution.reason = fmt::format(
       "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
-      "the "
-      "fourth difference over {:.3g} (use a regularisation length of at least {:.3g}; the default "
-      "is "
-      "{:.3g})",
+      "the fourth difference over {:.3g} (use a regularisation length of at least {:.3g}; the "
+      "default is {:.3g})",
       rate, wavenumber, discretisation.regularisation_length,
       shortest_regularisation_length(impulses.law()),
       default_regularisation_length(impulses.law()));
@@ -147,9 +100,8 @@ void require_empty_walls(const Grid& grid, Result& result) {
   if (solution.status != Status::ok || (wall.x1 <= kTooMuch && wall.x2 <= kTooMuch)) return;
   solution.status = Status::failed;
   solution.reason = fmt::format(
-      "the box y <= {:.3g}, |y'| <= {:.3g} is too small: the density on its wall is {:.1e} of the "
-      "peak "
-      "(widen it)",
+      "the box y <= {:.3g}, |y'| <= {:.3g} is too small: the density on its wall is {:.1e} of "
+      "the peak (widen it)",
       grid.x1_max, grid.x2_max, std::max(wall.x1, wall.x2));
 }
 
@@ -157,15 +109,13 @@ void require_resolved(transform::Solution& solution) {
   if (solution.status != Status::ok) return;
   if (solution.min_density < kMostNegative) {
     solution.reason = fmt::format(
-        "the density is negative down to {:.1g} of its peak: the grid does not resolve it (refine "
-        "with "
-        "nx and nv)",
+        "the density is negative down to {:.1g} of its peak: the grid does not resolve it "
+        "(refine with nx and nv)",
         solution.min_density);
   } else if (std::abs(solution.energy_residual) > kEnergyAllowed) {
     solution.reason = fmt::format(
         "the balance of power is missed by {:.1g} of the input: the grid does not resolve the "
-        "density "
-        "(refine with nx and nv)",
+        "density (refine with nx and nv)",
         solution.energy_residual);
   }
   if (!solution.reason.empty()) solution.status = Status::inadmissible;

@@ -33,8 +33,7 @@ void validate_edges(const std::vector<double>& edges, std::string_view key) {
   if (edges.size() < 2 || !finite || !increasing) {
     throw InputError(
         fmt::format("mcs.{} with {} numbers (edges of bins are two or more finite numbers, each "
-                    "larger than the "
-                    "one before); leave them out for automatic bins",
+                    "larger than the one before); leave them out for automatic bins",
                     key, edges.size()));
   }
 }
