@@ -93,7 +93,7 @@ void say_which_closure_is_closest(const Json& summary_case, std::vector<std::str
   for (const auto& [formulation, closure] : closest) {
     parts.push_back(fmt::format("{} with L1 {}", closure.id, text(closure.cost)));
   }
-  sentences.push_back(fmt::format("Of the admissible closures closest to the {}: {}.",
+  sentences.push_back(fmt::format("The admissible closure closest to the {}: {}.",
                                   simulated ? "simulation" : "full jump equation",
                                   fmt::join(parts, "; ")));
 }

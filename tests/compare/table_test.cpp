@@ -140,7 +140,7 @@ TEST(Findings, SayWhichApproximationCostsWhat) {
       "p(y').");
   EXPECT_EQ(
       sentences[1],
-      "Of the admissible closures closest to the simulation: epc-gaussian-n6 with L1 0.0024 in "
+      "The admissible closure closest to the simulation: epc-gaussian-n6 with L1 0.0024 in "
       "p(y) and 0.0047 in p(y').");
   EXPECT_EQ(
       sentences[2],
