@@ -46,6 +46,12 @@ double impact_flux(const SmoothDensity& density, int power);
 /// The moments of a density that integrates to 1.
 Moments moments(const SmoothDensity& density);
 
+/// A joint density on axes: averages of the function over the cells between the edges, by three
+/// Gauss-Legendre points a direction.
+/// @param y_edges increasing, from 0; v_edges increasing, with 0 among them (p may jump there)
+GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edges,
+                     std::span<const double> v_edges);
+
 /// Sum of cell masses: 1 for a normalised density.
 double mass(const GridDensity& density);
 

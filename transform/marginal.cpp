@@ -82,10 +82,7 @@ std::vector<double> bin_averages(const SmoothDensity& density, Variable variable
   };
   std::vector<double> averages;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    // Three-point Gauss-Legendre over the bin: degree 5, exact far below the width of a bin.
-    const double centre = (edges[b] + edges[b + 1]) / 2;
-    const double offset = (edges[b + 1] - edges[b]) / 2 * std::sqrt(0.6);
-    averages.push_back((5 * at(centre - offset) + 8 * at(centre) + 5 * at(centre + offset)) / 18);
+    averages.push_back(average(at, edges[b], edges[b + 1]));
   }
   return averages;
 }

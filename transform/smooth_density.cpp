@@ -35,4 +35,18 @@ Moments moments(const SmoothDensity& density) {
           .v4 = of([](double, double v) { return v * v * v * v; })};
 }
 
+GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edges,
+                     std::span<const double> v_edges) {
+  GridDensity grid{{y_edges.begin(), y_edges.end()}, {v_edges.begin(), v_edges.end()}, {}};
+  for (std::size_t i = 0; i < grid.ny(); ++i) {
+    for (std::size_t j = 0; j < grid.nv(); ++j) {
+      const auto over_v = [&](double y) {
+        return average([&](double v) { return density.value(y, v); }, v_edges[j], v_edges[j + 1]);
+      };
+      grid.averages.push_back(average(over_v, y_edges[i], y_edges[i + 1]));
+    }
+  }
+  return grid;
+}
+
 }  // namespace fpkcheck::transform

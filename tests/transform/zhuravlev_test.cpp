@@ -35,6 +35,24 @@ TEST(Zhuravlev, KeepsMassAndSecondMomentsOfTheUnfoldedPlane) {
   EXPECT_NEAR(expectation(folded, [](double y, double v) { return y * v; }), 0.5 * 1.16, 1e-8);
 }
 
+TEST(Zhuravlev, JointDensityOnAxesHasTheMassAndTheMarginalsOfTheFunction) {
+  const SmoothDensity folded = physical_density(skewed());
+  std::vector<double> y_edges, v_edges;
+  for (int k = 0; k <= 45; ++k) y_edges.push_back(0.2 * k);
+  for (int k = -60; k <= 60; ++k) v_edges.push_back(0.2 * k);
+  const GridDensity grid = on_cells(folded, y_edges, v_edges);
+  EXPECT_NEAR(mass(grid), 1.0, 1e-9);
+  EXPECT_NEAR(grid.average(3, 50), folded.value(0.7, -1.9), 1e-3);
+  for (const auto variable : {Variable::y, Variable::ydot}) {
+    const auto& edges = variable == Variable::y ? y_edges : v_edges;
+    const Marginal from_grid = marginal(grid, variable, edges);
+    const Marginal from_function = marginal(folded, variable, edges);
+    for (std::size_t b = 0; b < from_grid.size(); ++b) {
+      EXPECT_NEAR(from_grid.density[b], from_function.density[b], 1e-8);
+    }
+  }
+}
+
 TEST(Zhuravlev, DisplacementMarginalIsTheSumOfBothBranches) {
   const std::vector<double> edges{0.5, 0.52};
   const Marginal p = marginal(physical_density(skewed()), Variable::y, edges);
