@@ -138,10 +138,9 @@ TEST(Findings, SayWhichApproximationCostsWhat) {
       "Replacing the impulses by white noise costs L1 0.011 in p(y) and 0.031 in p(y'); cutting "
       "the Kramers-Moyal series after the fourth derivative costs 0.0001 in p(y) and 0.0004 in "
       "p(y').");
-  EXPECT_EQ(
-      sentences[1],
-      "The admissible closure closest to the simulation: epc-gaussian-n6 with L1 0.0024 in "
-      "p(y) and 0.0047 in p(y').");
+  EXPECT_EQ(sentences[1],
+            "The admissible closure closest to the simulation: epc-gaussian-n6 with L1 0.0024 in "
+            "p(y) and 0.0047 in p(y').");
   EXPECT_EQ(
       sentences[2],
       "The full jump equation (fd-kf) and the simulation differ by 0.0012 in p(y) and 0.0016 in "
