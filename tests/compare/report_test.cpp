@@ -6,25 +6,18 @@
 
 #include "compare/run_directory.hpp"
 #include "compare/table.hpp"
-#include "made_up_solutions.hpp"
 #include "problem/input_error.hpp"
+#include "saved_run.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::compare {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::contains;
 using tests::contents;
-
-SavedRun made_up_run(const std::string& name = "case1") {
-  return make_run("fpkcheck run", std::vector<CaseReport>{tests::full_report(name)});
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-bool gnuplot_exists() { return std::system("command -v gnuplot >/dev/null 2>&1") == 0; }
+using tests::gnuplot_exists;
+using tests::made_up_run;
 
 std::string refusal(const fs::path& directory) {
   try {

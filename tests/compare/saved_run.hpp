@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "compare/report.hpp"
+#include "made_up_solutions.hpp"
+
+/// A run to be saved and reported on, for the tests of what is made from saved runs.
+namespace fpkcheck::tests {
+
+inline compare::SavedRun made_up_run(const std::string& name = "case1") {
+  return compare::make_run("fpkcheck run", std::vector<compare::CaseReport>{full_report(name)});
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+inline bool gnuplot_exists() { return std::system("command -v gnuplot >/dev/null 2>&1") == 0; }
+
+}  // namespace fpkcheck::tests
