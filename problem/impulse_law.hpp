@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace fpkcheck::problem {
 
@@ -12,17 +14,46 @@ struct GaussianLaw {
   double deviation;
 };
 
+/// Density exp(-|y - mean| / scale) / (2 scale): variance 2 scale^2.
+struct LaplaceLaw {
+  double mean;
+  double scale;
+};
+
+/// Y = mean - deviation or mean + deviation, each with probability 1/2.
+struct TwoPointLaw {
+  double mean;
+  double deviation;
+};
+
+/// Constant density on (mean - half_width, mean + half_width): variance half_width^2 / 3.
+struct UniformLaw {
+  double mean;
+  double half_width;
+};
+
+/// A value that Y takes with a positive probability.
+struct Atom {
+  double amplitude;
+  double probability;
+};
+
 /// Number of moments of the impulse amplitude that the project keeps: E[Y^0] .. E[Y^6].
 inline constexpr int kMomentCount = 7;
 
-/// The law of an impulse amplitude Y of the Poisson train, paper (3). A further law is one more
-/// alternative of Kind and one more branch in each function of impulse_law.cpp.
+/// The law of an impulse amplitude Y of the Poisson train, paper (3). Every law is symmetric about
+/// its mean. A further law is one more alternative of Kind and one more overload of each function
+/// of impulse_law.cpp.
 class ImpulseLaw {
  public:
-  using Kind = std::variant<GaussianLaw>;
+  using Kind = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw>;
 
-  /// @throws InputError when the deviation is not a positive number
+  /// @throws InputError when the mean is not finite or the width is not a positive number
   explicit ImpulseLaw(const Kind& kind);
+
+  /// The law of a name with a mean and a standard deviation.
+  /// @throws InputError as above, and listing the known names when there is no such law
+  static ImpulseLaw named(std::string_view name, double mean, double deviation);
 
   /// The law's name in case files.
   std::string_view name() const;
@@ -32,8 +63,24 @@ class ImpulseLaw {
   double moment(int order) const { return moments_.at(order); }
   const std::array<double, kMomentCount>& moments() const { return moments_; }
 
-  /// Probability density of Y at `amplitude`.
+  double mean() const;
+  /// Standard deviation of Y.
+  double deviation() const;
+
+  /// The law is a continuous part with this density, and atoms. A law without a continuous part
+  /// has the density 0.
   double density(double amplitude) const;
+  /// The values that Y takes with a positive probability, increasing; none for a law with a
+  /// density.
+  std::vector<Atom> atoms() const;
+  /// Increasing break points. Between neighbours the density is smooth; less than 1e-18 of the
+  /// probability lies outside. None for a law without a density.
+  std::vector<double> smooth_pieces() const;
+
+  /// E[exp(i u Y)].
+  std::complex<double> characteristic_function(double u) const;
+  /// E[exp(u Y)]; infinite where the expectation does not exist (laplace: |u| >= 1/scale).
+  double moment_generating_function(double u) const;
 
  private:
   Kind kind_;

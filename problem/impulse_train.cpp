@@ -24,10 +24,7 @@ ImpulseLaw law_of(const ImpulseParameters& parameters) {
         "which is E[Y^2])",
         mean, intensity / rate));
   }
-  if (law != "gaussian") {
-    throw InputError(fmt::format("impulse.law = {} (not a known law; use gaussian)", law));
-  }
-  return ImpulseLaw{GaussianLaw{mean, std::sqrt(variance)}};
+  return ImpulseLaw::named(law, mean, std::sqrt(variance));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace fpkcheck::problem {
 /// Parameters of the Poisson impulse train, as read from a case file.
 struct ImpulseParameters {
   double arrival_rate;  ///< lambda > 0
-  std::string law;      ///< name of the law of Y
+  std::string law;      ///< name of the law of Y: gaussian, laplace, two_point or uniform
   double intensity;     ///< lambda E[Y^2] > 0
   double mean;          ///< E[Y], with E[Y]^2 < intensity / arrival_rate
 };

@@ -10,18 +10,18 @@ namespace fpkcheck::tests {
 struct Parameters {
   double damping = 0.1, stiffness = 1.0, cubic = 0.1, restitution = 0.98;
   double rate = 1.0, intensity = 0.1, mean = 0.0;
+  std::string law = "gaussian";
 };
 
 /// By default the paper's case 1.
 inline problem::Problem make_problem(const Parameters& p = {}) {
-  return {
-      "test",
-      problem::System({.damping = p.damping,
-                       .stiffness = p.stiffness,
-                       .cubic = p.cubic,
-                       .restitution = p.restitution}),
-      problem::ImpulseTrain(
-          {.arrival_rate = p.rate, .law = "gaussian", .intensity = p.intensity, .mean = p.mean})};
+  return {"test",
+          problem::System({.damping = p.damping,
+                           .stiffness = p.stiffness,
+                           .cubic = p.cubic,
+                           .restitution = p.restitution}),
+          problem::ImpulseTrain(
+              {.arrival_rate = p.rate, .law = p.law, .intensity = p.intensity, .mean = p.mean})};
 }
 
 /// The paper's Table 1, number = 1 .. 4.
