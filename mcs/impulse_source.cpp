@@ -25,4 +25,17 @@ ImpulseSource::Amplitude ImpulseSource::sampler(const problem::GaussianLaw& law)
   return boost::random::normal_distribution<double>(law.mean, law.deviation);
 }
 
+ImpulseSource::Amplitude ImpulseSource::sampler(const problem::LaplaceLaw& law) {
+  return boost::random::laplace_distribution<double>(law.mean, law.scale);
+}
+
+ImpulseSource::Amplitude ImpulseSource::sampler(const problem::TwoPointLaw& law) {
+  return TwoPointDistribution{law.mean, law.deviation};
+}
+
+ImpulseSource::Amplitude ImpulseSource::sampler(const problem::UniformLaw& law) {
+  return boost::random::uniform_real_distribution<double>(law.mean - law.half_width,
+                                                          law.mean + law.half_width);
+}
+
 }  // namespace fpkcheck::mcs

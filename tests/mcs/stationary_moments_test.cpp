@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,20 +16,23 @@ using tests::expect_near;
 namespace exact = problem::exact;
 
 TEST(StationaryMoments, OfTheLinearOscillatorAreTheExactOnes) {
-  const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
-  const auto [solution, summary] = tests::simulate(problem, 1e6);
-  const auto& m = solution.moments;
-  const auto& e = summary.standard_errors.moments;
-  const double y2 = exact::linear_cumulant(problem, 2, 0);
-  const double v2 = exact::linear_cumulant(problem, 0, 2);
-  expect_near(m.y2, y2, e.y2, "E[y^2]");
-  expect_near(m.v2, v2, e.v2, "E[v^2]");
-  expect_near(m.y4, exact::linear_cumulant(problem, 4, 0) + 3 * y2 * y2, e.y4, "E[y^4]");
-  expect_near(m.v4, exact::linear_cumulant(problem, 0, 4) + 3 * v2 * v2, e.v4, "E[v^4]");
-  expect_near(m.v1, 0, e.v1, "E[v]");
-  // The errors are small enough for the fourth moments to tell impulses from white noise (0.75).
-  EXPECT_LT(e.y4, 0.005);
-  EXPECT_LT(e.v4, 0.005);
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    SCOPED_TRACE(law);
+    const auto problem = tests::make_problem({.cubic = 0, .restitution = 1, .law = law});
+    const auto [solution, summary] = tests::simulate(problem, 1e6);
+    const auto& m = solution.moments;
+    const auto& e = summary.standard_errors.moments;
+    const double y2 = exact::linear_cumulant(problem, 2, 0);
+    const double v2 = exact::linear_cumulant(problem, 0, 2);
+    expect_near(m.y2, y2, e.y2, "E[y^2]");
+    expect_near(m.v2, v2, e.v2, "E[v^2]");
+    expect_near(m.y4, exact::linear_cumulant(problem, 4, 0) + 3 * y2 * y2, e.y4, "E[y^4]");
+    expect_near(m.v4, exact::linear_cumulant(problem, 0, 4) + 3 * v2 * v2, e.v4, "E[v^4]");
+    expect_near(m.v1, 0, e.v1, "E[v]");
+    // The errors are small enough for the fourth moments to tell impulses from white noise (0.75).
+    EXPECT_LT(e.y4, 0.005);
+    EXPECT_LT(e.v4, 0.005);
+  }
 }
 
 TEST(StationaryMoments, OfTheElasticDuffingOscillatorAreThoseOfTheSpectralComputation) {
@@ -64,9 +68,12 @@ TEST(StationaryMoments, WithLossesAtTheImpactKeepTheBalanceOfPower) {
 
 // The weights would hide a wrong rate or law of the impulses from the moments: look before them.
 TEST(StationaryMoments, AreThoseOfImpulsesThatBringThePowerOfTheirLaw) {
-  for (const double mean : {0.0, 0.2, -0.2}) {
-    SCOPED_TRACE(mean);
-    const auto summary = tests::simulate(tests::make_problem({.rate = 2, .mean = mean})).summary;
+  for (const auto& [law, mean] :
+       {std::pair{"gaussian", 0.0}, std::pair{"gaussian", 0.2}, std::pair{"gaussian", -0.2},
+        std::pair{"laplace", 0.2}, std::pair{"two_point", 0.2}, std::pair{"uniform", -0.2}}) {
+    SCOPED_TRACE(fmt::format("{} about {}", law, mean));
+    const auto summary =
+        tests::simulate(tests::make_problem({.rate = 2, .mean = mean, .law = law})).summary;
     expect_near(summary.excess_power, 0, summary.excess_power_error, "excess power");
     EXPECT_LT(summary.excess_power_error, 0.01);
     expect_near(static_cast<double>(summary.impulses), 2 * summary.time,
