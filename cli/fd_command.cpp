@@ -13,29 +13,27 @@ constexpr const char* kUsage = R"(usage: fpkcheck fd CASE ... [options]
 Finite differences for the stationary density on the half-plane y >= 0, of fifth order and
 conservative, stepped to stationarity by CVODE with KLU and checked against the null vector of
 the same operator. The excitation term of the equation:
-  white  Gaussian white noise of the same intensity
-  km4    the series cut after the fourth derivative, with a fixed step l of the fourth
-         difference: with l = grid step it is ill-posed, and the solver says so
-  kf     the full jump integral (Kolmogorov-Feller equation)
+  white     Gaussian white noise of the same intensity
+  km4       the series cut after the fourth derivative, with a fixed step l of the fourth
+            difference: with l = grid step it is ill-posed, and the solver says so
+  km4-pade  the Pade approximant of that series: well-posed without a length
+  kf        the full jump integral (Kolmogorov-Feller equation), for every law of the impulses
 
 examples:
   fpkcheck fd case1
+  fpkcheck fd case1 --equation km4 --impact delta                (the equation of the closure)
   fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)
-  fpkcheck fd case4 --stepper direct --nx 50 --nv 120
+  fpkcheck fd case4 --stepper direct --order 7 --refinement 1.5
 )";
 
 template <class Enum>
 Enum choice(const std::string& value, const char* option, std::initializer_list<Enum> known) {
   std::string names;
   for (const Enum e : known) {
-    if (value == fd_fpk::name(e)) return e;
-    names += (names.empty() ? "" : ", ") + std::string(fd_fpk::name(e));
+    if (value == name(e)) return e;  // fd_fpk::name or problem::name, by the enum's namespace
+    names += (names.empty() ? "" : ", ") + std::string(name(e));
   }
   throw InputError(fmt::format("{} {} (use one of {})", option, value, names));
-}
-
-void require_map(const std::string& impact) {
-  if (impact != "map") throw InputError(fmt::format("--impact {} (use map)", impact));
 }
 
 // Boost.Program_options fills std::optional only through a notifier.
@@ -54,13 +52,22 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
   std::string equation, stepper, impact;
   po::options_description own;
   own.add_options()  //
-      ("equation", po::value(&equation)->value_name("E")->default_value("kf"), "white, km4 or kf")(
+      ("equation", po::value(&equation)->value_name("E")->default_value("kf"),
+       "white, km4, km4-pade or kf")(
           "impact", po::value(&impact)->value_name("I")->default_value("map"),
-          "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2")(
+          "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2; delta: the paper's, first order in 1-r")(
           "stepper", po::value(&stepper)->value_name("S")->default_value("cvode"),
           "cvode, or direct: the null vector alone")(
           "order", po::value(&options.order)->value_name("P")->default_value(options.order),
           "order of the transport terms, 2 .. 8; odd ones are upwind-biased")(
+          "refinement",
+          po::value(&options.refinement)->value_name("F")->default_value(options.refinement),
+          "automatic cells are F times narrower")(
+          "origin-refinement",
+          po::value(&options.origin_refinement)
+              ->value_name("F")
+              ->default_value(options.origin_refinement),
+          "cells at the origin are F times narrower than far from it: keeps the order when r < 1")(
           "nx", optional_value(options.nx, "N"),
           "cells in y (default: from equivalent linearisation)")(
           "nv", optional_value(options.nv, "N"), "cells in y', even (default: likewise)")(
@@ -76,9 +83,10 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
                     "stationarity residual ||L p||_1 / ||p||_1 to reach");
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
   options.equation = choice(equation, "--equation",
-                            {fd_fpk::Equation::white, fd_fpk::Equation::km4, fd_fpk::Equation::kf});
+                            {fd_fpk::Equation::white, fd_fpk::Equation::km4,
+                             fd_fpk::Equation::km4_pade, fd_fpk::Equation::kf});
+  options.impact = choice(impact, "--impact", {problem::Impact::map, problem::Impact::delta});
   options.stepper = choice(stepper, "--stepper", {fd_fpk::Stepper::cvode, fd_fpk::Stepper::direct});
-  require_map(impact);
   return solve_and_report(common, {compare::fd_method(options)}, 0, Required::all, command_line);
 }
 

@@ -41,10 +41,12 @@ std::optional<int> order_of_closure(std::string_view id) {
 
 Method method_of(const std::string& id, const mcs::Options& simulation) {
   if (const auto order = order_of_closure(id)) return epc_method({.order = *order});
-  for (const auto equation :
-       {fd_fpk::Equation::white, fd_fpk::Equation::km4, fd_fpk::Equation::kf}) {
-    if (id == fmt::format("fd-{}", fd_fpk::name(equation)))
-      return fd_method({.equation = equation});
+  for (const auto equation : {fd_fpk::Equation::white, fd_fpk::Equation::km4,
+                              fd_fpk::Equation::km4_pade, fd_fpk::Equation::kf}) {
+    for (const auto impact : {problem::Impact::map, problem::Impact::delta}) {
+      const fd_fpk::Options options{.equation = equation, .impact = impact};
+      if (id == fd_fpk::id(options)) return fd_method(options);
+    }
   }
   if (id == "mcs") return mcs_method(simulation);
   throw InputError(
@@ -76,7 +78,7 @@ Method epc_method(const epc::Options& options) {
 Method fd_method(const fd_fpk::Options& options) {
   fd_fpk::validate(options);
   return {
-      .id = fmt::format("fd-{}", fd_fpk::name(options.equation)),
+      .id = fd_fpk::id(options),
       .solve = [options](const problem::Problem& problem, const ComparisonAxes&, const Fraction&) {
         auto [solution, summary] = fd_fpk::solve(problem, options);
         return Entry{std::move(solution), fd_fpk::to_json(options), fd_fpk::to_json(summary)};

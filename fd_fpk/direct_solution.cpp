@@ -1,48 +1,100 @@
 #include "fd_fpk/direct_solution.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fd_fpk/null_vector.hpp"
 #include "fd_fpk/observables.hpp"
-#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
-DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
-                              const Box& box) {
+DirectSolution solve_in(const problem::Problem& problem, const Options& options, const Box& box) {
   Discretisation discretisation = discretise(problem, options, box);
   if (!discretisation.refusal.empty()) {
     std::string refusal = discretisation.refusal;
     return {.discretisation = std::move(discretisation), .failure = std::move(refusal)};
   }
   const Grid& grid = discretisation.grid;
-  SparseColumns matrix =
-      fokker_planck_operator(problem.system, discretisation.excitation, grid, options.order);
-  auto [averages, failure] =
-      null_vector(matrix, grid, gaussian_start(grid, problem),
-                  problem::slowest_decay(problem::equivalent_linearisation(problem)));
-  return {std::move(discretisation), std::move(matrix), std::move(averages), std::move(failure)};
+  const Excitation& excitation = discretisation.excitation;
+  FokkerPlanckOperator op =
+      fokker_planck_operator(problem.system, excitation, options.impact, grid, options.order);
+  const int order = options.origin_refinement == 1 ? Preconditioner::kLowOrder : options.order;
+  Preconditioner preconditioner(problem, excitation, options.impact, grid, order);
+  auto [averages, iterations, failure] =
+      null_vector(op, preconditioner, gaussian_start(grid, problem));
+  return {.discretisation = std::move(discretisation),
+          .op = std::move(op),
+          .preconditioner = std::move(preconditioner),
+          .averages = std::move(averages),
+          .krylov_iterations = iterations,
+          .failure = std::move(failure)};
 }
 
-}  // namespace
-
-DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options) {
+// Solves in `box` and moves the walls of it that the options leave free until they are empty.
+DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options,
+                                        Box& box) {
   constexpr double kNegligible = 1e-6;  // of the peak, on a wall
-  constexpr double kWidening = 1.25;
-  Box box = initial_box(problem, options);
+  constexpr double kWidening = 1.15;
+  constexpr double kFall = 1.5;
   WallDensity last{HUGE_VAL, HUGE_VAL};
   while (true) {
-    DirectSolution direct = solve_directly(problem, options, box);
+    DirectSolution direct = solve_in(problem, options, box);
     if (!direct.averages) return direct;
-    const WallDensity wall = wall_density(direct.discretisation.grid, *direct.averages);
+    const WallDensity wall =
+        relative_wall_density(problem, direct.discretisation.grid, *direct.averages);
     // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
-    const bool widen_x1 = !options.x1_max && wall.x1 > kNegligible && wall.x1 < last.x1 / 2;
-    const bool widen_x2 = !options.x2_max && wall.x2 > kNegligible && wall.x2 < last.x2 / 2;
+    const bool widen_x1 = !options.x1_max && wall.x1 > kNegligible && wall.x1 < last.x1 / kFall;
+    const bool widen_x2 = !options.x2_max && wall.x2 > kNegligible && wall.x2 < last.x2 / kFall;
     if (!widen_x1 && !widen_x2) return direct;
     if (widen_x1) box.x1_max *= kWidening;
     if (widen_x2) box.x2_max *= kWidening;
     last = wall;
+  }
+}
+
+bool resolved(const problem::Problem& problem, const Options& options,
+              const DirectSolution& direct) {
+  constexpr double kMostNegative = -1e-5;
+  constexpr double kEnergyAllowed = 5e-4;
+  const Eigen::VectorXd& averages = *direct.averages;
+  const double energy =
+      energy_residual(problem, options.impact, direct.discretisation.grid, averages, options.order);
+  return averages.minCoeff() >= kMostNegative * averages.maxCoeff() &&
+         std::abs(energy) <= kEnergyAllowed;
+}
+
+}  // namespace
+
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options) {
+  constexpr int kRefinements = 1;
+  constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
+  constexpr double kRefinement = 1.25;
+  constexpr double kAtOrigin = 16;
+  constexpr double kCoarse = 0.5;
+  constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
+  Box box = initial_box(problem, options);
+  if (!options.x1_max || !options.x2_max) {
+    Options coarse = options;
+    coarse.nx = coarse.nv = std::nullopt;
+    coarse.refinement = kCoarse;
+    coarse.order = kCoarseOrder;
+    coarse.origin_refinement = 1;
+    solve_in_wide_enough_box(problem, coarse, box);
+  }
+  Options on_grid = options;
+  for (int refinement = 0;; ++refinement) {
+    DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, box);
+    const bool automatic = !options.nx && !options.nv;
+    if (!direct.averages || !automatic || refinement == kRefinements ||
+        direct.discretisation.grid.size() > kMostCellsRefined ||
+        resolved(problem, options, direct)) {
+      return direct;
+    }
+    // What is not resolved is first of all the origin, where rare impulses and strong losses at the
+    // impact pile up a density like a negative power of the distance.
+    on_grid.origin_refinement = std::max(on_grid.origin_refinement, kAtOrigin);
+    on_grid.refinement *= kRefinement;
   }
 }
 

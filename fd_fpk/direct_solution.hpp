@@ -7,6 +7,7 @@
 #include "fd_fpk/discretisation.hpp"
 #include "fd_fpk/operator.hpp"
 #include "fd_fpk/options.hpp"
+#include "fd_fpk/preconditioner.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -14,14 +15,20 @@ namespace fpkcheck::fd_fpk {
 /// An operator on its grid with its null vector.
 struct DirectSolution {
   Discretisation discretisation;
-  SparseColumns matrix = {};
+  FokkerPlanckOperator op = {};
+  std::optional<Preconditioner> preconditioner = {};
   std::optional<Eigen::VectorXd> averages = {};  ///< mass 1
+  long krylov_iterations = 0;                    ///< of GMRES, on the final grid
   std::string failure = {};                      ///< why there are no averages, and what to do
 };
 
-/// The direct solution in a box whose walls carry no density, as far as the options leave the box
-/// free: a wall with more than 1e-6 of the peak moves out by a quarter as long as that at least
-/// halves the density on it.
-DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options);
+/// The direct solution in a box whose walls carry no density, on a grid that resolves it, as far as
+/// the options leave box and grid free:
+/// - a wall with more than 1e-6 of the peak moves out by 15 % as long as the density on it
+///   falls, first on coarse grids;
+/// - an automatic grid is refined once, most of all at the origin, when the density falls below
+/// -1e-5 of its peak
+///   or misses the balance of power by more than 5e-4.
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

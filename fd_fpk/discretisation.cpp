@@ -14,61 +14,75 @@ namespace {
 // p(y') long; the steep tail of p(y) in turn wants the finer step.
 constexpr double kX1Box = 6;
 constexpr double kX2Box = 7;
+// Deviations of a single impulse that the velocity box holds at least.
+constexpr double kImpulseBox = 6.5;
+// Deviations of a single impulse, in cells, below which rounding in lambda (E[p(x2 - Y)] - p)
+// shows.
+constexpr double kShortestImpulse = 0.02;
 constexpr double kX1Step = 0.15;
-constexpr double kX2Step = 0.17;
+constexpr double kX2Step = 0.16;
 
-// Length that an integer number of velocity steps must cover; 0 where there is none.
-double lattice_length(const problem::Problem& problem, const Options& options) {
-  switch (options.equation) {
-    case Equation::white:
-      return 0;
-    case Equation::km4:
-      return options.regularisation_length.value_or(
-          default_regularisation_length(problem.impulses.law()));
-    case Equation::kf:
-      return largest_jump_spacing(problem);
-  }
-  return 0;
+// Cells at the origin narrower by options.origin_refinement than far from it; they have grown to
+// half of the full width at about this many deviations.
+Grading grading(const Options& options, double deviation) {
+  constexpr double kReach = 0.75;
+  if (options.origin_refinement == 1) return {};
+  return {.reach = kReach * deviation,
+          .core = kReach * deviation / (options.origin_refinement - 1)};
 }
 
-Excitation excitation(const problem::ImpulseTrain& impulses, Equation equation, double step,
-                      int lattice_cells) {
-  switch (equation) {
+Excitation excitation(const problem::ImpulseTrain& impulses, const Options& options,
+                      const Line& line, double regularisation_length) {
+  switch (options.equation) {
     case Equation::white:
       return white_noise(impulses);
     case Equation::km4:
-      return kramers_moyal(impulses, step, lattice_cells);
+      return kramers_moyal(impulses, line, regularisation_length);
+    case Equation::km4_pade:
+      return kramers_moyal_pade(impulses, line, options.order + options.order % 2);
     case Equation::kf:
-      return jumps(impulses, step, lattice_cells);
+      return jumps(impulses, line);
   }
   return {};
 }
 
+// l of km4 on cells of this width: 0 asks for the literal scheme.
+double regularisation_length(const problem::Problem& problem, const Options& options, double step) {
+  if (options.equation != Equation::km4) return 0;
+  const double length =
+      options.regularisation_length.value_or(default_regularisation_length(problem.impulses.law()));
+  return length > 0 ? length : step;
+}
+
 // As a double: a box may ask for more cells than an int can count.
-double cells_over(double length, double step) {
-  return std::max(16.0, std::ceil(length / step - 1e-9));
+double cells_over(double length, double step, const Grading& grading) {
+  return std::max(16.0, std::ceil(graded_cells(length, step, grading) - 1e-9));
 }
 
 // Why a grid cannot be made or would not do; empty when it can.
-std::string objection(const Options& options, const Box& box, double nx, double nv, double length,
-                      double step) {
-  if (length > box.x2_max / 2) {
-    return fmt::format(
-        "the lattice of {} has step {:.3g} in a box |y'| <= {:.3g} (take a shorter "
-        "regularisation length or a wider box)",
-        name(options.equation), length, box.x2_max);
+std::string objection(const problem::Problem& problem, const Options& options, const Box& box,
+                      double nx, double nv) {
+  if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
+    return "the Pade approximant of the truncated series does not exist for so skew a law, "
+           "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2 (solve km4 or kf)";
   }
-  if (step * nv / 2 < box.x2_max * (1 - 1e-9)) {
+  if (const double length = regularisation_length(problem, options, 0); length > box.x2_max / 2) {
     return fmt::format(
-        "{:.0f} cells in y' do not reach |y'| = {:.3g}: the lattice of {} allows steps of at "
-        "most {:.3g} (give nv = {:.0f} or more, or leave it out)",
-        nv, box.x2_max, name(options.equation), length, 2 * std::ceil(box.x2_max / length));
+        "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g} (take a shorter "
+        "regularisation length or a wider box)",
+        length, box.x2_max);
+  }
+  if (const double width = 2 * box.x2_max / nv, deviation = problem.impulses.law().deviation();
+      options.equation == Equation::kf && deviation < kShortestImpulse * width) {
+    return fmt::format(
+        "impulses of deviation {:.2g} are lost in cells of width {:.2g}: the jumps cannot be told "
+        "from white noise (solve white, whose relative error is of the order 1e-4)",
+        deviation, width);
   }
   if (nx * nv > kMostCells) {
     return fmt::format(
-        "the grid needs {:.0f} x {:.0f} cells, more than {} (the impulses or the cells asked for "
-        "are small against the box: solve white or km4, or give nx, nv or a smaller box)",
-        nx, nv, kMostCells);
+        "the grid needs {:.0f} x {:.0f} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
+        kMostCells);
   }
   return "";
 }
@@ -77,34 +91,41 @@ std::string objection(const Options& options, const Box& box, double nx, double 
 
 Box initial_box(const problem::Problem& problem, const Options& options) {
   const auto linear = problem::equivalent_linearisation(problem);
-  return {options.x1_max.value_or(problem::static_deflection(problem) +
-                                  kX1Box * linear.displacement_deviation),
-          options.x2_max.value_or(kX2Box * linear.velocity_deviation)};
+  const auto& law = problem.impulses.law();
+  return {
+      options.x1_max.value_or(problem::static_deflection(problem) +
+                              kX1Box * linear.displacement_deviation),
+      options.x2_max.value_or(std::max(kX2Box * linear.velocity_deviation,
+                                       std::abs(law.moment(1)) + kImpulseBox * law.deviation()))};
 }
 
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
   const auto linear = problem::equivalent_linearisation(problem);
-  double step = options.nv ? 2 * box.x2_max / *options.nv : kX2Step * linear.velocity_deviation;
-  const double length = lattice_length(problem, options);
-  int lattice_cells = 1;
-  if (length > 0) {
-    // A given number of cells must cover at least the box; a free one may round either way.
-    const double wanted = options.nv ? std::floor(length / step + 1e-9) : std::round(length / step);
-    lattice_cells = std::max(1, static_cast<int>(wanted));
-    step = length / lattice_cells;
+  const Grading x1_grading = grading(options, linear.displacement_deviation);
+  const Grading x2_grading = grading(options, linear.velocity_deviation);
+  const double nx = options.nx.value_or(cells_over(
+      box.x1_max, kX1Step * linear.displacement_deviation / options.refinement, x1_grading));
+  const double nv = options.nv.value_or(
+      2 *
+      cells_over(box.x2_max, kX2Step * linear.velocity_deviation / options.refinement, x2_grading));
+  const std::string refusal = objection(problem, options, box, nx, nv);
+  if (!refusal.empty()) {
+    return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};
   }
-  const double nv = options.nv ? *options.nv : 2 * cells_over(box.x2_max, step);
-  if (length == 0) step = 2 * box.x2_max / nv;
-  const double nx =
-      options.nx ? *options.nx : cells_over(box.x1_max, kX1Step * linear.displacement_deviation);
-  const std::string refusal = objection(options, box, nx, nv, length, step);
-  if (!refusal.empty())
-    return {.grid = {0, 0, box.x1_max, box.x2_max}, .excitation = {}, .refusal = refusal};
-  const double spacing = lattice_cells * step;
-  return {.grid = {static_cast<int>(nx), static_cast<int>(nv), box.x1_max, step * nv / 2},
-          .excitation = excitation(problem.impulses, options.equation, step, lattice_cells),
-          .regularisation_length = options.equation == Equation::km4 ? spacing : 0,
-          .jump_spacing = options.equation == Equation::kf ? spacing : 0};
+  Grid grid = make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max,
+                        x1_grading, x2_grading);
+  const double length = regularisation_length(problem, options, grid.x2.smallest_width());
+  Excitation terms = excitation(problem.impulses, options, grid.x2, length);
+  return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};
+}
+
+UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
+                                         double step) {
+  const double length = regularisation_length(problem, options, step);
+  const int reach = static_cast<int>(std::ceil(2 * length / step)) + 4 * options.order;
+  Line line = Line::uniform(0, step, 2 * reach + 1);
+  Excitation terms = excitation(problem.impulses, options, line, length);
+  return {std::move(line), std::move(terms)};
 }
 
 }  // namespace fpkcheck::fd_fpk

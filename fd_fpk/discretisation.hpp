@@ -14,16 +14,15 @@ struct Box {
   double x2_max;
 };
 
-/// Most cells of a grid: KLU's factors of `kf` then take a few gigabytes.
-inline constexpr int kMostCells = 60000;
+/// Most cells of a grid: the factors of the preconditioner and GMRES's vectors then take about two
+/// gigabytes.
+inline constexpr int kMostCells = 100000;
 
-/// The grid and the excitation on it. The velocity step divides the equation's own length (the jump
-/// lattice of `kf`, the regularisation length of `km4`), so the two are chosen together.
+/// The grid and the excitation on it.
 struct Discretisation {
   Grid grid;
   Excitation excitation;
   double regularisation_length = 0;  ///< l of km4 as used, else 0
-  double jump_spacing = 0;           ///< d of kf as used, else 0
   /// Why there is no such grid and what to do; empty when there is one.
   std::string refusal = {};
 };
@@ -32,8 +31,17 @@ struct Discretisation {
 /// options set their number.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
-/// What the options say of the box, else 6 (x1, beyond the static deflection) and 7 (x2)
-/// deviations of equivalent linearisation.
+/// The excitation on a uniform velocity line of this step, long enough that its middle row is the
+/// operator without walls: what largest_growth scans.
+struct UnboundedExcitation {
+  Line line;
+  Excitation excitation;
+};
+UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
+                                         double step);
+
+/// What the options say of the box, else 6 (x1, beyond the static deflection) and 7 (x2) deviations
+/// of equivalent linearisation, and 6.5 deviations of a single impulse in x2.
 Box initial_box(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

@@ -1,7 +1,10 @@
 #include "fd_fpk/excitation.hpp"
 
-#include <algorithm>
+#include <Eigen/Dense>
+#include <array>
 #include <cmath>
+
+#include "fd_fpk/jump_matrix.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -11,6 +14,8 @@ std::string_view name(Equation equation) {
       return "white";
     case Equation::km4:
       return "km4";
+    case Equation::km4_pade:
+      return "km4-pade";
     case Equation::kf:
       return "kf";
   }
@@ -21,72 +26,62 @@ double default_regularisation_length(const problem::ImpulseLaw& law) {
   return std::sqrt(law.moment(6) / (5 * law.moment(4)));
 }
 
-double largest_jump_spacing(const problem::Problem& problem) {
-  constexpr double kFrequent = 10;
-  const auto& law = problem.impulses.law();
-  const double deviation = std::sqrt(law.moment(2) - law.moment(1) * law.moment(1));
-  const bool frequent = problem.impulses.arrival_rate() / problem.system.damping() >= kFrequent;
-  return frequent ? deviation : deviation / 2;
-}
-
 Excitation white_noise(const problem::ImpulseTrain& impulses) {
   return {
-      .drift = impulses.rate_moment(1), .diffusion = impulses.rate_moment(2) / 2, .lattice = {}};
+      .drift = impulses.rate_moment(1), .diffusion = impulses.rate_moment(2) / 2, .exchange = {}};
 }
 
-Excitation kramers_moyal(const problem::ImpulseTrain& impulses, double step, int cells) {
+Excitation kramers_moyal(const problem::ImpulseTrain& impulses, const Line& line, double length) {
   Excitation result = white_noise(impulses);
-  const double l = cells * step;
-  const double fourth = impulses.rate_moment(4) / 24 / (l * l * l * l);
-  for (const auto& [shift, weight] : {LatticeTerm{-2, 1}, {-1, -4}, {0, 6}, {1, -4}, {2, 1}}) {
-    result.lattice.push_back({shift * cells, weight * fourth});
-  }
+  // delta_l^4 p / l^4 = (p(v+2l) - 4 p(v+l) + 6 p(v) - 4 p(v-l) + p(v-2l)) / l^4
   // delta_l^3 p / l^3 = (p(v+2l) - 2 p(v+l) + 2 p(v-l) - p(v-2l)) / (2 l^3)
-  const double third = -impulses.rate_moment(3) / 6 / (2 * l * l * l);
-  if (third != 0) {
-    for (const auto& [shift, weight] : {LatticeTerm{-2, 1}, {-1, -2}, {1, 2}, {2, -1}}) {
-      result.lattice.push_back({shift * cells, weight * third});
-    }
+  const double fourth = impulses.rate_moment(4) / 24 / std::pow(length, 4);
+  const double third = -impulses.rate_moment(3) / 6 / (2 * std::pow(length, 3));
+  struct Term {
+    int shift;
+    double weight;
+  };
+  const std::array terms{Term{-2, fourth + third}, Term{-1, -4 * fourth - 2 * third},
+                         Term{1, -4 * fourth + 2 * third}, Term{2, fourth - third}};
+  result.exchange = Eigen::MatrixXd::Zero(line.cells(), line.cells());
+  for (const auto& [shift, weight] : terms) {
+    result.exchange += weight * shift_matrix(line, shift * length);
   }
   return result;
 }
 
-Excitation jumps(const problem::ImpulseTrain& impulses, double step, int cells) {
-  const auto& law = impulses.law();
-  const double spacing = cells * step;
-  const double reach = std::abs(law.moment(1)) + 9 * std::sqrt(law.moment(2));
-  const int largest = static_cast<int>(std::ceil(reach / spacing));
-  std::vector<LatticeTerm> terms;
-  double sum = 0;
-  for (int k = -largest; k <= largest; ++k) {
-    const double weight = spacing * law.density(k * spacing);
-    if (weight < 1e-18) continue;
-    terms.push_back({k * cells, weight});
-    sum += weight;
-  }
-  for (auto& term : terms) term.weight *= impulses.arrival_rate() / sum;
-  terms.push_back({0, -impulses.arrival_rate()});
-  return {.drift = 0, .diffusion = 0, .lattice = std::move(terms)};
+double pade_length_squared(const problem::ImpulseTrain& impulses) {
+  const double d2 = impulses.rate_moment(2) / 2;
+  const double a = impulses.rate_moment(3) / 6 / d2;
+  return impulses.rate_moment(4) / 24 / d2 - a * a;
 }
 
-LineOperator excitation_operator(const UniformLine& line, const Excitation& excitation, int order) {
+Excitation kramers_moyal_pade(const problem::ImpulseTrain& impulses, const Line& line, int order) {
+  const double d2 = impulses.rate_moment(2) / 2;
+  const double a = impulses.rate_moment(3) / 6 / d2;
+  const double b = pade_length_squared(impulses);
+  const Eigen::MatrixXd slope = divergence(line) * face_values(line, order, Bias::left);
+  const Eigen::MatrixXd curvature = divergence(line) * face_derivatives(line, order);
+  const auto unit = Eigen::MatrixXd::Identity(line.cells(), line.cells());
+  return {.drift = impulses.rate_moment(1),
+          .diffusion = 0,
+          .exchange = (unit + a * slope - b * curvature).partialPivLu().solve(d2 * curvature),
+          .exchange_diffusion = d2,
+          .exchange_rate = d2 / b};
+}
+
+Excitation jumps(const problem::ImpulseTrain& impulses, const Line& line) {
+  return {.drift = 0,
+          .diffusion = 0,
+          .exchange = impulses.arrival_rate() * jump_matrix(line, impulses.law()),
+          .exchange_diffusion = impulses.rate_moment(2) / 2,
+          .exchange_rate = impulses.arrival_rate()};
+}
+
+LineOperator local_excitation(const Line& line, const Excitation& excitation, int order) {
   const LineOperator flux = excitation.diffusion * face_derivatives(line, order) -
                             excitation.drift * face_values(line, order, Bias::left);
-  LineOperator matrix = divergence(line) * flux;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const auto& [shift, weight] : excitation.lattice) {
-    if (shift == 0) continue;
-    for (int from = 0; from < line.cells; ++from) {
-      const int to = from + shift;
-      if (to < 0 || to >= line.cells) continue;
-      entries.emplace_back(to, from, weight);
-      entries.emplace_back(from, from, -weight);
-    }
-  }
-  LineOperator shifts(line.cells, line.cells);
-  shifts.setFromTriplets(entries.begin(), entries.end());
-  matrix += shifts;
-  return matrix;
+  return divergence(line) * flux;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -1,49 +1,50 @@
 #include "fd_fpk/impact_map.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "fd_fpk/cumulative.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Adds `sign` times the weights of the face values G_0 .. G_cells in G(u), u in units of the step.
-void add_interpolation(double u, int cells, int order, double sign, std::vector<double>& row) {
-  if (u >= cells) {
-    row[cells] += sign;  // everything below u has been counted
-    return;
-  }
-  const int points = std::min(order + 1, cells + 1);
-  const int first =
-      std::clamp(static_cast<int>(std::floor(u)) - (points - 1) / 2, 0, cells + 1 - points);
-  for (int a = first; a < first + points; ++a) {
-    double weight = 1;
-    for (int b = first; b < first + points; ++b) {
-      if (b != a) weight *= (u - b) / (a - b);
-    }
-    row[a] += sign * weight;
-  }
-}
-
-}  // namespace
-
-LineOperator impact_map(int cells, double restitution, int order) {
+LineOperator exact_map(const Line& speeds, double restitution, int order) {
+  const CumulativeInterpolation cumulative(speeds, order + 1, Beyond::boundary);
+  const int cells = speeds.cells();
   std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd below = Eigen::VectorXd::Zero(cells + 1);
   for (int a = 0; a < cells; ++a) {
-    std::vector<double> faces(cells + 1, 0.0);  // the row in terms of G_0 .. G_cells
-    // The last cell takes all that is faster, so that the differences telescope to G_cells - G_0.
-    add_interpolation(a + 1 == cells ? cells : (a + 1) / restitution, cells, order, 1.0, faces);
-    add_interpolation(a / restitution, cells, order, -1.0, faces);
-    // G_f = sum_{b < f} f_b: the weight of f_b is the sum over the faces above it.
-    double weight = 0;
-    for (int b = cells - 1; b >= 0; --b) {
-      weight += faces[b + 1];
-      if (std::abs(weight) > 1e-15) entries.emplace_back(a, b, weight);
+    Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
+    // The last cell takes all that is faster, so that the differences telescope.
+    const double face = a + 1 == cells ? speeds.face(cells) : speeds.face(a + 1) / restitution;
+    cumulative.add(face, 1.0, above);
+    const Eigen::VectorXd row = cumulative.on_averages(above - below) / speeds.width(a);
+    for (int b = 0; b < cells; ++b) {
+      if (std::abs(row(b)) > 1e-15) entries.emplace_back(a, b, row(b));
     }
+    below = above;
   }
   LineOperator matrix(cells, cells);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+LineOperator first_order_map(const Line& speeds, double restitution, int order) {
+  const Line outgoing(speeds.faces(), Beyond::boundary);
+  const LineOperator flux = face_values(outgoing, order + order % 2, Bias::left);
+  LineOperator speed(speeds.cells() + 1, speeds.cells() + 1);
+  for (int f = 0; f <= speeds.cells(); ++f) speed.insert(f, f) = (1 - restitution) * speeds.face(f);
+  LineOperator matrix(speeds.cells(), speeds.cells());
+  matrix.setIdentity();
+  const LineOperator change = divergence(outgoing) * LineOperator(speed * flux);
+  return matrix + change;
+}
+
+}  // namespace
+
+LineOperator impact_map(const Line& speeds, double restitution, problem::Impact impact, int order) {
+  return impact == problem::Impact::delta ? first_order_map(speeds, restitution, order)
+                                          : exact_map(speeds, restitution, order);
 }
 
 }  // namespace fpkcheck::fd_fpk

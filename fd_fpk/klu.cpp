@@ -23,8 +23,12 @@ struct KluFactorisation::Handles {
   Handles& operator=(const Handles&) = delete;
 };
 
-KluFactorisation::KluFactorisation(const SparseColumns& matrix)
-    : handles_(std::make_unique<Handles>()) {
+KluFactorisation::KluFactorisation() : handles_(std::make_unique<Handles>()) {}
+KluFactorisation::~KluFactorisation() = default;
+KluFactorisation::KluFactorisation(KluFactorisation&&) noexcept = default;
+KluFactorisation& KluFactorisation::operator=(KluFactorisation&&) noexcept = default;
+
+bool KluFactorisation::factor(const SparseColumns& matrix) {
   // KLU's interface is not const-correct; it only reads the three arrays.
   auto* columns = reinterpret_cast<SuiteSparse_long*>(
       const_cast<SparseColumns::StorageIndex*>(matrix.outerIndexPtr()));
@@ -32,27 +36,26 @@ KluFactorisation::KluFactorisation(const SparseColumns& matrix)
       const_cast<SparseColumns::StorageIndex*>(matrix.innerIndexPtr()));
   auto* values = const_cast<double*>(matrix.valuePtr());
   auto& [common, symbolic, numeric] = *handles_;
-  symbolic = klu_l_analyze(matrix.cols(), columns, rows, &common);
+  klu_l_free_numeric(&numeric, &common);
+  if (symbolic == nullptr) symbolic = klu_l_analyze(matrix.cols(), columns, rows, &common);
   if (symbolic != nullptr) numeric = klu_l_factor(columns, rows, values, symbolic, &common);
+  return numeric != nullptr && common.status == KLU_OK;
 }
 
-KluFactorisation::~KluFactorisation() = default;
-KluFactorisation::KluFactorisation(KluFactorisation&&) noexcept = default;
-KluFactorisation& KluFactorisation::operator=(KluFactorisation&&) noexcept = default;
-
-bool KluFactorisation::succeeded() const {
-  return handles_->numeric != nullptr && handles_->common.status == KLU_OK;
-}
-
-void KluFactorisation::solve_in_place(Eigen::VectorXd& b) const {
+void KluFactorisation::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   auto& [common, symbolic, numeric] = *handles_;
   if (numeric == nullptr || !klu_l_solve(symbolic, numeric, b.size(), 1, b.data(), &common)) {
     throw std::logic_error("KLU solve without a factorisation");
   }
 }
 
+long KluFactorisation::entries() const {
+  const auto* numeric = handles_->numeric;
+  return numeric == nullptr ? 0 : static_cast<long>(numeric->lnz + numeric->unz);
+}
+
 std::string KluFactorisation::failure() const {
-  if (succeeded()) return "";
+  if (handles_->numeric != nullptr && handles_->common.status == KLU_OK) return "";
   switch (handles_->common.status) {
     case KLU_OUT_OF_MEMORY:
     case KLU_TOO_LARGE:

@@ -8,22 +8,24 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A sparse LU factorisation by KLU with AMD ordering.
+/// Sparse LU factorisations by KLU with AMD ordering. The ordering is found once: all matrices that
+/// one object factors must have the same pattern.
 class KluFactorisation {
  public:
-  /// Factors `matrix`, which must outlive this object.
-  explicit KluFactorisation(const SparseColumns& matrix);
+  KluFactorisation();
   ~KluFactorisation();
   KluFactorisation(KluFactorisation&&) noexcept;
   KluFactorisation& operator=(KluFactorisation&&) noexcept;
 
-  /// False when there is no factorisation; then solve must not be called.
-  bool succeeded() const;
+  /// Factors `matrix`. False when there is no factorisation; then solve must not be called.
+  bool factor(const SparseColumns& matrix);
   /// Why it failed and what to do; empty when it succeeded.
   std::string failure() const;
+  /// Entries of both factors.
+  long entries() const;
 
   /// Replaces b by the solution x of A x = b.
-  void solve_in_place(Eigen::VectorXd& b) const;
+  void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
   struct Handles;

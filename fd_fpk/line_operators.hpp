@@ -4,27 +4,13 @@
 #include <optional>
 #include <vector>
 
-/// One-dimensional operators on cell averages of a uniform line. The plane's operator is a sum of
+#include "fd_fpk/line.hpp"
+
+/// One-dimensional operators on cell averages of a line. The plane's operator is a sum of
 /// tensor products of these. Each is exact on polynomials up to a degree that its order states.
 namespace fpkcheck::fd_fpk {
 
 using LineOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-/// What lies beyond face 0 of a line: nothing (p = 0 there, an outer wall of the box), or a
-/// boundary across which p must not be continued (the impact wall), so that stencils are shifted
-/// inwards. Beyond the last face there is always nothing.
-enum class Beyond { vacuum, boundary };
-
-/// `cells` cells of width `step`; the first begins at `origin`. Face f lies at origin + f step.
-struct UniformLine {
-  double origin;
-  double step;
-  int cells;
-  Beyond left = Beyond::vacuum;
-
-  double face(int f) const { return origin + f * step; }
-  double centre(int i) const { return origin + (i + 0.5) * step; }
-};
 
 /// Which side of a face a stencil of odd length prefers: the side the flow comes from.
 enum class Bias { left, right };
@@ -35,21 +21,21 @@ using Polynomial = std::vector<double>;
 /// Point values on the inner faces 1 .. cells-1, shape (cells + 1, cells); the rows of the two end
 /// faces are zero. `points` cells a stencil, so exact on averages of polynomials of degree
 /// points-1; centred for even `points`, one cell more upstream for odd ones.
-LineOperator face_values(const UniformLine& line, int points, Bias bias);
+LineOperator face_values(const Line& line, int points, Bias bias);
 
 /// As face_values, for the derivative; centred, even `points`.
-LineOperator face_derivatives(const UniformLine& line, int points);
+LineOperator face_derivatives(const Line& line, int points);
 
 /// The value at face 0 by extrapolation from the first `points` cells, shape (1, cells).
-LineOperator end_value(const UniformLine& line, int points);
+LineOperator end_value(const Line& line, int points);
 
 /// Averages of weight(x) p over each cell from averages of p, shape (cells, cells). Stencils of
 /// `points` cells (odd) do not reach across the inner face `barrier`, if one is given.
-LineOperator weighted_averages(const UniformLine& line, int points, const Polynomial& weight,
+LineOperator weighted_averages(const Line& line, int points, const Polynomial& weight,
                                std::optional<int> barrier = {});
 
-/// (F[f+1] - F[f]) / step, shape (cells, cells + 1).
-LineOperator divergence(const UniformLine& line);
+/// (F[f+1] - F[f]) / width, shape (cells, cells + 1).
+LineOperator divergence(const Line& line);
 
 /// Length of the stencil of weighted_averages that keeps an order: its own order is points + 1.
 int weighting_points(int order);

@@ -1,32 +1,21 @@
 #include "fd_fpk/null_vector.hpp"
 
-#include "fd_fpk/klu.hpp"
+#include "fd_fpk/gmres.hpp"
 
 namespace fpkcheck::fd_fpk {
 
-double stationarity_residual(const SparseColumns& matrix, const Eigen::VectorXd& averages) {
-  return (matrix * averages).lpNorm<1>() / averages.lpNorm<1>();
-}
-
-NullVector null_vector(const SparseColumns& matrix, const Grid& grid, const Eigen::VectorXd& start,
-                       double slowest_decay) {
-  // Each iteration shrinks a mode that decays at rate a by shift/a.
-  constexpr double kRelativeShift = 2e-7;
-  constexpr int kIterations = 3;
-  SparseColumns unit(matrix.rows(), matrix.cols());
-  unit.setIdentity();
-  const SparseColumns shifted = matrix - kRelativeShift * slowest_decay * unit;
-  const KluFactorisation factors(shifted);
-  if (!factors.succeeded()) return {std::nullopt, factors.failure()};
-  Eigen::VectorXd averages = start;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    factors.solve_in_place(averages);
-    averages /= averages.sum() * grid.cell_area();
-    if (!averages.allFinite()) {
-      return {std::nullopt, "inverse iteration for the null vector overflowed (take a finer grid)"};
-    }
-  }
-  return {std::move(averages), ""};
+NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                       const Eigen::VectorXd& start) {
+  constexpr double kTolerance = 1e-13;
+  if (!preconditioner.factor_stationary()) return {std::nullopt, 0, preconditioner.failure()};
+  const auto times = [&](const Eigen::VectorXd& p) { return op * p; };
+  const auto nearby = [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); };
+  auto [correction, iterations, failure] =
+      gmres(times, nearby, -(op * start), op.areas, kTolerance);
+  if (!correction) return {std::nullopt, iterations, failure + " (take another grid)"};
+  Eigen::VectorXd averages = start + *correction;
+  averages /= op.mass(averages);
+  return {std::move(averages), iterations};
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -4,25 +4,21 @@
 #include <optional>
 #include <string>
 
-#include "fd_fpk/grid.hpp"
 #include "fd_fpk/operator.hpp"
+#include "fd_fpk/preconditioner.hpp"
 
 namespace fpkcheck::fd_fpk {
 
-/// ||L P||_1 / ||P||_1: the rate, per unit time, at which a density is not stationary.
-double stationarity_residual(const SparseColumns& matrix, const Eigen::VectorXd& averages);
-
 struct NullVector {
   std::optional<Eigen::VectorXd> averages;
-  std::string failure;  ///< why there are none
+  long iterations = 0;       ///< of GMRES
+  std::string failure = {};  ///< why there are no averages
 };
 
-/// The stationary density without stepping: the null vector of L by inverse iteration with one
-/// factorisation of L - shift I, normalised to mass 1.
-///
-/// No row is replaced by the normalisation: a dense row would ruin the ordering.
-/// @param slowest_decay rate of the slowest mode, problem::slowest_decay: sets the shift
-NullVector null_vector(const SparseColumns& matrix, const Grid& grid, const Eigen::VectorXd& start,
-                       double slowest_decay);
+/// The stationary density without stepping: the null vector of L of mass 1. The correction d of a
+/// start of mass 1 solves L d = -L start by GMRES with one factorisation of the preconditioner. All
+/// residuals, and so d, have no mass: the singular system is consistent at every step.
+NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                       const Eigen::VectorXd& start);
 
 }  // namespace fpkcheck::fd_fpk

@@ -15,6 +15,15 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, in
 /// power >= 1: 1 is the impact rate, 3 enters the energy balance.
 double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power);
 
+/// problem::energy_residual of cell averages.
+double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
+                       const Eigen::VectorXd& averages, int order);
+
+/// Density on the outer walls relative to the peak, or to the peak of equivalent linearisation
+/// where that is lower: a spike at rest must not hide a tail.
+WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
+                                  const Eigen::VectorXd& averages);
+
 /// Cell averages of the density of equivalent linearisation on the half-plane, mass 1: the start of
 /// the march and of the inverse iteration.
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem);

@@ -36,10 +36,10 @@ LineOperator rows_only(const LineOperator& matrix, int first, int count) {
 }
 
 // -d/dx1 (x2 p) by fluxes through the inner faces of x1.
-SparseColumns streaming(const Grid& grid, int order) {
-  const UniformLine x1 = grid.x1();
-  const LineOperator speed = weighted_averages(grid.x2(), weighting_points(order), {0.0, 1.0});
-  const int half = grid.nv / 2;
+SparseColumns streaming(const Grid& grid, int order, int weight_points) {
+  const Line& x1 = grid.x1;
+  const LineOperator speed = weighted_averages(grid.x2, weight_points, {0.0, 1.0});
+  const int half = grid.nv() / 2;
   const LineOperator rightwards = divergence(x1) * face_values(x1, order, Bias::left);
   const LineOperator leftwards = divergence(x1) * face_values(x1, order, Bias::right);
   return -(tensor(rightwards, rows_only(speed, half, half)) +
@@ -47,13 +47,14 @@ SparseColumns streaming(const Grid& grid, int order) {
 }
 
 // Outgoing probability leaves the first column of cells at x2 < 0 and returns to it at x2 > 0.
-SparseColumns impact(const Grid& grid, double restitution, int order) {
-  const int half = grid.nv / 2;
-  LineOperator exchange(grid.nv, half);  // from speed cells to velocity cells
+SparseColumns exchange_at_wall(const problem::System& system, problem::Impact impact,
+                               const Grid& grid, int order) {
+  const int half = grid.nv() / 2;
+  LineOperator exchange(grid.nv(), half);  // from speed cells to velocity cells
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (int b = 0; b < half; ++b) entries.emplace_back(half - 1 - b, b, -1.0);
-    const LineOperator returned = impact_map(half, restitution, order);
+    const LineOperator returned = impact_map(grid.speeds(), system.restitution(), impact, order);
     for (int a = 0; a < half; ++a) {
       for (LineOperator::InnerIterator e(returned, a); e; ++e) {
         entries.emplace_back(half + a, e.col(), e.value());
@@ -61,21 +62,21 @@ SparseColumns impact(const Grid& grid, double restitution, int order) {
     }
     exchange.setFromTriplets(entries.begin(), entries.end());
   }
-  const LineOperator into_first_column = entry(grid.nx, 1, 0, 0, 1 / grid.x1().step);
+  const LineOperator into_first_column = entry(grid.nx(), 1, 0, 0, 1 / grid.x1.width(0));
   return tensor(into_first_column, exchange) * SparseColumns(wall_flux(grid, order));
 }
 
 // d/dx2 [ (c x2 + k x1 + mu x1^3) p ] by fluxes through the inner faces of x2.
 SparseColumns damping_and_restoring_force(const problem::System& system, const Grid& grid,
-                                          int order) {
-  const UniformLine x2 = grid.x2();
+                                          int order, int weight_points) {
+  const Line& x2 = grid.x2;
   const LineOperator values = face_values(x2, even_points(order), Bias::left);
-  LineOperator velocity(grid.nv + 1, grid.nv + 1);
-  for (int f = 0; f <= grid.nv; ++f) velocity.insert(f, f) = system.damping() * x2.face(f);
-  const LineOperator force = weighted_averages(grid.x1(), weighting_points(order),
-                                               {0.0, system.stiffness(), 0.0, system.cubic()});
+  LineOperator velocity(grid.nv() + 1, grid.nv() + 1);
+  for (int f = 0; f <= grid.nv(); ++f) velocity.insert(f, f) = system.damping() * x2.face(f);
+  const LineOperator force =
+      weighted_averages(grid.x1, weight_points, {0.0, system.stiffness(), 0.0, system.cubic()});
   const LineOperator damping = divergence(x2) * LineOperator(velocity * values);
-  return tensor(identity(grid.nx), damping) + tensor(force, divergence(x2) * values);
+  return tensor(identity(grid.nx()), damping) + tensor(force, divergence(x2) * values);
 }
 
 // What turns the centred x2 transport of an odd order into the upwind-biased one. With the velocity
@@ -83,18 +84,18 @@ SparseColumns damping_and_restoring_force(const problem::System& system, const G
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
 // and the first part is the centred flux of the next even order.
 SparseColumns upwinding(const problem::System& system, const Grid& grid, int order) {
-  const UniformLine x1 = grid.x1();
-  const UniformLine x2 = grid.x2();
+  const Line& x1 = grid.x1;
+  const Line& x2 = grid.x2;
   const LineOperator half_jump =
       0.5 * (face_values(x2, order, Bias::left) - face_values(x2, order, Bias::right));
-  Eigen::VectorXd speed(grid.nx * (grid.nv + 1));
-  for (int i = 0; i < grid.nx; ++i) {
-    for (int f = 0; f <= grid.nv; ++f) {
-      speed(i * (grid.nv + 1) + f) =
+  Eigen::VectorXd speed(grid.nx() * (grid.nv() + 1));
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int f = 0; f <= grid.nv(); ++f) {
+      speed(i * (grid.nv() + 1) + f) =
           std::abs(system.damping() * x2.face(f) + system.restoring_force(x1.centre(i)));
     }
   }
-  const LineOperator columns = identity(grid.nx);
+  const LineOperator columns = identity(grid.nx());
   return -(tensor(columns, divergence(x2)) *
            SparseColumns(speed.asDiagonal() * tensor(columns, half_jump)));
 }
@@ -102,26 +103,56 @@ SparseColumns upwinding(const problem::System& system, const Grid& grid, int ord
 }  // namespace
 
 LineOperator wall_flux(const Grid& grid, int order) {
-  const int half = grid.nv / 2;
+  const int half = grid.nv() / 2;
   // On the wall the density jumps at x2 = 0: stencils stay on the outgoing side.
-  const LineOperator speed =
-      weighted_averages(grid.x2(), weighting_points(order), {0.0, -1.0}, half);
-  LineOperator reversed(half, grid.nv);  // speed cell b is velocity cell half - 1 - b
+  const LineOperator speed = weighted_averages(grid.x2, weighting_points(order), {0.0, -1.0}, half);
+  LineOperator reversed(half, grid.nv());  // speed cell b is velocity cell half - 1 - b
   for (int b = 0; b < half; ++b) reversed.insert(b, half - 1 - b) = 1.0;
-  return Eigen::kroneckerProduct(end_value(grid.x1(), order), LineOperator(reversed * speed))
-      .eval();
+  return Eigen::kroneckerProduct(end_value(grid.x1, order), LineOperator(reversed * speed)).eval();
 }
 
-SparseColumns fokker_planck_operator(const problem::System& system, const Excitation& excitation,
-                                     const Grid& grid, int order) {
-  SparseColumns matrix =
-      streaming(grid, order) + impact(grid, system.restitution(), order) +
-      damping_and_restoring_force(system, grid, order) +
-      tensor(identity(grid.nx), excitation_operator(grid.x2(), excitation, even_points(order)));
-  if (order % 2 == 1) matrix += upwinding(system, grid, order);
-  matrix.prune(0.0);
-  matrix.makeCompressed();
-  return matrix;
+FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
+                                            const Excitation& excitation, problem::Impact impact,
+                                            const Grid& grid, int order, Weighting weighting) {
+  const int weight_points = weighting == Weighting::full ? weighting_points(order) : 1;
+  SparseColumns local =
+      streaming(grid, order, weight_points) + exchange_at_wall(system, impact, grid, order) +
+      damping_and_restoring_force(system, grid, order, weight_points) +
+      tensor(identity(grid.nx()), local_excitation(grid.x2, excitation, even_points(order)));
+  if (order % 2 == 1) local += upwinding(system, grid, order);
+  local.prune(0.0);
+  local.makeCompressed();
+  return {std::move(local), excitation.exchange, grid.areas()};
+}
+
+Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages) const {
+  Eigen::VectorXd rate = local * averages;
+  if (exchange.size() > 0) {
+    const Eigen::Index nv = exchange.rows(), nx = averages.size() / nv;
+    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
+        exchange * Eigen::Map<const Eigen::MatrixXd>(averages.data(), nv, nx);
+  }
+  return rate;
+}
+
+SparseColumns FokkerPlanckOperator::assembled() const {
+  if (exchange.size() == 0) return local;
+  const int nx = static_cast<int>(areas.size() / exchange.rows());
+  return local + tensor(identity(nx), exchange.sparseView());
+}
+
+double FokkerPlanckOperator::leak() const {
+  Eigen::RowVectorXd rate = areas.transpose() * local;
+  if (exchange.size() > 0) {
+    const Eigen::Index nv = exchange.rows(), nx = areas.size() / nv;
+    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
+        exchange.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx);
+  }
+  return rate.transpose().cwiseQuotient(areas).cwiseAbs().maxCoeff();
+}
+
+double FokkerPlanckOperator::residual(const Eigen::VectorXd& averages) const {
+  return areas.dot((*this * averages).cwiseAbs()) / areas.dot(averages.cwiseAbs());
 }
 
 }  // namespace fpkcheck::fd_fpk

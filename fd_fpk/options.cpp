@@ -12,6 +12,7 @@ namespace {
 // A line needs room for the one-sided stencils on either side of x2 = 0.
 constexpr int kSmallestLine = 16;
 constexpr int kLargestLine = 2000;
+constexpr double kMostOriginRefinement = 1000;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw InputError(message);
@@ -32,9 +33,23 @@ void require_cells(const std::optional<int>& cells, std::string_view option) {
 
 std::string_view name(Stepper stepper) { return stepper == Stepper::cvode ? "cvode" : "direct"; }
 
+std::string id(const Options& options) {
+  const std::string equation = fmt::format("fd-{}", name(options.equation));
+  return options.impact == problem::Impact::map
+             ? equation
+             : fmt::format("{}-{}", equation, problem::name(options.impact));
+}
+
 void validate(const Options& options) {
   require(options.order >= 2 && options.order <= 8,
           fmt::format("finite-difference order {} (must be 2 .. 8)", options.order));
+  require(options.impact != problem::Impact::exact,
+          "impact exact (only the simulation has it: use map or delta)");
+  require(std::isfinite(options.refinement) && options.refinement > 0,
+          fmt::format("refinement {} (must be a positive number)", options.refinement));
+  require(options.origin_refinement >= 1 && options.origin_refinement <= kMostOriginRefinement,
+          fmt::format("origin refinement {} (must be between 1 and {})", options.origin_refinement,
+                      kMostOriginRefinement));
   require_cells(options.nx, "nx");
   require_cells(options.nv, "nv");
   require(

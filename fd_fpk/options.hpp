@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "fd_fpk/excitation.hpp"
+#include "problem/energy_balance.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -17,14 +19,21 @@ std::string_view name(Stepper stepper);
 
 struct Options {
   Equation equation = Equation::kf;
+  problem::Impact impact = problem::Impact::map;  ///< map or delta
   Stepper stepper = Stepper::cvode;
   /// Order of the transport terms, 2 .. 8. Odd orders are upwind-biased and keep the tails clean;
   /// even ones are centred and leave grid-scale ripples of about 1e-4 of the peak.
   int order = 5;
+  /// Cells per automatic cell in each direction: 2 halves the widths.
+  double refinement = 1;
+  /// How much narrower cells are at the origin than far from it, 1 for a uniform grid. With losses
+  /// at the impact the density jumps at the origin, by 1/r^2 along the wall, and a uniform grid of
+  /// any order converges there only with the square of its step.
+  double origin_refinement = 1;
   std::optional<int> nx{};         ///< cells in x1; automatic from equivalent linearisation
   std::optional<int> nv{};         ///< cells in x2, even; automatic likewise
   std::optional<double> x1_max{};  ///< box; automatic: widened until the wall carries no density
-  std::optional<double> x2_max{};  ///< box; rounded to whole cells of the equation's lattice
+  std::optional<double> x2_max{};  ///< box; automatic likewise
   /// Step l of the fourth difference of km4; 0 is the literal scheme. Automatic:
   /// default_regularisation_length.
   std::optional<double> regularisation_length{};
@@ -32,6 +41,9 @@ struct Options {
   /// equivalent linearisation, so that the unit of time does not matter.
   double residual_tolerance = 1e-10;
 };
+
+/// The solution's id: "fd-kf", "fd-km4-delta" where the impact is not `map`.
+std::string id(const Options& options);
 
 /// @throws InputError on the first option that cannot be used
 void validate(const Options& options);

@@ -4,17 +4,19 @@
 #include <string>
 
 #include "fd_fpk/operator.hpp"
+#include "fd_fpk/preconditioner.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 /// How the march to stationarity went.
 struct March {
-  Eigen::VectorXd averages;  ///< the last density reached
-  std::string reason;        ///< why CVODE stopped, in its own words; empty when it did not
-  double residual = 0;       ///< stationarity_residual of `averages`
-  long steps = 0;            ///< CVODE's internal steps
-  long factorisations = 0;   ///< KLU factorisations of I - gamma L
-  long rhs_evaluations = 0;  ///< products L P asked for by CVODE
+  Eigen::VectorXd averages;    ///< the last density reached
+  std::string reason;          ///< why CVODE stopped, in its own words; empty when it did not
+  double residual = 0;         ///< FokkerPlanckOperator::residual of `averages`
+  long steps = 0;              ///< CVODE's internal steps
+  long factorisations = 0;     ///< KLU factorisations
+  long rhs_evaluations = 0;    ///< products L P asked for by CVODE
+  long krylov_iterations = 0;  ///< of GMRES, in all
 };
 
 /// Times that belong to the problem.
@@ -25,13 +27,14 @@ struct TimeScales {
 
 /// Steps dP/dt = L P from `start` until ||L P||_1 <= tolerance ||P||_1, with SUNDIALS CVODE: BDF of
 /// order 1 (L-stable: the eigenvalues of the turning oscillator lie close to the imaginary axis,
-/// where higher orders creep), loose local errors, steps that grow by up to 100,
-/// SUNLinearSolver_KLU and the analytic sparse Jacobian, L itself. Only the residual is judged,
-/// never CVODE's step size.
+/// where higher orders creep), loose local errors, steps that grow by up to 100. The linear systems
+/// are solved by GMRES with L itself, preconditioned by one KLU factorisation a step size. Only the
+/// residual is judged, never CVODE's step size.
 ///
-/// @param tolerance on stationarity_residual, per unit time
+/// @param tolerance on the residual, per unit time
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
-March march_to_stationarity(const SparseColumns& matrix, const Eigen::VectorXd& start,
-                            double tolerance, const TimeScales& scales);
+March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                            const Eigen::VectorXd& start, double tolerance,
+                            const TimeScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

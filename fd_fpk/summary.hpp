@@ -13,16 +13,16 @@ struct Summary {
   int nv = 0;
   double x1_max = 0;
   double x2_max = 0;
-  long nonzeros = 0;        ///< of the operator
-  double column_sum = 0;    ///< largest |column sum| of the operator: a leak of mass
+  long nonzeros = 0;        ///< of the operator without the jumps
+  double leak = 0;          ///< largest rate at which the operator would lose mass
   long steps = 0;           ///< of CVODE; 0 for the direct solve
   long factorisations = 0;  ///< KLU factorisations on the final grid
   long rhs_evaluations = 0;
-  double residual = 0;  ///< ||L P||_1 / ||P||_1 in units of sqrt(k_eq)
+  long krylov_iterations = 0;  ///< of GMRES, in all
+  double residual = 0;         ///< ||L P||_1 / ||P||_1 in units of sqrt(k_eq)
   double stepped_against_direct =
       0;  ///< max |difference| / max density; 0 for the direct solve alone
   double regularisation_length = 0;  ///< l of km4, else 0
-  double jump_spacing = 0;           ///< d of kf, else 0
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (> 0: ill-posed)
   double growth_wavenumber = 0;
   WallDensity wall{0, 0};  ///< density on the outer walls relative to the peak

@@ -1,27 +1,23 @@
 #include "fd_fpk/well_posedness.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace fpkcheck::fd_fpk {
 
-Growth largest_growth(const Excitation& excitation, double step, int order) {
-  int reach = order;
-  for (const auto& term : excitation.lattice) reach = std::max(reach, std::abs(term.shift));
-  const int middle = reach + order;
-  const UniformLine line{0.0, step, 2 * middle + 1};
-  const LineOperator matrix = excitation_operator(line, excitation, order);
+Growth largest_growth(const Line& line, const Excitation& excitation, int order) {
+  Eigen::MatrixXd matrix = local_excitation(line, excitation, order);
+  if (excitation.exchange.size() > 0) matrix += excitation.exchange;
+  const int middle = line.cells() / 2;
+  const Eigen::RowVectorXd row = matrix.row(middle);
 
   constexpr int kWaves = 2000;
+  const double step = line.width(middle);
   Growth growth{-HUGE_VAL, 0};
   for (int wave = 1; wave <= kWaves; ++wave) {
     const double phase = std::numbers::pi * wave / kWaves;  // q step
     double rate = 0;
-    for (LineOperator::InnerIterator entry(matrix, middle); entry; ++entry) {
-      rate += entry.value() * std::cos(phase * static_cast<double>(entry.col() - middle));
-    }
+    for (int j = 0; j < line.cells(); ++j) rate += row(j) * std::cos(phase * (j - middle));
     if (rate > growth.rate) growth = {rate, phase / step};
   }
   return growth;

@@ -10,10 +10,11 @@ struct Growth {
   double wavenumber;  ///< the q at which it is reached
 };
 
-/// Scans the symbol of the very matrix that excitation_operator makes (its middle row on a long
-/// line). A positive rate means that the discrete equation grows, the faster the finer the grid:
-/// the truncated series acts on exp(i q x2) as -D2 q^2 + D4 q^4, and D4 > 0.
-Growth largest_growth(const Excitation& excitation, double step, int order);
+/// Scans the symbol of the very matrix that will be used: its middle row, on a uniform line long
+/// enough that the row does not feel the ends. A positive rate means that the discrete equation
+/// grows, the faster the finer the grid: the truncated series acts on exp(i q x2) as
+/// -D2 q^2 + D4 q^4, and D4 > 0.
+Growth largest_growth(const Line& line, const Excitation& excitation, int order);
 
 /// Shortest length l for which -D2 q^2 + D4 (2 sin(q l / 2) / l)^4 <= 0 for all q:
 /// l^2 = 4 max_t(sin^4 t / t^2) D4/D2 with D2 = lambda E[Y^2]/2, D4 = lambda E[Y^4]/24.

@@ -7,19 +7,22 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-Eigen::VectorXd monomial_averages(const UniformLine& line, int power) {
-  Eigen::VectorXd averages(line.cells);
-  for (int i = 0; i < line.cells; ++i) {
+Eigen::VectorXd monomial_averages(const Line& line, int power) {
+  Eigen::VectorXd averages(line.cells());
+  for (int i = 0; i < line.cells(); ++i) {
     averages(i) = (std::pow(line.face(i + 1), power + 1) - std::pow(line.face(i), power + 1)) /
-                  ((power + 1) * line.step);
+                  ((power + 1) * line.width(i));
   }
   return averages;
 }
 
-constexpr UniformLine kLine{-0.3, 0.125, 14, Beyond::boundary};
+// Cells of unequal width, growing by up to a third from one to the next.
+const Line kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93, 1.08, 1.2, 1.3,
+                  1.42},
+                 Beyond::boundary);
 
 // Rows whose stencil would reach beyond the right end see p = 0 there: exactness ends before them.
-int last_exact_face(int points) { return kLine.cells - points; }
+int last_exact_face(int points) { return kLine.cells() - points; }
 
 TEST(LineOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary) {
   for (int points = 2; points <= 8; ++points) {
@@ -54,7 +57,7 @@ TEST(LineOperators, OddStencilsTakeTheExtraCellFromTheirBias) {
 TEST(LineOperators, NothingFlowsThroughTheEndFaces) {
   const LineOperator values = face_values(kLine, 5, Bias::left);
   EXPECT_EQ(values.row(0).norm(), 0.0);
-  EXPECT_EQ(values.row(kLine.cells).norm(), 0.0);
+  EXPECT_EQ(values.row(kLine.cells()).norm(), 0.0);
 }
 
 TEST(LineOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier) {
@@ -64,24 +67,24 @@ TEST(LineOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier)
     const LineOperator op = weighted_averages(kLine, points, weight, barrier);
     for (int power = 0; power < points; ++power) {
       const Eigen::VectorXd weighted = op * monomial_averages(kLine, power);
-      Eigen::VectorXd exact = Eigen::VectorXd::Zero(kLine.cells);
+      Eigen::VectorXd exact = Eigen::VectorXd::Zero(kLine.cells());
       for (int q = 0; q < 4; ++q) exact += weight[q] * monomial_averages(kLine, power + q);
-      for (int i = 0; i < kLine.cells - points / 2; ++i) {
+      for (int i = 0; i < kLine.cells() - points / 2; ++i) {
         EXPECT_NEAR(weighted(i), exact(i), 1e-12) << points << " " << power << " " << i;
       }
     }
-    EXPECT_EQ(op.block(0, barrier, barrier, kLine.cells - barrier).norm(), 0.0);
-    EXPECT_EQ(op.block(barrier, 0, kLine.cells - barrier, barrier).norm(), 0.0);
+    EXPECT_EQ(op.block(0, barrier, barrier, kLine.cells() - barrier).norm(), 0.0);
+    EXPECT_EQ(op.block(barrier, 0, kLine.cells() - barrier, barrier).norm(), 0.0);
   }
 }
 
 TEST(LineOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
   // avg(x^3 cos x) from averages of cos x with three cells: order 4.
   const auto error = [](int cells) {
-    const UniformLine line{0.2, 1.0 / cells, cells, Beyond::boundary};
+    const Line line = Line::uniform(0.2, 1.0 / cells, cells, Beyond::boundary);
     Eigen::VectorXd averages(cells);
     for (int i = 0; i < cells; ++i) {
-      averages(i) = (std::sin(line.face(i + 1)) - std::sin(line.face(i))) / line.step;
+      averages(i) = (std::sin(line.face(i + 1)) - std::sin(line.face(i))) / line.width(i);
     }
     const auto primitive = [](double x) {  // of x^3 cos x
       return x * x * x * std::sin(x) + 3 * x * x * std::cos(x) - 6 * x * std::sin(x) -
@@ -90,7 +93,7 @@ TEST(LineOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
     const Eigen::VectorXd weighted = weighted_averages(line, 3, {0, 0, 0, 1}) * averages;
     double largest = 0;
     for (int i = 0; i < cells - 1; ++i) {
-      const double exact = (primitive(line.face(i + 1)) - primitive(line.face(i))) / line.step;
+      const double exact = (primitive(line.face(i + 1)) - primitive(line.face(i))) / line.width(i);
       largest = std::max(largest, std::abs(weighted(i) - exact));
     }
     return largest;
@@ -104,9 +107,9 @@ TEST(LineOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
 
 TEST(LineOperators, DivergenceTelescopes) {
   const LineOperator div = divergence(kLine);
-  const Eigen::VectorXd flux = Eigen::VectorXd::LinSpaced(kLine.cells + 1, 1, 7).array().exp();
-  EXPECT_NEAR((div * flux).sum() * kLine.step, flux(kLine.cells) - flux(0), 1e-9);
-  EXPECT_NEAR((div * flux)(3), (flux(4) - flux(3)) / kLine.step, 1e-12);
+  const Eigen::VectorXd flux = Eigen::VectorXd::LinSpaced(kLine.cells() + 1, 1, 7).array().exp();
+  EXPECT_NEAR(kLine.widths().dot(div * flux), flux(kLine.cells()) - flux(0), 1e-9);
+  EXPECT_NEAR((div * flux)(3), (flux(4) - flux(3)) / kLine.width(3), 1e-12);
 }
 
 }  // namespace

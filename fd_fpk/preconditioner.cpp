@@ -1,0 +1,51 @@
+#include "fd_fpk/preconditioner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// The exchange acts as -D q^2 on long waves and saturates at its rate on short ones. A diffusion of
+// full strength would be far too strong on the shortest waves of a fine grid, q = pi/h: it is
+// weakened so that there it is of the size of the saturated rate.
+Excitation without_exchange(const Excitation& excitation, const Line& x2) {
+  constexpr double kOvershoot = 1.5;
+  const double step = 2 * x2.faces().back() / x2.cells();
+  const double shortest = std::numbers::pi / step;
+  return {.drift = excitation.drift,
+          .diffusion = excitation.diffusion +
+                       std::min(excitation.exchange_diffusion,
+                                kOvershoot * excitation.exchange_rate / (shortest * shortest)),
+          .exchange = {}};
+}
+
+SparseColumns identity(Eigen::Index n) {
+  SparseColumns unit(n, n);
+  unit.setIdentity();
+  return unit;
+}
+
+}  // namespace
+
+Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation& excitation,
+                               problem::Impact impact, const Grid& grid, int order) {
+  const Weighting weighting = order == kLowOrder ? Weighting::lumped : Weighting::full;
+  const double loss = problem::slowest_decay(problem::equivalent_linearisation(problem));
+  approximation_ = fokker_planck_operator(problem.system, without_exchange(excitation, grid.x2),
+                                          impact, grid, order, weighting)
+                       .local -
+                   loss * identity(grid.size());
+}
+
+bool Preconditioner::factor(double gamma) {
+  factored_ = identity(approximation_.rows()) - gamma * approximation_;
+  return klu_.factor(factored_);
+}
+
+bool Preconditioner::factor_stationary() { return klu_.factor(approximation_); }
+
+}  // namespace fpkcheck::fd_fpk

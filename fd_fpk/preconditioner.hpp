@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "fd_fpk/klu.hpp"
+#include "fd_fpk/operator.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// Solves systems with I - gamma L, or with L itself, approximately: KLU on a sparse operator of
+/// the same equation and of low order. The jumps, which would fill the factors, are left out and a
+/// weak diffusion put in their place; a small loss of mass keeps the matrix regular. GMRES corrects
+/// for all three. The number of its iterations does not grow with the grid.
+class Preconditioner {
+ public:
+  /// Order with the fewest entries: lumped weights keep each row to its line and its column.
+  static constexpr int kLowOrder = 3;
+
+  /// @param order kLowOrder on uniform grids; on graded ones the operator's own keeps the
+  ///        iterations few
+  Preconditioner(const problem::Problem& problem, const Excitation& excitation,
+                 problem::Impact impact, const Grid& grid, int order);
+
+  /// Factors I - gamma M. False when it failed; see failure().
+  bool factor(double gamma);
+  /// Factors M.
+  bool factor_stationary();
+  std::string failure() const { return klu_.failure(); }
+
+  /// Replaces b by the solution.
+  void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const { klu_.solve_in_place(b); }
+
+ private:
+  SparseColumns approximation_;  // M, with its diagonal stored
+  SparseColumns factored_;
+  KluFactorisation klu_;
+};
+
+}  // namespace fpkcheck::fd_fpk
