@@ -63,11 +63,8 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
           "refinement",
           po::value(&options.refinement)->value_name("F")->default_value(options.refinement),
           "automatic cells are F times narrower")(
-          "origin-refinement",
-          po::value(&options.origin_refinement)
-              ->value_name("F")
-              ->default_value(options.origin_refinement),
-          "cells at the origin are F times narrower than far from it: keeps the order when r < 1")(
+          "origin-refinement", optional_value(options.origin_refinement, "F"),
+          "cells at the origin are F times narrower than far from it (default: 16 when r < 0.95 and the density is bounded there, else 1)")(
           "nx", optional_value(options.nx, "N"),
           "cells in y (default: from equivalent linearisation)")(
           "nv", optional_value(options.nv, "N"), "cells in y', even (default: likewise)")(
@@ -76,11 +73,19 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
           "v-max", optional_value(options.x2_max, "V"), "box |y'| <= V (default: likewise)")(
           "regularisation-length", optional_value(options.regularisation_length, "L"),
           "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4])); 0: the literal "
-          "scheme")("tolerance",
-                    po::value(&options.residual_tolerance)
-                        ->value_name("R")
-                        ->default_value(options.residual_tolerance),
-                    "stationarity residual ||L p||_1 / ||p||_1 to reach");
+          "scheme")("error", po::bool_switch(&options.error_estimate),
+                    "estimate the discretisation error from two coarser grids")(
+          "tolerance", optional_value(options.tolerance, "T"),
+          "pick the grid whose error estimate, L1 of p(y) and p(y') and the second moments, is "
+          "below T")(
+          "wall-density",
+          po::value(&options.wall_density)->value_name("D")->default_value(options.wall_density),
+          "density on a wall, relative to the peak, beyond which the box is widened")(
+          "residual",
+          po::value(&options.residual_tolerance)
+              ->value_name("R")
+              ->default_value(options.residual_tolerance),
+          "stationarity residual ||L p||_1 / ||p||_1 to reach");
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
   options.equation = choice(equation, "--equation",
                             {fd_fpk::Equation::white, fd_fpk::Equation::km4,

@@ -19,11 +19,12 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
   const Excitation& excitation = discretisation.excitation;
   FokkerPlanckOperator op =
       fokker_planck_operator(problem.system, excitation, options.impact, grid, options.order);
-  const int order = options.origin_refinement == 1 ? Preconditioner::kLowOrder : options.order;
-  Preconditioner preconditioner(problem, excitation, options.impact, grid, order);
+  Preconditioner preconditioner(problem, excitation, options.impact, grid);
   auto [averages, iterations, failure] =
       null_vector(op, preconditioner, gaussian_start(grid, problem));
   return {.discretisation = std::move(discretisation),
+          .refinement = options.refinement,
+          .origin_refinement = origin_refinement(problem, options),
           .op = std::move(op),
           .preconditioner = std::move(preconditioner),
           .averages = std::move(averages),
@@ -34,7 +35,6 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
 // Solves in `box` and moves the walls of it that the options leave free until they are empty.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options,
                                         Box& box) {
-  constexpr double kNegligible = 1e-6;  // of the peak, on a wall
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
   WallDensity last{HUGE_VAL, HUGE_VAL};
@@ -44,8 +44,10 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const O
     const WallDensity wall =
         relative_wall_density(problem, direct.discretisation.grid, *direct.averages);
     // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
-    const bool widen_x1 = !options.x1_max && wall.x1 > kNegligible && wall.x1 < last.x1 / kFall;
-    const bool widen_x2 = !options.x2_max && wall.x2 > kNegligible && wall.x2 < last.x2 / kFall;
+    const bool widen_x1 =
+        !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
+    const bool widen_x2 =
+        !options.x2_max && wall.x2 > options.wall_density && wall.x2 < last.x2 / kFall;
     if (!widen_x1 && !widen_x2) return direct;
     if (widen_x1) box.x1_max *= kWidening;
     if (widen_x2) box.x2_max *= kWidening;
@@ -67,9 +69,9 @@ bool resolved(const problem::Problem& problem, const Options& options,
 }  // namespace
 
 DirectSolution solve_directly(const problem::Problem& problem, const Options& options) {
-  constexpr int kRefinements = 1;
+  constexpr int kRefinements = 2;
   constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
-  constexpr double kRefinement = 1.25;
+  constexpr double kRefinement = 1.5;
   constexpr double kAtOrigin = 16;
   constexpr double kCoarse = 0.5;
   constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
@@ -85,7 +87,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const Options& op
   Options on_grid = options;
   for (int refinement = 0;; ++refinement) {
     DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, box);
-    const bool automatic = !options.nx && !options.nv;
+    const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
     if (!direct.averages || !automatic || refinement == kRefinements ||
         direct.discretisation.grid.size() > kMostCellsRefined ||
         resolved(problem, options, direct)) {
@@ -93,8 +95,8 @@ DirectSolution solve_directly(const problem::Problem& problem, const Options& op
     }
     // What is not resolved is first of all the origin, where rare impulses and strong losses at the
     // impact pile up a density like a negative power of the distance.
-    on_grid.origin_refinement = std::max(on_grid.origin_refinement, kAtOrigin);
-    on_grid.refinement *= kRefinement;
+    on_grid.refinement *= direct.origin_refinement < kAtOrigin ? 1 : kRefinement;
+    on_grid.origin_refinement = std::max(direct.origin_refinement, kAtOrigin);
   }
 }
 

@@ -15,6 +15,8 @@ namespace fpkcheck::fd_fpk {
 /// An operator on its grid with its null vector.
 struct DirectSolution {
   Discretisation discretisation;
+  double refinement = 1;         ///< as used, as is
+  double origin_refinement = 1;  ///< this
   FokkerPlanckOperator op = {};
   std::optional<Preconditioner> preconditioner = {};
   std::optional<Eigen::VectorXd> averages = {};  ///< mass 1
@@ -24,9 +26,10 @@ struct DirectSolution {
 
 /// The direct solution in a box whose walls carry no density, on a grid that resolves it, as far as
 /// the options leave box and grid free:
-/// - a wall with more than 1e-6 of the peak moves out by 15 % as long as the density on it
+/// - a wall with more than options.wall_density of the peak moves out by 15 % as long as the
+/// density on it
 ///   falls, first on coarse grids;
-/// - an automatic grid is refined once, most of all at the origin, when the density falls below
+/// - an automatic grid is refined, at the origin first, while the density falls below
 /// -1e-5 of its peak
 ///   or misses the balance of power by more than 5e-4.
 DirectSolution solve_directly(const problem::Problem& problem, const Options& options);

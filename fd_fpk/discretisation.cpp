@@ -19,16 +19,18 @@ constexpr double kImpulseBox = 6.5;
 // Deviations of a single impulse, in cells, below which rounding in lambda (E[p(x2 - Y)] - p)
 // shows.
 constexpr double kShortestImpulse = 0.02;
+// A graded grid has narrow cells where they matter: wider ones far out leave their number as it
+// was.
+constexpr double kGradedWidth = 1.6;
 constexpr double kX1Step = 0.15;
 constexpr double kX2Step = 0.16;
 
-// Cells at the origin narrower by options.origin_refinement than far from it; they have grown to
-// half of the full width at about this many deviations.
-Grading grading(const Options& options, double deviation) {
+// Cells at the origin narrower by this factor than far from it; they have grown to half of the full
+// width at about kReach deviations.
+Grading grading(double factor, double deviation) {
   constexpr double kReach = 0.75;
-  if (options.origin_refinement == 1) return {};
-  return {.reach = kReach * deviation,
-          .core = kReach * deviation / (options.origin_refinement - 1)};
+  if (factor == 1) return {};
+  return {.reach = kReach * deviation, .core = kReach * deviation / (factor - 1)};
 }
 
 Excitation excitation(const problem::ImpulseTrain& impulses, const Options& options,
@@ -99,15 +101,29 @@ Box initial_box(const problem::Problem& problem, const Options& options) {
                                        std::abs(law.moment(1)) + kImpulseBox * law.deviation()))};
 }
 
+double origin_refinement(const problem::Problem& problem, const Options& options) {
+  constexpr double kSmallJump = 0.1;
+  constexpr double kAutomatic = 16;
+  const double r = problem.system.restitution();
+  // Between impulses an amplitude a decays like exp(-kappa t), so that close to the origin the
+  // density goes like a^(lambda/kappa - 2). Where that is unbounded, high orders ring on the narrow
+  // cells, and wide ones hold the spike as the mass that it is.
+  const double decay = problem::slowest_decay(problem::equivalent_linearisation(problem));
+  const bool bounded = problem.impulses.arrival_rate() > 2 * decay;
+  const bool jumps = 1 / (r * r) - 1 > kSmallJump;
+  return options.origin_refinement.value_or(bounded && jumps ? kAutomatic : 1);
+}
+
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
   const auto linear = problem::equivalent_linearisation(problem);
-  const Grading x1_grading = grading(options, linear.displacement_deviation);
-  const Grading x2_grading = grading(options, linear.velocity_deviation);
-  const double nx = options.nx.value_or(cells_over(
-      box.x1_max, kX1Step * linear.displacement_deviation / options.refinement, x1_grading));
+  const double at_origin = origin_refinement(problem, options);
+  const Grading x1_grading = grading(at_origin, linear.displacement_deviation);
+  const Grading x2_grading = grading(at_origin, linear.velocity_deviation);
+  const double width = (at_origin == 1 ? 1 : kGradedWidth) / options.refinement;
+  const double nx = options.nx.value_or(
+      cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation, x1_grading));
   const double nv = options.nv.value_or(
-      2 *
-      cells_over(box.x2_max, kX2Step * linear.velocity_deviation / options.refinement, x2_grading));
+      2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation, x2_grading));
   const std::string refusal = objection(problem, options, box, nx, nv);
   if (!refusal.empty()) {
     return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};

@@ -27,8 +27,11 @@ struct Discretisation {
   std::string refusal = {};
 };
 
-/// Cells of about 1/7 (x1) and 1/6 (x2) of a deviation of equivalent linearisation, unless the
-/// options set their number.
+/// options.origin_refinement, or the automatic choice.
+double origin_refinement(const problem::Problem& problem, const Options& options);
+
+/// Cells of about 1/7 (x1) and 1/6 (x2) of a deviation of equivalent linearisation, wider by 1.6
+/// far out on a graded grid, unless the options set their number.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
 /// The excitation on a uniform velocity line of this step, long enough that its middle row is the

@@ -47,8 +47,9 @@ void validate(const Options& options) {
           "impact exact (only the simulation has it: use map or delta)");
   require(std::isfinite(options.refinement) && options.refinement > 0,
           fmt::format("refinement {} (must be a positive number)", options.refinement));
-  require(options.origin_refinement >= 1 && options.origin_refinement <= kMostOriginRefinement,
-          fmt::format("origin refinement {} (must be between 1 and {})", options.origin_refinement,
+  const double at_origin = options.origin_refinement.value_or(1);
+  require(at_origin >= 1 && at_origin <= kMostOriginRefinement,
+          fmt::format("origin refinement {} (must be between 1 and {})", at_origin,
                       kMostOriginRefinement));
   require_cells(options.nx, "nx");
   require_cells(options.nv, "nv");
@@ -64,6 +65,11 @@ void validate(const Options& options) {
                                              *options.regularisation_length >= 0),
           fmt::format("regularisation length {} (must be positive, or 0 for the literal scheme)",
                       options.regularisation_length.value_or(0)));
+  require_positive(options.tolerance, "tolerance");
+  require(!options.tolerance || (!options.nx && !options.nv),
+          "tolerance with a given nx or nv (the tolerance picks the grid: leave them out)");
+  require(options.wall_density > 0 && options.wall_density < 1,
+          fmt::format("wall density {} (must be between 0 and 1)", options.wall_density));
   require(std::isfinite(options.residual_tolerance) && options.residual_tolerance > 0,
           fmt::format("residual tolerance {} (must be positive)", options.residual_tolerance));
 }

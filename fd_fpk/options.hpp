@@ -28,8 +28,9 @@ struct Options {
   double refinement = 1;
   /// How much narrower cells are at the origin than far from it, 1 for a uniform grid. With losses
   /// at the impact the density jumps at the origin, by 1/r^2 along the wall, and a uniform grid of
-  /// any order converges there only with the square of its step.
-  double origin_refinement = 1;
+  /// any order converges there only with the square of its step. Automatic: 16 when the jump is
+  /// more than a tenth, else 1.
+  std::optional<double> origin_refinement{};
   std::optional<int> nx{};         ///< cells in x1; automatic from equivalent linearisation
   std::optional<int> nv{};         ///< cells in x2, even; automatic likewise
   std::optional<double> x1_max{};  ///< box; automatic: widened until the wall carries no density
@@ -37,6 +38,15 @@ struct Options {
   /// Step l of the fourth difference of km4; 0 is the literal scheme. Automatic:
   /// default_regularisation_length.
   std::optional<double> regularisation_length{};
+  /// Density on a wall, relative to the peak, up to which an automatic box is not widened.
+  double wall_density = 1e-6;
+  /// An automatic grid that does not resolve its density is refined.
+  bool refine_unresolved = true;
+  /// Adds an estimate of the discretisation error, from two coarser grids.
+  bool error_estimate = false;
+  /// Picks the grid: the first whose error estimate, L1 of both marginals and the second moments
+  /// relative, meets this.
+  std::optional<double> tolerance{};
   /// ||L P||_1 / ||P||_1 that counts as stationary, in units of the frequency sqrt(k_eq) of
   /// equivalent linearisation, so that the unit of time does not matter.
   double residual_tolerance = 1e-10;

@@ -13,13 +13,8 @@ namespace fpkcheck::fd_fpk {
 /// for all three. The number of its iterations does not grow with the grid.
 class Preconditioner {
  public:
-  /// Order with the fewest entries: lumped weights keep each row to its line and its column.
-  static constexpr int kLowOrder = 3;
-
-  /// @param order kLowOrder on uniform grids; on graded ones the operator's own keeps the
-  ///        iterations few
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                 problem::Impact impact, const Grid& grid, int order);
+                 problem::Impact impact, const Grid& grid);
 
   /// Factors I - gamma M. False when it failed; see failure().
   bool factor(double gamma);

@@ -7,6 +7,7 @@
 
 #include "fd_fpk/direct_solution.hpp"
 #include "fd_fpk/discretisation.hpp"
+#include "fd_fpk/error_estimate.hpp"
 #include "fd_fpk/null_vector.hpp"
 #include "fd_fpk/observables.hpp"
 #include "fd_fpk/pseudo_transient.hpp"
@@ -147,7 +148,7 @@ void describe(const Discretisation& discretisation, Summary& summary) {
   summary.regularisation_length = discretisation.regularisation_length;
 }
 
-Result solve_untimed(const problem::Problem& problem, const Options& options) {
+Result solve_on_one_grid(const problem::Problem& problem, const Options& options) {
   Result result;
   auto& [solution, summary] = result;
   solution.id = id(options);
@@ -167,6 +168,8 @@ Result solve_untimed(const problem::Problem& problem, const Options& options) {
 
   DirectSolution direct = solve_directly(problem, options);
   describe(direct.discretisation, summary);
+  summary.refinement = direct.refinement;
+  summary.origin_refinement = direct.origin_refinement;
   if (direct.averages) {
     summary.nonzeros = direct.op.local.nonZeros();
     summary.leak = direct.op.leak();
@@ -186,7 +189,10 @@ Result solve_untimed(const problem::Problem& problem, const Options& options) {
 Result solve(const problem::Problem& problem, const Options& options) {
   validate(options);
   const auto begin = std::chrono::steady_clock::now();
-  Result result = solve_untimed(problem, options);
+  const auto on_one_grid = [&](const Options& grid) { return solve_on_one_grid(problem, grid); };
+  Result result = options.tolerance        ? solve_to_tolerance(on_one_grid, options)
+                  : options.error_estimate ? solve_with_error_estimate(on_one_grid, options)
+                                           : on_one_grid(options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   result.solution.seconds = elapsed.count();
   return result;

@@ -10,11 +10,25 @@ nlohmann::ordered_json or_null(const std::optional<T>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
+nlohmann::ordered_json to_json(const transform::Moments& m) {
+  return {{"y1", m.y1}, {"y2", m.y2}, {"y4", m.y4}, {"v1", m.v1}, {"v2", m.v2}, {"v4", m.v4}};
+}
+
+nlohmann::ordered_json to_json(const ErrorEstimate& error) {
+  return {{"y_l1", error.y_l1},
+          {"ydot_l1", error.ydot_l1},
+          {"moments", to_json(error.moments)},
+          {"observed_order", error.observed_order},
+          {"extrapolated", to_json(error.extrapolated)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json to_json(const Summary& summary) {
   return {{"nx", summary.nx},
           {"nv", summary.nv},
+          {"refinement", summary.refinement},
+          {"origin_refinement", summary.origin_refinement},
           {"x1_max", summary.x1_max},
           {"x2_max", summary.x2_max},
           {"nonzeros", summary.nonzeros},
@@ -29,7 +43,8 @@ nlohmann::ordered_json to_json(const Summary& summary) {
           {"growth_rate", summary.growth_rate},
           {"growth_wavenumber", summary.growth_wavenumber},
           {"wall_density", {{"y", summary.wall.x1}, {"ydot", summary.wall.x2}}},
-          {"impact_rate", summary.impact_rate}};
+          {"impact_rate", summary.impact_rate},
+          {"error", summary.error ? to_json(*summary.error) : nlohmann::ordered_json()}};
 }
 
 nlohmann::ordered_json to_json(const Options& options) {
@@ -38,12 +53,14 @@ nlohmann::ordered_json to_json(const Options& options) {
           {"stepper", name(options.stepper)},
           {"order", options.order},
           {"refinement", options.refinement},
-          {"origin_refinement", options.origin_refinement},
+          {"origin_refinement", or_null(options.origin_refinement)},
           {"nx", or_null(options.nx)},
           {"nv", or_null(options.nv)},
           {"x1_max", or_null(options.x1_max)},
           {"x2_max", or_null(options.x2_max)},
           {"regularisation_length", or_null(options.regularisation_length)},
+          {"wall_density", options.wall_density},
+          {"tolerance", or_null(options.tolerance)},
           {"residual_tolerance", options.residual_tolerance}};
 }
 

@@ -1,16 +1,28 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "fd_fpk/grid.hpp"
 #include "fd_fpk/options.hpp"
 
 namespace fpkcheck::fd_fpk {
 
+/// What is known of the discretisation error, from coarser grids.
+struct ErrorEstimate {
+  double y_l1 = 0;                       ///< of p(y), in L1
+  double ydot_l1 = 0;                    ///< of p(y')
+  transform::Moments moments = {};       ///< absolute
+  double observed_order = 0;             ///< at which the marginals' differences fall
+  transform::Moments extrapolated = {};  ///< Richardson limits
+};
+
 /// What a run of the solver reports beyond its density.
 struct Summary {
   int nx = 0;
   int nv = 0;
+  double refinement = 1;         ///< of the automatic cells, as used
+  double origin_refinement = 1;  ///< as used
   double x1_max = 0;
   double x2_max = 0;
   long nonzeros = 0;        ///< of the operator without the jumps
@@ -25,8 +37,9 @@ struct Summary {
   double regularisation_length = 0;  ///< l of km4, else 0
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (> 0: ill-posed)
   double growth_wavenumber = 0;
-  WallDensity wall{0, 0};  ///< density on the outer walls relative to the peak
-  double impact_rate = 0;  ///< impacts per unit time, int_{v<0} |v| p(0, v) dv
+  WallDensity wall{0, 0};                   ///< density on the outer walls relative to the peak
+  std::optional<ErrorEstimate> error = {};  ///< where it was asked for
+  double impact_rate = 0;                   ///< impacts per unit time, int_{v<0} |v| p(0, v) dv
 };
 
 /// The fields of summary.json that are this method's own.

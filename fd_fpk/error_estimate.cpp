@@ -1,0 +1,138 @@
+#include "fd_fpk/error_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fd_fpk/discretisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Moments;
+using transform::Solution;
+using transform::Status;
+using transform::Variable;
+
+constexpr std::array kMoments{&Moments::y1, &Moments::y2, &Moments::y4,
+                              &Moments::v1, &Moments::v2, &Moments::v4};
+
+const transform::GridDensity& grid_of(const Solution& solution) {
+  return std::get<transform::GridDensity>(*solution.density);
+}
+
+// L1 distance of two marginals on the cells of the second's grid.
+double l1(const Solution& a, const Solution& b, Variable variable) {
+  const auto& edges = variable == Variable::y ? grid_of(b).y_edges : grid_of(b).v_edges;
+  const auto p = transform::marginal(a, variable, edges);
+  const auto q = transform::marginal(b, variable, edges);
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    sum += std::abs(p.density[i] - q.density[i]) * p.width(i);
+  }
+  return sum;
+}
+
+// The options of a grid whose cells are `factor` times narrower, without automatic changes.
+Options refined(Options options, double factor) {
+  options.refine_unresolved = false;
+  options.refinement *= factor;
+  if (options.nx) options.nx = static_cast<int>(std::lround(*options.nx * factor));
+  if (options.nv) options.nv = 2 * static_cast<int>(std::lround(*options.nv * factor / 2));
+  return options;
+}
+
+Options direct(Options options) {
+  options.stepper = Stepper::direct;
+  return options;
+}
+
+double worst(const ErrorEstimate& error, const Moments& moments) {
+  return std::max(
+      {error.y_l1, error.ydot_l1, error.moments.y2 / moments.y2, error.moments.v2 / moments.v2});
+}
+
+}  // namespace
+
+ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, const Solution& fine,
+                             int order) {
+  const double y_before = l1(coarse, middle, Variable::y), y_last = l1(middle, fine, Variable::y);
+  const double v_before = l1(coarse, middle, Variable::ydot),
+               v_last = l1(middle, fine, Variable::ydot);
+  const double observed = (y_before + v_before) / (y_last + v_last);
+  const double fall = std::clamp(observed, kLevelRatio, std::pow(kLevelRatio, order));
+  ErrorEstimate error{.y_l1 = y_last / (fall - 1),
+                      .ydot_l1 = v_last / (fall - 1),
+                      .observed_order = std::log(observed) / std::log(kLevelRatio)};
+  for (const auto moment : kMoments) {
+    const double before = middle.moments.*moment - coarse.moments.*moment;
+    const double last = fine.moments.*moment - middle.moments.*moment;
+    // A difference may vanish by chance where it changes its sign: the one before bounds it.
+    error.moments.*moment = std::max(std::abs(last), std::abs(before) / fall) / (fall - 1);
+    error.extrapolated.*moment = fine.moments.*moment + last / (fall - 1);
+  }
+  return error;
+}
+
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options) {
+  Result fine = solve(options);
+  if (!fine.solution.density) return fine;
+  // An automatic grid may have been refined on the way: the coarser ones follow the one it became.
+  Options used = options;
+  used.refinement = fine.summary.refinement;
+  used.origin_refinement = fine.summary.origin_refinement;
+  const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
+  const Result coarse = solve(direct(refined(used, 1 / (kLevelRatio * kLevelRatio))));
+  if (middle.solution.density && coarse.solution.density) {
+    fine.summary.error =
+        estimate_error(coarse.solution, middle.solution, fine.solution, options.order);
+  }
+  return fine;
+}
+
+Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
+  constexpr double kFirst = 0.5;          // refinement of the coarsest grid
+  constexpr double kOrdersMissing = 1.5;  // when the origin is held to limit the order
+  constexpr double kOriginRefinement = 16;
+  Options level = refined(options, kFirst);
+  level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
+  std::array<std::optional<Result>, 3> last;  // coarse, middle, fine
+  while (true) {
+    Result result = solve(direct(level));
+    if (!result.solution.density) {
+      if (!last[2]) return result;
+      Result& best = *last[2];
+      best.solution.status = Status::not_converged;
+      best.solution.reason = fmt::format(
+          "the error estimate is {:.1e} on {} x {} cells, {:.1e} was asked for (the next grid: {})",
+          best.summary.error ? worst(*best.summary.error, best.solution.moments) : 1.0,
+          best.summary.nx, best.summary.nv, *options.tolerance, result.solution.reason);
+      return best;
+    }
+    std::ranges::rotate(last, last.begin() + 1);
+    last[2] = std::move(result);
+    if (last[0]) {
+      const auto error =
+          estimate_error(last[0]->solution, last[1]->solution, last[2]->solution, options.order);
+      last[2]->summary.error = error;
+      if (worst(error, last[2]->solution.moments) <= *options.tolerance) {
+        if (options.stepper == Stepper::direct) return *last[2];
+        level.stepper = options.stepper;
+        Result stepped = solve(level);
+        stepped.summary.error = error;
+        return stepped;
+      }
+      if (error.observed_order < options.order - kOrdersMissing &&
+          last[2]->summary.origin_refinement == 1) {
+        level.origin_refinement = kOriginRefinement;
+        last = {};
+        continue;  // the same width far out, three levels anew
+      }
+    }
+    level = refined(level, kLevelRatio);
+  }
+}
+
+}  // namespace fpkcheck::fd_fpk
