@@ -1,0 +1,203 @@
+// Observed orders of the scheme, two-sided, on three grids each: against exact solutions, against a
+// manufactured one that an impact with losses maps onto itself, and against itself.
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "fd_fpk/gmres.hpp"
+#include "fd_fpk/null_vector.hpp"
+#include "fd_fpk/observables.hpp"
+#include "fd_fpk/solve.hpp"
+#include "paper_cases.hpp"
+#include "problem/exact.hpp"
+#include "problem/exact_linear_density.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using problem::Impact;
+
+// Cell averages of a function, five Gauss points a direction.
+template <class Function>
+Eigen::VectorXd averages_of(const Grid& grid, const Function& f) {
+  using Rule = boost::math::quadrature::gauss<double, 5>;
+  Eigen::VectorXd averages(grid.size());
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.nv(); ++j) {
+      averages(i * grid.nv() + j) =
+          Rule::integrate(
+              [&](double x) {
+                return Rule::integrate([&](double v) { return f(x, v); }, grid.x2.face(j),
+                                       grid.x2.face(j + 1));
+              },
+              grid.x1.face(i), grid.x1.face(i + 1)) /
+          (grid.x1.width(i) * grid.x2.width(j));
+    }
+  }
+  return averages;
+}
+
+double l1(const Grid& grid, const Eigen::VectorXd& averages) {
+  return grid.areas().dot(averages.cwiseAbs());
+}
+
+// Widths fall by the same factor from one error to the next.
+void expect_order(double coarse, double middle, double fine, double factor, double least,
+                  double most) {
+  for (const double observed :
+       {std::log(coarse / middle) / std::log(factor), std::log(middle / fine) / std::log(factor)}) {
+    EXPECT_GT(observed, least) << coarse << " " << middle << " " << fine;
+    EXPECT_LT(observed, most) << coarse << " " << middle << " " << fine;
+  }
+}
+
+// The null vector on a grid; cells scaled from a first grid by a power of 1.5.
+struct Solved {
+  Grid grid;
+  Eigen::VectorXd averages;
+};
+Solved stationary(const problem::Problem& p, Equation equation, int order, int nx, int nv,
+                  double x1_max, double x2_max) {
+  Grid grid = make_grid(nx, nv, x1_max, x2_max);
+  const Excitation excitation =
+      equation == Equation::kf ? jumps(p.impulses, grid.x2) : white_noise(p.impulses);
+  const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
+  Preconditioner preconditioner(p, excitation, Impact::map, grid);
+  auto solution = null_vector(op, preconditioner, gaussian_start(grid, p));
+  EXPECT_TRUE(solution.averages.has_value()) << solution.failure;
+  return {std::move(grid), *solution.averages};
+}
+
+class OrderOf : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Convergence, OrderOf, testing::Values(3, 5, 7),
+                         [](const auto& of) { return "Order" + std::to_string(of.param); });
+
+TEST_P(OrderOf, TheJointDensityUnderWhiteNoiseIsThatOfTheScheme) {
+  const int order = GetParam();
+  const auto p = tests::make_problem({.restitution = 1});
+  const problem::exact::WhiteNoiseDensity exact(p);
+  const auto error = [&](int nx) {
+    const auto [grid, averages] = stationary(p, Equation::white, order, nx, 2 * nx, 4.6, 5.0);
+    return l1(grid,
+              averages - averages_of(grid, [&](double x, double v) { return 2 * exact(x, v); }));
+  };
+  expect_order(error(20), error(30), error(45), 1.5, order - 0.6, order + 1.2);
+}
+
+TEST_P(OrderOf, MarginalsAndJointDensityUnderJumpsAreThatOfTheScheme) {
+  const int order = GetParam();
+  const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
+  static const problem::exact::LinearDensity exact(p);
+  struct Errors {
+    double joint, y, v;
+  };
+  const auto errors = [&](int nx) {
+    const auto [grid, averages] = stationary(p, Equation::kf, order, nx, 2 * nx, 5.4, 5.6);
+    const auto joint = exact.joint_averages(grid.x1.faces(), grid.x2.faces());
+    const auto y = exact.displacement_averages(grid.x1.faces());
+    const auto v = exact.velocity_averages(grid.x2.faces());
+    const Eigen::Map<const Eigen::MatrixXd> cells(averages.data(), grid.nv(), grid.nx());
+    const Eigen::VectorXd of_y = cells.transpose() * grid.x2.widths();
+    const Eigen::VectorXd of_v = cells * grid.x1.widths();
+    const auto as_vector = [](const std::vector<double>& values) {
+      return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+    };
+    return Errors{l1(grid, averages - as_vector(joint)),
+                  grid.x1.widths().dot((of_y - as_vector(y)).cwiseAbs()),
+                  grid.x2.widths().dot((of_v - as_vector(v)).cwiseAbs())};
+  };
+  const int first = order < 7 ? 24 : 36;  // the seventh order shows itself later
+  const auto coarse = errors(first), middle = errors(first * 3 / 2), fine = errors(first * 9 / 4);
+  expect_order(coarse.joint, middle.joint, fine.joint, 1.5, order - 0.6, order + 1.4);
+  expect_order(coarse.y, middle.y, fine.y, 1.5, order - 0.6, order + 1.6);
+  expect_order(coarse.v, middle.v, fine.v, 1.5, order - 0.6, order + 1.6);
+}
+
+// p = exp(-x^2) P(v), P = v^6 exp(-v^2) for v < 0 and (v/r)^6 exp(-(v/r)^2) / r^2 for v > 0: what
+// the impact returns, p(0, w) = p(0, -w/r) / r^2, is what is there. P has five derivatives at 0.
+struct Manufactured {
+  const problem::System& system;
+  double d2;
+
+  double scale(double v) const { return v < 0 ? 1 : 1 / system.restitution(); }
+  double density(double x, double v) const {
+    const double s = scale(v), u = s * v;
+    return std::exp(-x * x) * s * s * std::pow(u, 6) * std::exp(-u * u);
+  }
+  // L p = -v p_x + [(c v + k x + mu x^3) p]_v + D2 p_vv
+  double rate(double x, double v) const {
+    const double s = scale(v), u = s * v, e = std::exp(-x * x) * s * s * std::exp(-u * u);
+    const double p = std::pow(u, 6) * e;
+    const double p_v = s * (6 * std::pow(u, 5) - 2 * std::pow(u, 7)) * e;
+    const double p_vv =
+        s * s * (30 * std::pow(u, 4) - 26 * std::pow(u, 6) + 4 * std::pow(u, 8)) * e;
+    return 2 * x * v * p + system.damping() * p +
+           (system.damping() * v + system.restoring_force(x)) * p_v + d2 * p_vv;
+  }
+};
+
+TEST_P(OrderOf, AManufacturedDensityWithLossesAtTheImpactIsThatOfTheScheme) {
+  const int order = GetParam();
+  for (const double r : {0.8, 0.5}) {
+    const auto p = tests::make_problem({.cubic = 0.3, .restitution = r, .intensity = 0.5});
+    const Manufactured exact{p.system, p.impulses.intensity() / 2};
+    const auto error = [&](int nx) {
+      const Grid grid = make_grid(nx, 4 * nx, 5.0, 5.5);
+      const Excitation excitation = white_noise(p.impulses);
+      const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
+      const Eigen::VectorXd density =
+          averages_of(grid, [&](double x, double v) { return exact.density(x, v); });
+      Eigen::VectorXd source =
+          averages_of(grid, [&](double x, double v) { return exact.rate(x, v); });
+      // L q = source has a solution when the source has no mass, as it has up to the box.
+      Eigen::VectorXd defect = source - op * density;
+      defect.array() -= op.mass(defect) / op.areas.sum();
+      Preconditioner preconditioner(p, excitation, Impact::map, grid);
+      EXPECT_TRUE(preconditioner.factor_stationary());
+      const auto correction =
+          gmres([&](const Eigen::VectorXd& q) { return op * q; },
+                [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }, defect,
+                op.areas, 1e-9)
+              .solution;
+      EXPECT_TRUE(correction.has_value());
+      return l1(grid, *correction) / l1(grid, density);
+    };
+    SCOPED_TRACE(r);
+    const int first = order < 7 ? 24 : 34;
+    expect_order(error(first), error(first * 17 / 12), error(first * 2), std::sqrt(2.0),
+                 order - 0.8, order + 1.4);
+  }
+}
+
+// Without an exact solution: differences of moments on grids refined by sqrt(2).
+TEST(SelfConvergence, OfThePapersCasesIsOfFifthOrderOnGradedGrids) {
+  for (const double r : {0.98, 0.7}) {
+    for (const int number : {1, 2, 4}) {  // 3 is 2 in other units
+      auto p = tests::paper_case(number);
+      p.system = problem::System({.damping = p.system.damping(),
+                                  .stiffness = p.system.stiffness(),
+                                  .cubic = p.system.cubic(),
+                                  .restitution = r});
+      const auto moments_at = [&](double refinement) {
+        return solve(p, {.stepper = Stepper::direct,
+                         .refinement = refinement,
+                         .origin_refinement = 16,
+                         .x1_max = 6.2 * std::sqrt(0.45 * p.impulses.intensity() / 0.1 /
+                                                   (1 + 10 * (1 - r) + (number == 4 ? 3 : 0))),
+                         .x2_max = 7.5 * std::sqrt(0.45 * p.impulses.intensity() / 0.1)})
+            .solution.moments;
+      };
+      const auto a = moments_at(0.8), b = moments_at(0.8 * std::sqrt(2.0)), c = moments_at(1.6);
+      const auto difference = [](const auto& m, const auto& n) {
+        return std::abs(m.y2 / n.y2 - 1) + std::abs(m.v2 / n.v2 - 1);
+      };
+      const double observed = 2 * std::log2(difference(a, b) / difference(b, c));
+      EXPECT_GT(observed, 4.2) << number << " " << r;
+      EXPECT_LT(observed, 6.5) << number << " " << r;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
