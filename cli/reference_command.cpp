@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/program.hpp"
+#include "cli/progress_line.hpp"
+#include "compare/reference.hpp"
+#include "compare/run_directory.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kUsage = R"(usage: fpkcheck reference [CASE ...] [options]
+
+Reference values of the full jump equation with the exact impact: moments to seven digits and
+p(y), p(y') at twenty points to five, as far as two discretisations of different order agree, beside
+a long simulation. No CASE means the paper's four; each takes about a minute.
+
+examples:
+  fpkcheck reference --out docs                 (makes docs/reference.md and docs/reference.csv)
+  fpkcheck reference case1 --set impulse.law=laplace
+)";
+
+void require_plain(const CommonArguments& common) {
+  if (common.json) throw InputError("reference has no --json (use --out DIR: reference.csv)");
+}
+
+}  // namespace
+
+int reference_command(const std::vector<std::string>& arguments, const std::string& command_line) {
+  namespace po = boost::program_options;
+  CommonArguments common;
+  compare::ReferenceOptions options;
+  po::options_description own;
+  own.add_options()("time",
+                    po::value(&options.simulation_time)->value_name("T")->default_value(0, "auto"),
+                    "simulated time")(
+      "seed", po::value(&options.seed)->value_name("S")->default_value(options.seed),
+      "of the simulation");
+  if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return kDone;
+  require_plain(common);
+  if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
+  const auto problems = load_cases(common);
+  if (!(options.simulation_time >= 0)) {
+    throw InputError(fmt::format("--time {} (must be a positive number)", options.simulation_time));
+  }
+  if (common.out) compare::make_writable(*common.out);
+  std::vector<compare::Reference> references;
+  for (const auto& problem : problems) {
+    if (!common.quiet) fmt::print(stderr, "reference of {} ...\n", problem.name);
+    references.push_back(compare::reference(problem, options));
+  }
+  const std::string text = compare::reference_markdown(references, command_line);
+  if (common.out) {
+    const std::filesystem::path directory(*common.out);
+    compare::write_file(directory / "reference.md", text);
+    compare::write_file(directory / "reference.csv", compare::reference_csv(references));
+    if (!common.quiet) fmt::print("Wrote reference.md and reference.csv to {}.\n", *common.out);
+  } else {
+    fmt::print("{}", text);
+  }
+  return std::ranges::all_of(references, [](const auto& r) { return r.failure.empty(); })
+             ? kDone
+             : kNotReached;
+}
+
+}  // namespace fpkcheck::cli
