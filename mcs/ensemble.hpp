@@ -15,13 +15,13 @@ struct EnsembleOptions {
   /// Deviations of z and z' at t = 0: independent Gaussians of mean zero, folded to y >= 0.
   double start_displacement = 0;
   double start_velocity = 0;
-  std::vector<double> times;  ///< increasing, from 0 or later
+  std::vector<double> times{};  ///< increasing, from 0 or later
   std::uint32_t trajectories = 100000;
   std::uint64_t seed = 1;
   int threads = 0;  ///< automatic: one per processor. The results do not depend on it.
   /// Bin edges for the marginals, increasing; empty for none.
-  std::vector<double> y_edges;
-  std::vector<double> v_edges;
+  std::vector<double> y_edges{};
+  std::vector<double> v_edges{};
 };
 
 /// The ensemble at one time.
