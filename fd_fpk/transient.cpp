@@ -121,8 +121,8 @@ void judge(const Grid& grid, const Snapshot& at, TransientResult& result) {
   } else if (at.min_density < kMostNegative) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
-        "at t = {:.4g} the density is negative down to {:.1g} of its peak: the grid does not "
-        "resolve it (refine it, start wider, or take order 3)",
+        "at t = {:.4g} the density is negative down to {:.1g} of its peak: grid or time steps do not "
+        "resolve it (refine, start wider, take order 3 or a smaller time tolerance)",
         at.time, at.min_density);
   } else if (std::abs(at.power_residual) > kPowerAllowed) {
     result.status = Status::inadmissible;
