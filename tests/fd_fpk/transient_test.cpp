@@ -51,6 +51,7 @@ TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
     const auto result = integrate(problem, coarse(equation), breathing(3, 6, 3e-8));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     ASSERT_EQ(result.snapshots.size(), 7u);
+    for (int n = 0; n <= 6; ++n) EXPECT_DOUBLE_EQ(result.snapshots[n].time, 0.5 * n);
     // They turn by 0.37 and back. The error is that of the steps in time: BDF of order 2.
     EXPECT_LT(largest_error(problem, result), 1e-4);
   }
