@@ -3,6 +3,7 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/solve_and_report.hpp"
+#include "cli/transient_and_report.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::cli {
@@ -24,6 +25,7 @@ examples:
   fpkcheck fd case1 --equation km4 --impact delta                (the equation of the closure)
   fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)
   fpkcheck fd case4 --stepper direct --order 7 --refinement 1.5
+  fpkcheck fd case1 --until 20 --snapshots 80 --out transient    (the density over time)
 )";
 
 template <class Enum>
@@ -43,6 +45,54 @@ auto optional_value(std::optional<T>& target, const char* name) {
       [&target](const T& value) { target = value; });
 }
 
+namespace po = boost::program_options;
+
+/// --until and what belongs to it.
+struct OverTime {
+  std::optional<double> until{};
+  std::optional<int> snapshots{};
+  std::optional<double> start_y{}, start_v{}, tolerance{};
+
+  po::options_description description() {
+    const fd_fpk::TransientOptions defaults;
+    po::options_description options;
+    options.add_options()  //
+        ("until", optional_value(until, "T"),
+         "the density over time, 0 .. T, from a Gaussian start, instead of the stationary one")(
+            "snapshots", optional_value(snapshots, "N"),
+            fmt::format("with --until: T/N apart (default {})", defaults.snapshots).c_str())(
+            "start-y", optional_value(start_y, "S"),
+            "with --until: deviation of y = |z| in the start (default: half the stationary one "
+            "of equivalent linearisation)")(
+            "start-v", optional_value(start_v, "S"),
+            "with --until: deviation of y' in the start (default: likewise)")(
+            "time-tolerance", optional_value(tolerance, "R"),
+            fmt::format("with --until: local error of a time step relative to the largest density "
+                        "(default {:g})",
+                        defaults.relative_tolerance)
+                .c_str());
+    return options;
+  }
+
+  /// The options of the transient; nothing when the stationary density is asked for.
+  std::optional<fd_fpk::TransientOptions> asked_for() const {
+    if (!until) {
+      if (snapshots || start_y || start_v || tolerance) {
+        throw InputError(
+            "--snapshots, --start-y, --start-v or --time-tolerance without --until (they belong to "
+            "a density over time: give --until T)");
+      }
+      return std::nullopt;
+    }
+    fd_fpk::TransientOptions options{.until = *until};
+    if (snapshots) options.snapshots = *snapshots;
+    if (tolerance) options.relative_tolerance = *tolerance;
+    options.start_displacement = start_y;
+    options.start_velocity = start_v;
+    return options;
+  }
+};
+
 }  // namespace
 
 int fd_command(const std::vector<std::string>& arguments, const std::string& command_line) {
@@ -50,6 +100,7 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
   CommonArguments common;
   fd_fpk::Options options;
   std::string equation, stepper, impact;
+  OverTime over_time;
   po::options_description own;
   own.add_options()  //
       ("equation", po::value(&equation)->value_name("E")->default_value("kf"),
@@ -86,12 +137,20 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
               ->value_name("R")
               ->default_value(options.residual_tolerance),
           "stationarity residual ||L p||_1 / ||p||_1 to reach");
+  own.add(over_time.description());
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
   options.equation = choice(equation, "--equation",
                             {fd_fpk::Equation::white, fd_fpk::Equation::km4,
                              fd_fpk::Equation::km4_pade, fd_fpk::Equation::kf});
   options.impact = choice(impact, "--impact", {problem::Impact::map, problem::Impact::delta});
   options.stepper = choice(stepper, "--stepper", {fd_fpk::Stepper::cvode, fd_fpk::Stepper::direct});
+  if (const auto transient = over_time.asked_for()) {
+    if (options.stepper == fd_fpk::Stepper::direct) {
+      throw InputError(
+          "--stepper direct with --until (a density over time is stepped: leave it out)");
+    }
+    return transient_and_report(common, options, *transient, command_line);
+  }
   return solve_and_report(common, {compare::fd_method(options)}, 0, Required::all, command_line);
 }
 

@@ -68,8 +68,8 @@ int dispatch(const Arguments& arguments) {
   const auto* const command =
       std::ranges::find_if(kCommands, [&](const Command& c) { return name == c.name; });
   if (command == std::end(kCommands)) {
-    throw InputError(
-        fmt::format("'{}' is no command (use run, epc, fd, mcs, reference or report; --help explains)", name));
+    throw InputError(fmt::format(
+        "'{}' is no command (use run, epc, fd, mcs, reference or report; --help explains)", name));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;

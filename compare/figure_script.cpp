@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "compare/figure_frame.hpp"
 #include "compare/figure_panel.hpp"
 #include "compare/gnuplot.hpp"
 #include "compare/summary_view.hpp"
@@ -32,27 +33,6 @@ std::string data_block(const DrawnCurve& drawn) {
   return text + "EOD\n";
 }
 
-std::string output(const std::string& file_stem) {
-  return fmt::format(
-      "# Drawn by: gnuplot {0}.gp, or gnuplot -e \"format='svg'\" {0}.gp\n"
-      "if (!exists(\"format\")) format = 'png'\n"
-      "if (!exists(\"target\")) target = {1}.'.'.format\n"
-      "set encoding utf8\n"
-      "if (format eq 'svg') {{\n"
-      "  set terminal svg size 1500,950 enhanced font 'sans-serif,14' background rgb 'white'\n"
-      "}} else {{\n"
-      "  if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) {{\n"
-      "    set terminal pngcairo size 1500,950 enhanced font 'sans-serif,11' background rgb "
-      "'white'\n"
-      "  }} else {{\n"
-      "    set terminal png size 1500,950 enhanced\n"
-      "  }}\n"
-      "}}\n"
-      "dot = format eq 'svg' ? 0.45 : 0.6\n"
-      "set output target\n\n",
-      file_stem, gnuplot_string(file_stem));
-}
-
 std::string data(const FigureContent& content) {
   std::string text = fmt::format(
       "# Columns: abscissa, density, lower and upper end of its 95 % interval, difference{}{}\n",
@@ -73,18 +53,6 @@ std::string settings() {
       "set tics nomirror\n"
       "set border 3\n\n",
       kSmallestDrawnDensity);
-}
-
-// Upright: viewers of SVG drop the spaces beside a change of font.
-std::string title(const Json& summary_case) {
-  const Json& system = summary_case.at("system");
-  const Json& impulse = summary_case.at("impulse");
-  return gnuplot_literal(
-      fmt::format("{}: c = {:g}, k = {:g}, μ = {:g}, r = {:g}, λ = {:g}, λE[Y²] = {:g}",
-                  summary_case.at("name").get<std::string>(), system.at("damping").get<double>(),
-                  system.at("stiffness").get<double>(), system.at("cubic").get<double>(),
-                  system.at("restitution").get<double>(), impulse.at("rate").get<double>(),
-                  impulse.at("intensity").get<double>()));
 }
 
 std::string panels(const FigureContent& content) {
@@ -152,8 +120,9 @@ std::string legend(const FigureContent& content) {
 
 std::string figure_script(const Json& summary_case, const FigureContent& content,
                           const std::string& file_stem) {
-  return output(file_stem) + data(content) + settings() +
-         fmt::format("set multiplot title {} font ',14'\n\n", title(summary_case)) +
+  return figure_output(file_stem, {.width = 1500, .height = 950}) +
+         "dot = format eq 'svg' ? 0.45 : 0.6\n\n" + data(content) + settings() +
+         fmt::format("set multiplot title {} font ',14'\n\n", figure_title(summary_case)) +
          panels(content) + legend(content) + "unset multiplot\nunset output\n";
 }
 

@@ -6,54 +6,12 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "compare/drawing.hpp"
 #include "compare/figure_script.hpp"
-#include "compare/gnuplot.hpp"
 #include "compare/run_directory.hpp"
 
 namespace fpkcheck::compare {
-namespace {
-
 namespace fs = std::filesystem;
-
-struct GnuplotMissing : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-std::string first_line(const std::string& text) {
-  const auto start = text.find_first_not_of(" \n");
-  return start == std::string::npos ? "it said nothing"
-                                    : text.substr(start, text.find('\n', start) - start);
-}
-
-void draw(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
-  replace_file(picture, [&](const fs::path& temporary) {
-    const std::string format = picture.extension().string().substr(1);
-    const auto outcome = run_gnuplot(gnuplot,
-                                     {"format=" + gnuplot_string(format),
-                                      "target=" + gnuplot_string(fs::absolute(temporary).string())},
-                                     script);
-    if (!outcome.found) {
-      throw GnuplotMissing(fmt::format(
-          "no pictures: '{}' was not found (install gnuplot, then `fpkcheck report {}` draws them)",
-          gnuplot, script.parent_path().parent_path().string()));
-    }
-    std::error_code error;
-    const auto size = fs::file_size(temporary, error);
-    if (outcome.exit_code != 0 || error || size == 0) {
-      throw std::runtime_error(fmt::format("{} was not drawn: gnuplot ended with code {} ({})",
-                                           picture.string(), outcome.exit_code,
-                                           first_line(outcome.message)));
-    }
-  });
-}
-
-void remove_pictures_of(const fs::path& figures, const std::string& stem) {
-  std::error_code ignored;
-  for (const char* extension : {".png", ".svg", ".gp"})
-    fs::remove(figures / (stem + extension), ignored);
-}
-
-}  // namespace
 
 std::string picture_stem(std::string case_name) {
   std::ranges::replace_if(
@@ -97,7 +55,9 @@ std::vector<std::string> draw_pictures(const fs::path& directory,
       try {
         draw(gnuplot, script, figures / (stem + format));
       } catch (const GnuplotMissing& missing) {
-        warnings.emplace_back(missing.what());
+        warnings.push_back(
+            fmt::format("no pictures: {} (install gnuplot, then `fpkcheck report {}` draws them)",
+                        missing.what(), directory.string()));
         drawing = false;
       } catch (const std::runtime_error& error) {
         warnings.emplace_back(error.what());

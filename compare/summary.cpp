@@ -8,14 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json with_null_for_non_finite(Json value) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>())) return nullptr;
-  if (value.is_structured()) {
-    for (auto& element : value) element = with_null_for_non_finite(std::move(element));
-  }
-  return value;
-}
-
 Json system_of(const problem::System& system) {
   return {{"damping", system.damping()},
           {"stiffness", system.stiffness()},
@@ -90,23 +82,38 @@ Json case_of(const CaseReport& report) {
   Json solutions = Json::array(), comparisons = Json::array();
   for (const auto& entry : report.entries) solutions.push_back(solution_of(entry));
   for (const auto& c : report.comparisons) comparisons.push_back(comparison_of(c));
-  return {{"name", report.problem.name},
-          {"system", system_of(report.problem.system)},
-          {"impulse", impulse_of(report.problem.impulses)},
-          {"solutions", solutions},
-          {"comparisons", comparisons},
-          {"budget", Json::array()}};
+  Json json = case_json(report.problem);
+  json["solutions"] = solutions;
+  json["comparisons"] = comparisons;
+  json["budget"] = Json::array();
+  return json;
 }
 
 }  // namespace
 
 std::string program_version() { return FPKCHECK_VERSION; }
 
+Json program_json(const std::string& command) {
+  return {{"name", "fpkcheck"}, {"version", program_version()}, {"command", command}};
+}
+
+Json case_json(const problem::Problem& problem) {
+  return {{"name", problem.name},
+          {"system", system_of(problem.system)},
+          {"impulse", impulse_of(problem.impulses)}};
+}
+
+Json with_null_for_non_finite(Json value) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) return nullptr;
+  if (value.is_structured()) {
+    for (auto& element : value) element = with_null_for_non_finite(std::move(element));
+  }
+  return value;
+}
+
 Json summary(const std::string& command, std::span<const CaseReport> cases) {
   Json json{
-      {"schema", kSummarySchema},
-      {"program", {{"name", "fpkcheck"}, {"version", program_version()}, {"command", command}}},
-      {"cases", Json::array()}};
+      {"schema", kSummarySchema}, {"program", program_json(command)}, {"cases", Json::array()}};
   for (const auto& report : cases) json["cases"].push_back(case_of(report));
   return with_null_for_non_finite(std::move(json));
 }

@@ -14,6 +14,16 @@ inline constexpr int kSummarySchema = 1;
 /// The program's version, from the build.
 std::string program_version();
 
+/// The name and version of the program, and its command line: what every file of results opens
+/// with.
+nlohmann::ordered_json program_json(const std::string& command);
+
+/// A case's name, "system" and "impulse", as in summary.json.
+nlohmann::ordered_json case_json(const problem::Problem& problem);
+
+/// JSON has no infinities: numbers that are not finite become null.
+nlohmann::ordered_json with_null_for_non_finite(nlohmann::ordered_json value);
+
 /// The contents of summary.json: everything a run found but the curves.
 /// A number that is not finite becomes null, and so do the moments, the mass and the energy
 /// residual of a solution without a density.

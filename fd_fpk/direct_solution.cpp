@@ -68,11 +68,7 @@ bool resolved(const problem::Problem& problem, const Options& options,
 
 }  // namespace
 
-DirectSolution solve_directly(const problem::Problem& problem, const Options& options) {
-  constexpr int kRefinements = 2;
-  constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
-  constexpr double kRefinement = 1.5;
-  constexpr double kAtOrigin = 16;
+Box stationary_box(const problem::Problem& problem, const Options& options) {
   constexpr double kCoarse = 0.5;
   constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
   Box box = initial_box(problem, options);
@@ -84,6 +80,15 @@ DirectSolution solve_directly(const problem::Problem& problem, const Options& op
     coarse.origin_refinement = 1;
     solve_in_wide_enough_box(problem, coarse, box);
   }
+  return box;
+}
+
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options) {
+  constexpr int kRefinements = 2;
+  constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
+  constexpr double kRefinement = 1.5;
+  constexpr double kAtOrigin = 16;
+  Box box = stationary_box(problem, options);
   Options on_grid = options;
   for (int refinement = 0;; ++refinement) {
     DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, box);

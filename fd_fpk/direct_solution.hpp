@@ -24,6 +24,10 @@ struct DirectSolution {
   std::string failure = {};                      ///< why there are no averages, and what to do
 };
 
+/// initial_box with those walls that the options leave free moved out on coarse grids until the
+/// stationary density on them is negligible.
+Box stationary_box(const problem::Problem& problem, const Options& options);
+
 /// The direct solution in a box whose walls carry no density, on a grid that resolves it, as far as
 /// the options leave box and grid free:
 /// - a wall with more than options.wall_density of the peak moves out by 15 % as long as the

@@ -33,29 +33,50 @@ void LinearCvode::keep_message(int, const char*, const char* function, char* tex
 }
 
 LinearCvode::LinearCvode(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                         const Eigen::VectorXd& start, int max_order, double relative_tolerance,
-                         double absolute_tolerance)
+                         const Eigen::VectorXd& start, const BdfControl& control)
     : callbacks_(new Callbacks{op, preconditioner, ""}),
       averages_(vector_of(start, context_)),
       gmres_(
           owned(SUNLinSol_SPGMR(averages_.get(), SUN_PREC_RIGHT, 100, context_), "a GMRES solver")),
       cvode_(owned(CVodeCreate(CV_BDF, context_), "CVODE")) {
-  // The systems are linear, and the residual of the last step's is what remains of L P: they are
-  // solved far below the error test.
-  constexpr double kLinearTolerance = 1e-11;
   check(CVodeInit(get(), right_hand_side, 0.0, averages_.get()), "CVodeInit");
   check(CVodeSetErrHandlerFn(get(), keep_message, callbacks_.get()), "CVodeSetErrHandlerFn");
   check(CVodeSetUserData(get(), callbacks_.get()), "CVodeSetUserData");
-  check(CVodeSStolerances(get(), relative_tolerance, absolute_tolerance), "CVodeSStolerances");
-  check(CVodeSetMaxOrd(get(), max_order), "CVodeSetMaxOrd");
+  check(CVodeSStolerances(get(), control.relative_tolerance, control.absolute_tolerance),
+        "CVodeSStolerances");
+  check(CVodeSetMaxOrd(get(), control.max_order), "CVodeSetMaxOrd");
   check(CVodeSetLinearSolver(get(), gmres_.get(), nullptr), "CVodeSetLinearSolver");
   check(CVodeSetJacTimes(get(), nullptr, times), "CVodeSetJacTimes");
   check(CVodeSetPreconditioner(get(), factor, precondition), "CVodeSetPreconditioner");
-  check(CVodeSetEpsLin(get(), kLinearTolerance), "CVodeSetEpsLin");
+  check(CVodeSetEpsLin(get(), control.linear_tolerance), "CVodeSetEpsLin");
 }
 
 int LinearCvode::advance(double time, int task, double& reached) {
   return CVode(get(), time, averages_.get(), &reached, task);
+}
+
+long LinearCvode::steps() const {
+  long count = 0;
+  check(CVodeGetNumSteps(get(), &count), "CVodeGetNumSteps");
+  return count;
+}
+
+long LinearCvode::factorisations() const {
+  long count = 0;
+  check(CVodeGetNumPrecEvals(get(), &count), "CVodeGetNumPrecEvals");
+  return count;
+}
+
+long LinearCvode::rhs_evaluations() const {
+  long count = 0;
+  check(CVodeGetNumRhsEvals(get(), &count), "CVodeGetNumRhsEvals");
+  return count;
+}
+
+long LinearCvode::krylov_iterations() const {
+  long count = 0;
+  check(CVodeGetNumLinIters(get(), &count), "CVodeGetNumLinIters");
+  return count;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -6,16 +6,22 @@
 
 namespace fpkcheck::fd_fpk {
 
+/// How CVODE steps.
+struct BdfControl {
+  int max_order;  ///< of BDF, 1 .. 5; above 2 it is not stable on the whole imaginary axis
+  double relative_tolerance;  ///< of the local error of a cell's average, in the RMS over the cells
+  double absolute_tolerance;  ///< likewise, in units of the density
+  double linear_tolerance;    ///< of GMRES, as a fraction of the local error
+};
+
 /// CVODE, BDF, on dP/dt = L P: GMRES with L itself, preconditioned by KLU factors of a sparse
 /// operator close to I - gamma L.
 class LinearCvode {
  public:
   /// @param op,preconditioner must outlive this object
-  /// @param max_order of BDF
   /// @throws std::runtime_error when SUNDIALS cannot be set up
   LinearCvode(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-              const Eigen::VectorXd& start, int max_order, double relative_tolerance,
-              double absolute_tolerance);
+              const Eigen::VectorXd& start, const BdfControl& control);
 
   void* get() const { return cvode_.get(); }
   /// One internal step (CV_ONE_STEP) or on to `time` (CV_NORMAL).
@@ -23,6 +29,12 @@ class LinearCvode {
   int advance(double time, int task, double& reached);
   Eigen::Map<Eigen::VectorXd> averages() const { return sundials_owned::view(averages_.get()); }
   const std::string& message() const { return callbacks_->message; }
+
+  /// Counts of CVODE since the start.
+  long steps() const;
+  long factorisations() const;
+  long rhs_evaluations() const;
+  long krylov_iterations() const;
 
  private:
   struct Callbacks {

@@ -64,13 +64,18 @@ WallDensity relative_wall_density(const problem::Problem& problem, const Grid& g
   return wall_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
 }
 
-Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem) {
-  const auto linear = problem::equivalent_linearisation(problem);
-  const Eigen::VectorXd y = bell(grid.x1, linear.displacement_deviation);
-  const Eigen::VectorXd v = bell(grid.x2, linear.velocity_deviation);
+Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
+                                double velocity_deviation) {
+  const Eigen::VectorXd y = bell(grid.x1, displacement_deviation);
+  const Eigen::VectorXd v = bell(grid.x2, velocity_deviation);
   Eigen::VectorXd averages(grid.size());
   Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
   return averages / grid.areas().dot(averages);
+}
+
+Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  return folded_gaussian(grid, linear.displacement_deviation, linear.velocity_deviation);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -24,6 +24,11 @@ double energy_residual(const problem::Problem& problem, problem::Impact impact, 
 WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
                                   const Eigen::VectorXd& averages);
 
+/// Cell averages, with mass 1, of the Gaussian of (z, z') with mean zero and these deviations,
+/// folded to the half-plane: twice its density on y >= 0.
+Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
+                                double velocity_deviation);
+
 /// Cell averages of the density of equivalent linearisation on the half-plane, mass 1: the start of
 /// the march and of the inverse iteration.
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem);

@@ -31,29 +31,6 @@ constexpr double kLongestStep = 500;
 constexpr double kMostNegative = -1e-4;
 constexpr double kEnergyAllowed = 1e-3;
 
-// True when the excitation as discretised grows; fills in what to say of it.
-bool grows(const problem::Problem& problem, const Discretisation& discretisation,
-           const Options& options, Result& result) {
-  if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return false;
-  const auto& impulses = problem.impulses;
-  const auto [line, excitation] =
-      unbounded_excitation(problem, options, discretisation.grid.x2.smallest_width());
-  const auto [rate, wavenumber] =
-      largest_growth(line, excitation, options.order + options.order % 2);
-  result.summary.growth_rate = rate;
-  result.summary.growth_wavenumber = wavenumber;
-  if (rate <= 1e-9 * impulses.arrival_rate()) return false;
-  result.solution.status = Status::ill_posed;
-  result.solution.reason = fmt::format(
-      "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
-      "the fourth difference over {:.3g} (use a regularisation length of at least {:.3g}; the "
-      "default is {:.3g})",
-      rate, wavenumber, discretisation.regularisation_length,
-      shortest_regularisation_length(impulses.law()),
-      default_regularisation_length(impulses.law()));
-  return true;
-}
-
 // The density by the chosen stepper; empty when there is none. Fills in the status.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
                                                   const problem::Problem& problem,
@@ -164,7 +141,14 @@ Result solve_on_one_grid(const problem::Problem& problem, const Options& options
     solution.reason = first.refusal;
     return result;
   }
-  if (grows(problem, first, options, result)) return result;
+  const auto [growth, ill_posed] = posedness(problem, options, first);
+  summary.growth_rate = growth.rate;
+  summary.growth_wavenumber = growth.wavenumber;
+  if (!ill_posed.empty()) {
+    solution.status = Status::ill_posed;
+    solution.reason = ill_posed;
+    return result;
+  }
 
   DirectSolution direct = solve_directly(problem, options);
   describe(direct.discretisation, summary);

@@ -1,5 +1,7 @@
 #include "fd_fpk/well_posedness.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +29,25 @@ double shortest_regularisation_length(const problem::ImpulseLaw& law) {
   constexpr double kLargestSine =
       0.5250616;  // max of sin^4 t / t^2, where tan t = 2 t: t = 1.16556
   return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
+}
+
+Posedness posedness(const problem::Problem& problem, const Options& options,
+                    const Discretisation& discretisation) {
+  if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return {};
+  const auto& impulses = problem.impulses;
+  const auto [line, excitation] =
+      unbounded_excitation(problem, options, discretisation.grid.x2.smallest_width());
+  Posedness result{.growth = largest_growth(line, excitation, options.order + options.order % 2),
+                   .objection = {}};
+  if (result.growth.rate <= 1e-9 * impulses.arrival_rate()) return result;
+  result.objection = fmt::format(
+      "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
+      "the fourth difference over {:.3g} (use a regularisation length of at least {:.3g}; the "
+      "default is {:.3g})",
+      result.growth.rate, result.growth.wavenumber, discretisation.regularisation_length,
+      shortest_regularisation_length(impulses.law()),
+      default_regularisation_length(impulses.law()));
+  return result;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "fd_fpk/discretisation.hpp"
 #include "fd_fpk/excitation.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -19,5 +22,13 @@ Growth largest_growth(const Line& line, const Excitation& excitation, int order)
 /// Shortest length l for which -D2 q^2 + D4 (2 sin(q l / 2) / l)^4 <= 0 for all q:
 /// l^2 = 4 max_t(sin^4 t / t^2) D4/D2 with D2 = lambda E[Y^2]/2, D4 = lambda E[Y^4]/24.
 double shortest_regularisation_length(const problem::ImpulseLaw& law);
+
+/// Whether the excitation as discretised grows.
+struct Posedness {
+  Growth growth{0, 0};    ///< largest_growth; zero for the equations that cannot grow
+  std::string objection;  ///< why it is ill-posed and what to do; empty when it is not
+};
+Posedness posedness(const problem::Problem& problem, const Options& options,
+                    const Discretisation& discretisation);
 
 }  // namespace fpkcheck::fd_fpk

@@ -16,14 +16,22 @@ enum class Impact {
 /// The impact's name in summaries: "map", "delta", "exact".
 std::string_view name(Impact impact);
 
-/// What the stationary energy balance needs to know of a density on the physical half-plane.
+/// What the balance of power needs to know of a density on the physical half-plane.
 struct EnergyTerms {
   double mean_velocity;         ///< E[y']
   double mean_square_velocity;  ///< E[y'^2]
   double impact_energy_flux;    ///< int_{v<0} |v|^3 p(0, v) dv
 };
 
-/// Residual of the balance of power, relative to the input,
+/// The two sides of the balance of power, per unit time. Their difference is dE/dt of
+/// E = E[v^2]/2 + k E[y^2]/2 + mu E[y^4]/4, at any time and for any of the equations.
+struct Power {
+  double input;       ///< lambda E[Y^2]/2 + lambda E[Y] E[v]
+  double dissipated;  ///< c E[v^2] + kappa int_{v<0} |v|^3 p(0,v) dv, kappa as below
+};
+Power power(const Problem& problem, Impact impact, const EnergyTerms& terms);
+
+/// Residual of the stationary balance of power, relative to the input,
 ///
 ///     lambda E[Y^2]/2 + lambda E[Y] E[v] = c E[v^2] + kappa int_{v<0} |v|^3 p(0,v) dv,
 ///

@@ -77,6 +77,18 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"fd", "case1", "--origin-refinement", "0.5"}, "origin refinement"},
       {{"fd", "case1", "--nv", "41"}, "nv = 41"},
       {{"fd", "case1", "--regularisation-length", "0.3"}, "only km4"},
+      {{"fd", "case1", "--until", "0"}, "until = 0"},
+      {{"fd", "case1", "--until", "inf"}, "until = inf"},
+      {{"fd", "case1", "--until", "soon"}, "until"},
+      {{"fd", "case1", "--until", "1", "--snapshots", "0"}, "snapshots = 0"},
+      {{"fd", "case1", "--until", "1", "--start-y", "0"}, "start-y = 0"},
+      {{"fd", "case1", "--until", "1", "--start-v", "-2"}, "start-v = -2"},
+      {{"fd", "case1", "--until", "1", "--time-tolerance", "0"}, "time tolerance 0"},
+      {{"fd", "case1", "--until", "1", "--order", "7"}, "order 7"},
+      {{"fd", "case1", "--until", "1", "--stepper", "direct"}, "--stepper direct"},
+      {{"fd", "case1", "case2", "--until", "1"}, "2 cases"},
+      {{"fd", "case1", "--snapshots", "5"}, "without --until"},
+      {{"fd", "case1", "--start-y", "0.5"}, "without --until"},
       {{"mcs", "case1", "--streams", "1"}, "streams"},
       {{"report"}, "one directory"},
   };
@@ -193,6 +205,49 @@ TEST_F(Program, SettingsReachTheSolver) {
   EXPECT_EQ(solution.at("nx"), 40);
   EXPECT_EQ(solution.at("steps"), 0);
   EXPECT_NEAR(solution.at("moments").at("v2").get<double>(), 0.5, 1e-5);  // lambda E[Y^2]/(2c)
+}
+
+TEST_F(Program, ADensityOverTimeLeavesNetCdfAndAPicture) {
+  const std::string out = path("out");
+  const std::vector<std::string> arguments{"fd",
+                                           "case1",
+                                           "--until",
+                                           "0.5",
+                                           "--snapshots",
+                                           "2",
+                                           "--refinement",
+                                           "0.6",
+                                           "--start-y",
+                                           "0.6",
+                                           "--start-v",
+                                           "0.6",
+                                           "--set",
+                                           "system.restitution=1",
+                                           "--equation",
+                                           "white",
+                                           "--time-tolerance",
+                                           "1e-4",
+                                           "--out",
+                                           out};
+  const auto table = program(arguments);
+  ASSERT_EQ(table.exit_code, kDone) << table.err;
+  EXPECT_EQ(table.err, "");
+  EXPECT_NE(table.out.find("E[y'^2]"), std::string::npos);
+  EXPECT_TRUE(fs::exists(fs::path(out) / "transient.nc"));
+  EXPECT_TRUE(fs::exists(fs::path(out) / "figures" / "transient-case1.gp"));
+
+  auto as_json = arguments;
+  as_json.back() = path("again");
+  as_json.emplace_back("--json");
+  const auto json = nlohmann::json::parse(program(as_json).out);
+  EXPECT_EQ(json.at("status"), "ok");
+  EXPECT_EQ(json.at("snapshots").size(), 3u);
+  EXPECT_EQ(json.at("snapshots").at(2).at("time"), 0.5);
+  EXPECT_NEAR(json.at("snapshots").at(0).at("moments").at("y2").get<double>(), 0.36, 1e-4);
+
+  auto too_small = arguments;
+  too_small.insert(too_small.end(), {"--y-max", "1", "--json"});
+  EXPECT_EQ(program(too_small).exit_code, kNotReached);
 }
 
 TEST_F(Program, HelpAndVersionAreAnswersNotErrors) {

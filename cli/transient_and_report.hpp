@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "cli/command_line.hpp"
+#include "fd_fpk/transient.hpp"
+
+namespace fpkcheck::cli {
+
+/// Integrates the density of one case over time, prints the table (or the JSON), and writes
+/// transient.nc and its picture when a directory was given. The directory is prepared before
+/// anything is solved.
+/// @return an ExitCode
+/// @throws InputError as load_cases, make_writable and fd_fpk::validate do, and for several cases
+int transient_and_report(const CommonArguments& common, const fd_fpk::Options& options,
+                         fd_fpk::TransientOptions transient, const std::string& command_line);
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,191 @@
+#include "fd_fpk/transient.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "fd_fpk/discretisation.hpp"
+#include "fd_fpk/operator.hpp"
+#include "fd_fpk/solve.hpp"
+#include "paper_cases.hpp"
+#include "problem/exact_linear_moments.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+
+problem::Problem linear() { return tests::make_problem({.cubic = 0, .restitution = 1}); }
+
+// A wide start in y' and a narrow one in y: the density turns and breathes.
+TransientOptions breathing(double until, int snapshots, double tolerance) {
+  return {.until = until,
+          .snapshots = snapshots,
+          .start_displacement = 0.5,
+          .start_velocity = 0.8,
+          .relative_tolerance = tolerance};
+}
+
+// Coarse cells, for speed.
+Options coarse(Equation equation) { return {.equation = equation, .refinement = 0.6}; }
+
+// The largest error of E[y^2], E[y'^2] against the exact moments of the linear oscillator.
+double largest_error(const problem::Problem& problem, const TransientResult& result) {
+  const problem::exact::MeanAndCovariance start{.var_z = std::pow(result.start_displacement, 2),
+                                                .var_v = std::pow(result.start_velocity, 2)};
+  double largest = 0;
+  for (const Snapshot& s : result.snapshots) {
+    const auto exact = problem::exact::linear_moments_at(problem, start, s.time);
+    largest =
+        std::max({largest, std::abs(s.moments.y2 - exact.zz), std::abs(s.moments.v2 - exact.vv)});
+  }
+  return largest;
+}
+
+TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
+  const auto problem = linear();
+  for (const auto equation : {Equation::white, Equation::kf}) {
+    SCOPED_TRACE(name(equation));
+    const auto result = integrate(problem, coarse(equation), breathing(3, 6, 3e-8));
+    ASSERT_EQ(result.status, Status::ok) << result.reason;
+    ASSERT_EQ(result.snapshots.size(), 7u);
+    for (int n = 0; n <= 6; ++n) EXPECT_DOUBLE_EQ(result.snapshots[n].time, 0.5 * n);
+    // They turn by 0.37 and back. The error is that of the steps in time: BDF of order 2.
+    EXPECT_LT(largest_error(problem, result), 1e-4);
+  }
+}
+
+// Where time is followed accurately the operator itself must not grow: no eigenvalue to the right
+// of the imaginary axis. Longer stencils have some, which is why they are refused.
+TEST(Transient, OrdersThatAreAllowedHaveNoGrowingModes) {
+  const auto largest_real_part = [](const problem::Problem& problem, Equation equation, int order) {
+    const Options options{.equation = equation, .order = order, .nx = 16, .nv = 28};
+    const auto on = discretise(problem, options, initial_box(problem, options));
+    const auto op = fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid,
+                                           options.order);
+    return Eigen::MatrixXd(op.assembled()).eigenvalues().real().maxCoeff();
+  };
+  constexpr double kRounding = 1e-9;
+  for (const double restitution : {1.0, 0.7}) {
+    const auto problem = tests::make_problem({.restitution = restitution});
+    for (const int order : {3, 5}) {
+      EXPECT_LT(largest_real_part(problem, Equation::kf, order), kRounding) << order;
+    }
+    EXPECT_GT(largest_real_part(problem, Equation::kf, 7), 1);
+  }
+}
+
+TEST(Transient, ErrorsInTimeFallWithTheTolerance) {
+  const auto problem = linear();
+  double last = HUGE_VAL;
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
+    const auto result = integrate(problem, coarse(Equation::kf), breathing(2, 2, tolerance));
+    const double error = largest_error(problem, result);
+    EXPECT_LT(error, last / 2) << "tolerance " << tolerance;
+    last = error;
+  }
+}
+
+TEST(Transient, BeginsWithTheGaussianAskedFor) {
+  const auto result = integrate(linear(), coarse(Equation::kf), breathing(0.1, 1, 1e-4));
+  const auto& start = result.snapshots.front();
+  EXPECT_EQ(start.time, 0);
+  EXPECT_NEAR(start.moments.y1, 0.5 * std::sqrt(2 / M_PI), 1e-5);
+  EXPECT_NEAR(start.moments.y2, 0.25, 1e-5);
+  EXPECT_NEAR(start.moments.y4, 3 * std::pow(0.5, 4), 1e-5);
+  EXPECT_NEAR(start.moments.v1, 0, 1e-12);
+  EXPECT_NEAR(start.moments.v2, 0.64, 1e-5);
+  // p(y) is twice the normal density; its average over the first cell.
+  const double edge = result.y_edges[1];
+  EXPECT_NEAR(start.y.front(), std::erf(edge / 0.5 / std::sqrt(2)) / edge, 1e-6);
+  EXPECT_NEAR(result.snapshots.back().time, 0.1, 1e-15);
+}
+
+TEST(Transient, KeepsMassAndTheBalanceOfPowerUnderLosses) {
+  for (const double mean : {0.0, 0.15}) {
+    SCOPED_TRACE(mean);
+    const auto problem = tests::make_problem({.restitution = 0.9, .mean = mean});
+    constexpr int kSnapshots = 40;
+    constexpr double kUntil = 2;
+    const auto result =
+        integrate(problem, {.refinement = 0.8}, breathing(kUntil, kSnapshots, 1e-5));
+    ASSERT_EQ(result.status, Status::ok) << result.reason;
+    for (const auto& s : result.snapshots) {
+      EXPECT_NEAR(s.mass, 1, 1e-10);
+      EXPECT_LT(std::abs(s.power_residual), 1e-3) << s.time;
+    }
+    double work = 0;  // the integral of the power, by Simpson's rule
+    for (int n = 0; n <= kSnapshots; ++n) {
+      const double weight = n == 0 || n == kSnapshots ? 1 : n % 2 == 1 ? 4 : 2;
+      work += weight * result.snapshots[n].power * kUntil / kSnapshots / 3;
+    }
+    EXPECT_NEAR(result.snapshots.back().energy - result.snapshots.front().energy, work, 1e-4);
+  }
+}
+
+TEST(Transient, EndsInTheStationaryDensity) {
+  const auto problem = tests::make_problem({.damping = 0.6, .restitution = 0.95});
+  const auto transient = integrate(problem, coarse(Equation::kf),
+                                   {.until = 40, .snapshots = 1, .relative_tolerance = 1e-5});
+  ASSERT_EQ(transient.status, Status::ok) << transient.reason;
+  const auto stationary = solve(problem, coarse(Equation::kf)).solution;
+  const auto& end = transient.snapshots.back();
+  // The grids differ, by the narrow start.
+  EXPECT_NEAR(end.moments.y2, stationary.moments.y2, 5e-4 * stationary.moments.y2);
+  EXPECT_NEAR(end.moments.v2, stationary.moments.v2, 5e-4 * stationary.moments.v2);
+  EXPECT_NEAR(end.moments.v1, 0, 1e-4);
+  const auto y = marginal(stationary, transform::Variable::y, transient.y_edges);
+  double l1 = 0;
+  for (std::size_t b = 0; b < y.size(); ++b) l1 += std::abs(y.density[b] - end.y[b]) * y.width(b);
+  EXPECT_LT(l1, 1e-3);
+}
+
+TEST(Transient, BoxHoldsWhatAWideStartTurnsInto) {
+  // Far out on a hardening spring: the velocities it will have are beyond the stationary ones.
+  const auto problem = tests::make_problem({.cubic = 0.5, .restitution = 1});
+  const auto result = integrate(problem, coarse(Equation::white),
+                                {.until = 1,
+                                 .snapshots = 4,
+                                 .start_displacement = 1.0,
+                                 .start_velocity = 1.0,
+                                 .relative_tolerance = 1e-5});
+  EXPECT_EQ(result.status, Status::ok) << result.reason;
+  for (const auto& s : result.snapshots) EXPECT_LT(std::max(s.wall.x1, s.wall.x2), 1e-6);
+}
+
+TEST(Transient, SaysSoWhenTheBoxIsTooSmall) {
+  const auto result = integrate(linear(), {.x1_max = 1.5, .x2_max = 5},
+                                {.until = 10, .snapshots = 10, .relative_tolerance = 1e-4});
+  EXPECT_EQ(result.status, Status::failed);
+  EXPECT_NE(result.reason.find("too small"), std::string::npos) << result.reason;
+  EXPECT_LT(result.snapshots.size(), 11u);
+}
+
+TEST(Transient, DoesNotStepTheIllPosedEquation) {
+  const auto result =
+      integrate(linear(), {.equation = Equation::km4, .regularisation_length = 0.0}, {.until = 1});
+  EXPECT_EQ(result.status, Status::ill_posed);
+  EXPECT_TRUE(result.snapshots.empty());
+}
+
+TEST(Transient, RefusesWhatItCannotUse) {
+  const auto refused = [](const TransientOptions& options) {
+    EXPECT_THROW(integrate(linear(), {}, options), InputError);
+  };
+  refused({});
+  refused({.until = -1});
+  refused({.until = HUGE_VAL});
+  refused({.until = 1, .snapshots = 0});
+  refused({.until = 1, .start_displacement = 0.0});
+  refused({.until = 1, .start_velocity = -1.0});
+  refused({.until = 1, .relative_tolerance = 0});
+  refused({.until = 1, .max_order = 6});
+  for (const int order : {2, 4, 6, 7, 8}) {
+    EXPECT_THROW(integrate(linear(), {.order = order}, {.until = 1}), InputError) << order;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
