@@ -38,11 +38,11 @@ bool grows(const problem::Problem& problem, const Discretisation& discretisation
   const auto& impulses = problem.impulses;
   const auto [line, excitation] =
       unbounded_excitation(problem, options, discretisation.grid.x2.smallest_width());
-  const auto [rate, wavenumber] =
-      largest_growth(line, excitation, options.order + options.order % 2);
+  const Growth growth = largest_growth(line, excitation, options.order + options.order % 2);
+  const auto [rate, wavenumber] = growth;
   result.summary.growth_rate = rate;
   result.summary.growth_wavenumber = wavenumber;
-  if (rate <= 1e-9 * impulses.arrival_rate()) return false;
+  if (!grows(growth, impulses)) return false;
   result.solution.status = Status::ill_posed;
   result.solution.reason = fmt::format(
       "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "

@@ -23,6 +23,11 @@ Growth largest_growth(const Line& line, const Excitation& excitation, int order)
   return growth;
 }
 
+bool grows(const Growth& growth, const problem::ImpulseTrain& impulses) {
+  constexpr double kRounding = 1e-9;
+  return growth.rate > kRounding * impulses.arrival_rate();
+}
+
 double shortest_regularisation_length(const problem::ImpulseLaw& law) {
   constexpr double kLargestSine =
       0.5250616;  // max of sin^4 t / t^2, where tan t = 2 t: t = 1.16556
