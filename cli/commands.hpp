@@ -14,6 +14,7 @@ int run_command(const std::vector<std::string>& arguments, const std::string& co
 int epc_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int fd_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int mcs_command(const std::vector<std::string>& arguments, const std::string& command_line);
+int study_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int report_command(const std::vector<std::string>& arguments, const std::string& command_line);
 
 }  // namespace fpkcheck::cli

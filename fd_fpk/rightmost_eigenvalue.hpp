@@ -31,8 +31,11 @@ struct RightmostEigenvalues {
 ///     C = (L - sigma)^-1 (L - (2 m - sigma)),    |eigenvalue of C| > 1  <=>  Re(eigenvalue of L) >
 ///     m,
 ///
-/// with m just left of the last one found: its largest eigenvalues are those right of m, wherever
-/// sigma lies and however fast they turn. (Meerbergen, Spence and Roose, BIT 34 (1994) 409-423.)
+/// with m just left of the last one found and a sigma so far right that the eigenvalues of C rank
+/// by the real parts of those of L. The test is repeated until it finds nothing new. (Meerbergen,
+/// Spence and Roose, BIT 34 (1994) 409-423.) It is strong evidence, not a proof: a mode that turns
+/// many times faster than 8 growth rates or frequencies and decays hardly more slowly than those
+/// found may escape.
 ///
 /// @param growth where the rightmost one is expected: the largest rate of the excitation's symbol,
 ///        largest_growth, or 0 when nothing grows
