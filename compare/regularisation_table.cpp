@@ -161,10 +161,10 @@ std::string threshold_sentence(const Json& report) {
       fmt::format("The threshold is l* = {:.3g}: ", *number(report, "shortest_length"));
   text += below.empty() ? "10 % below it no matrix grows"
                         : fmt::format("10 % below it grow {}", list_of_steps(below));
-  if (!below.empty()) {
+  if (below.size() > 1) {
     const auto rate = number(*below.back(), "symbol_rate");
-    text +=
-        fmt::format(", at a rate that no longer depends on the step ({:.3g} by the symbol)", *rate);
+    text += fmt::format(", at a rate that no longer depends on the step ({:.3g} by the symbol)",
+                        rate.value_or(0));
   }
   text += above.empty() ? "; 10 % above it none grows."
                         : fmt::format("; 10 % above it grow {}.", list_of_steps(above));
