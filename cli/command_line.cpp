@@ -14,7 +14,7 @@ namespace fpkcheck::cli {
 namespace po = boost::program_options;
 
 po::options_description with_common_options(const po::options_description& own,
-                                            CommonArguments& common) {
+                                            CommonArguments& common, const char* what_out_does) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
   // One by one: a nested group would be printed after the others, and in its own width.
@@ -25,8 +25,7 @@ po::options_description with_common_options(const po::options_description& own,
           "out",
           po::value<std::string>()->value_name("DIR")->notifier(
               [&common](const std::string& value) { common.out = value; }),
-          "write summary.json, marginals.csv and figures/ there (run: default fpkcheck-out)")(
-          "quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
+          what_out_does)("quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
           "json", po::bool_switch(&common.json),
           "print the summary as JSON on standard output, and nothing else there")("help,h",
                                                                                   "this text");

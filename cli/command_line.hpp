@@ -19,8 +19,11 @@ struct CommonArguments {
 };
 
 /// Adds --set, --out, --quiet, --json and --help to a command's own options.
+/// @param what_out_does help text of --out
 boost::program_options::options_description with_common_options(
-    const boost::program_options::options_description& own, CommonArguments& common);
+    const boost::program_options::options_description& own, CommonArguments& common,
+    const char* what_out_does =
+        "write summary.json, marginals.csv and figures/ there (run: default fpkcheck-out)");
 
 /// Parses, with the positional arguments going to `positional`. Options are not guessed from
 /// prefixes.

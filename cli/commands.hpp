@@ -15,6 +15,7 @@ int epc_command(const std::vector<std::string>& arguments, const std::string& co
 int fd_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int mcs_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int reference_command(const std::vector<std::string>& arguments, const std::string& command_line);
+int study_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int report_command(const std::vector<std::string>& arguments, const std::string& command_line);
 
 }  // namespace fpkcheck::cli

@@ -29,6 +29,8 @@ constexpr Command kCommands[] = {
     {"fd", "finite differences for the (generalised) Fokker-Planck-Kolmogorov equation",
      fd_command},
     {"mcs", "Monte Carlo simulation of the impact system itself", mcs_command},
+    {"study", "what discretisation does: growth, eigenvalues and densities over a range of steps",
+     study_command},
     {"reference", "reference values, agreed on by two discretisations and a simulation",
      reference_command},
     {"report", "tables and pictures again from a saved run", report_command},
@@ -55,7 +57,8 @@ Exit codes: 0 done; 1 a solver did not reach what was asked; 2 bad input.
 
 int dispatch(const Arguments& arguments) {
   if (arguments.empty())
-    throw InputError("no command (use run, epc, fd, mcs, reference or report; --help explains)");
+    throw InputError(
+        "no command (use run, epc, fd, mcs, study, reference or report; --help explains)");
   const std::string& name = arguments.front();
   if (name == "--help" || name == "-h" || name == "help") {
     print_overview();
@@ -69,7 +72,8 @@ int dispatch(const Arguments& arguments) {
       std::ranges::find_if(kCommands, [&](const Command& c) { return name == c.name; });
   if (command == std::end(kCommands)) {
     throw InputError(fmt::format(
-        "'{}' is no command (use run, epc, fd, mcs, reference or report; --help explains)", name));
+        "'{}' is no command (use run, epc, fd, mcs, study, reference or report; --help explains)",
+        name));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;

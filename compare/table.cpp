@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 
+#include "compare/columns.hpp"
 #include "compare/findings.hpp"
 #include "compare/summary_view.hpp"
 #include "compare/wrapped_text.hpp"
@@ -17,23 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using transform::Variable;
-
-struct Column {
-  std::string group;  ///< stands over neighbouring columns of the same group
-  std::string header;
-  bool left_aligned;
-  int importance;  ///< columns of equal importance come and go together
-  std::vector<std::string> cells = {};
-
-  std::size_t width() const {
-    std::size_t width = header.size();
-    for (const auto& cell : cells) width = std::max(width, cell.size());
-    return width;
-  }
-};
-
-constexpr int kAlwaysShown = std::numeric_limits<int>::max();
-constexpr const char* kAbsent = "-";
 
 std::string shown(const std::optional<double>& value,
                   const std::function<std::string(double)>& format) {
@@ -93,75 +76,8 @@ std::vector<Column> columns(const Json& summary_case) {
   return all;
 }
 
-std::size_t total_width(const std::vector<Column>& shown_columns, std::size_t gap) {
-  std::size_t total = 0;
-  for (const auto& column : shown_columns) total += column.width() + gap;
-  return total - std::min(total, gap);
-}
-
-void drop_until_it_fits(std::vector<Column>& all, std::size_t width) {
-  while (total_width(all, 1) > width) {
-    const int least = std::ranges::min_element(all, {}, &Column::importance)->importance;
-    if (least == kAlwaysShown) return;
-    std::erase_if(all, [&](const Column& column) { return column.importance == least; });
-  }
-}
-
-std::string without_trailing_spaces(std::string line) {
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + '\n';
-}
-
-std::string group_line(const std::vector<Column>& all, const std::string& gap) {
-  std::string line;
-  for (std::size_t c = 0; c < all.size();) {
-    std::size_t span = all[c].width(), next = c + 1;
-    for (; next < all.size() && !all[c].group.empty() && all[next].group == all[c].group; ++next) {
-      span += gap.size() + all[next].width();
-    }
-    const std::string text = all[c].group.empty() ? "" : ' ' + all[c].group + ' ';
-    line += fmt::format(fmt::runtime(text.empty() ? "{: ^{}}" : "{:-^{}}"), text, span) + gap;
-    c = next;
-  }
-  return without_trailing_spaces(line);
-}
-
-std::string row(const std::vector<Column>& all, const std::string& gap,
-                const std::function<const std::string&(const Column&)>& text_of) {
-  std::string line;
-  for (const auto& column : all) {
-    line += column.left_aligned ? fmt::format("{:<{}}", text_of(column), column.width())
-                                : fmt::format("{:>{}}", text_of(column), column.width());
-    line += gap;
-  }
-  return without_trailing_spaces(line);
-}
-
-std::string rows(const Json& summary_case, std::size_t width) {
-  auto all = columns(summary_case);
-  drop_until_it_fits(all, width);
-  const std::string gap(total_width(all, 2) <= width ? 2 : 1, ' ');
-  std::string text = group_line(all, gap);
-  text += row(all, gap, [](const Column& c) -> const std::string& { return c.header; });
-  for (std::size_t k = 0; k < summary_case.at("solutions").size(); ++k) {
-    text += row(all, gap, [k](const Column& c) -> const std::string& { return c.cells[k]; });
-  }
-  return text;
-}
-
-std::string title(const Json& summary_case) {
-  const Json& system = summary_case.at("system");
-  const Json& impulse = summary_case.at("impulse");
-  std::string text = fmt::format(
-      "{}: c = {:g}, k = {:g}, mu = {:g}, r = {:g}; {} impulses, lambda = {:g}, lambda E[Y^2] = "
-      "{:g}",
-      summary_case.at("name").get<std::string>(), system.at("damping").get<double>(),
-      system.at("stiffness").get<double>(), system.at("cubic").get<double>(),
-      system.at("restitution").get<double>(), impulse.at("law").get<std::string>(),
-      impulse.at("rate").get<double>(), impulse.at("intensity").get<double>());
-  const double mean = impulse.at("mean").get<double>();
-  if (mean != 0) text += fmt::format(", E[Y] = {:g}", mean);
-  return text;
+std::string rows_of(const Json& summary_case, std::size_t width) {
+  return rows(columns(summary_case), width);
 }
 
 std::string reasons(const Json& summary_case, std::size_t width) {
@@ -184,10 +100,25 @@ constexpr const char* kLegend =
 
 }  // namespace
 
+std::string case_title(const Json& summary_case) {
+  const Json& system = summary_case.at("system");
+  const Json& impulse = summary_case.at("impulse");
+  std::string text = fmt::format(
+      "{}: c = {:g}, k = {:g}, mu = {:g}, r = {:g}; {} impulses, lambda = {:g}, lambda E[Y^2] = "
+      "{:g}",
+      summary_case.at("name").get<std::string>(), system.at("damping").get<double>(),
+      system.at("stiffness").get<double>(), system.at("cubic").get<double>(),
+      system.at("restitution").get<double>(), impulse.at("law").get<std::string>(),
+      impulse.at("rate").get<double>(), impulse.at("intensity").get<double>());
+  const double mean = impulse.at("mean").get<double>();
+  if (mean != 0) text += fmt::format(", E[Y] = {:g}", mean);
+  return text;
+}
+
 std::string table(const Json& summary, std::size_t width) {
   std::string text;
   for (const auto& summary_case : summary.at("cases")) {
-    text += wrapped(title(summary_case), width, 2) + rows(summary_case, width) +
+    text += wrapped(case_title(summary_case), width, 2) + rows_of(summary_case, width) +
             reasons(summary_case, width);
     for (const auto& sentence : findings(summary_case)) {
       text += wrapped("  " + sentence, width, 2);

@@ -14,4 +14,7 @@ namespace fpkcheck::compare {
 /// @throws nlohmann::json::exception when a field of the contract is missing
 std::string table(const nlohmann::ordered_json& summary, std::size_t width = 100);
 
+/// The line of parameters: "case1: c = 0.1, k = 1, ...", from a case of summary.json.
+std::string case_title(const nlohmann::ordered_json& summary_case);
+
 }  // namespace fpkcheck::compare

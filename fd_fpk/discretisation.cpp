@@ -22,6 +22,8 @@ constexpr double kShortestImpulse = 0.02;
 // A graded grid has narrow cells where they matter: wider ones far out leave their number as it
 // was.
 constexpr double kGradedWidth = 1.6;
+// Lengths sqrt(b) beyond which the kernel of the Pade approximant is less than 1e-12 of its peak.
+constexpr double kPadeReach = 28;
 constexpr double kX1Step = 0.15;
 constexpr double kX2Step = 0.16;
 
@@ -138,7 +140,12 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
 UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
                                          double step) {
   const double length = regularisation_length(problem, options, step);
-  const int reach = static_cast<int>(std::ceil(2 * length / step)) + 4 * options.order;
+  int reach = static_cast<int>(std::ceil(2 * length / step)) + 4 * options.order;
+  if (options.equation == Equation::km4_pade) {
+    // The inverse in the Pade approximant reaches as exp(-|x2| / sqrt(b)).
+    reach += static_cast<int>(
+        std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / step));
+  }
   Line line = Line::uniform(0, step, 2 * reach + 1);
   Excitation terms = excitation(problem.impulses, options, line, length);
   return {std::move(line), std::move(terms)};

@@ -1,6 +1,9 @@
 #include "fd_fpk/null_vector.hpp"
 
+#include <fmt/format.h>
+
 #include "fd_fpk/gmres.hpp"
+#include "fd_fpk/klu.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -16,6 +19,28 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
   Eigen::VectorXd averages = start + *correction;
   averages /= op.mass(averages);
   return {std::move(averages), iterations};
+}
+
+NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::VectorXd& start,
+                                double frequency) {
+  constexpr double kShift = 1e-7;  // off the singular matrix, in units of frequency
+  constexpr int kIterations = 4;
+  constexpr double kResidual = 1e-8;
+  const SparseColumns whole = op.assembled();
+  SparseColumns unit(whole.rows(), whole.cols());
+  unit.setIdentity();
+  KluFactorisation klu;
+  if (!klu.factor(whole - kShift * frequency * unit)) return {std::nullopt, 0, klu.failure()};
+  Eigen::VectorXd averages = start;
+  for (int k = 0; k < kIterations; ++k) {
+    klu.solve_in_place(averages);
+    averages /= op.mass(averages);
+  }
+  const double residual = op.residual(averages) / frequency;
+  if (!(residual < kResidual)) {
+    return {std::nullopt, 0, fmt::format("inverse iteration stopped at residual {:.1e}", residual)};
+  }
+  return {std::move(averages), 0};
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -21,4 +21,11 @@ struct NullVector {
 NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                        const Eigen::VectorXd& start);
 
+/// The null vector of mass 1 by inverse iteration with KLU factors of the whole of L, for operators
+/// that nothing simple approximates: those that grow. It is what a solver would return that does
+/// not ask whether the equation is well-posed.
+/// @param frequency of the oscillator: the unit in which a residual is small
+NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::VectorXd& start,
+                                double frequency);
+
 }  // namespace fpkcheck::fd_fpk

@@ -137,8 +137,11 @@ Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages)
 
 SparseColumns FokkerPlanckOperator::assembled() const {
   if (exchange.size() == 0) return local;
+  // Jumps by whole cells leave rounding in what would otherwise be empty.
+  constexpr double kRounding = 1e-14;
   const int nx = static_cast<int>(areas.size() / exchange.rows());
-  return local + tensor(identity(nx), exchange.sparseView());
+  return local +
+         tensor(identity(nx), exchange.sparseView(exchange.cwiseAbs().maxCoeff(), kRounding));
 }
 
 double FokkerPlanckOperator::leak() const {

@@ -21,7 +21,7 @@ struct FokkerPlanckOperator {
   Eigen::VectorXd areas;     ///< of the cells, shape (size)
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
-  /// The whole of it as one sparse matrix.
+  /// The whole of it as one sparse matrix, but for entries that are the exchange's rounding.
   SparseColumns assembled() const;
   /// Largest |sum over the column of area times entry| / area: the rate at which mass would leak.
   double leak() const;

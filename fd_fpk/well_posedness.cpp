@@ -25,6 +25,11 @@ Growth largest_growth(const Line& line, const Excitation& excitation, int order)
   return growth;
 }
 
+bool grows(const Growth& growth, const problem::ImpulseTrain& impulses) {
+  constexpr double kRounding = 1e-9;
+  return growth.rate > kRounding * impulses.arrival_rate();
+}
+
 double shortest_regularisation_length(const problem::ImpulseLaw& law) {
   constexpr double kLargestSine =
       0.5250616;  // max of sin^4 t / t^2, where tan t = 2 t: t = 1.16556
@@ -39,7 +44,7 @@ Posedness posedness(const problem::Problem& problem, const Options& options,
       unbounded_excitation(problem, options, discretisation.grid.x2.smallest_width());
   Posedness result{.growth = largest_growth(line, excitation, options.order + options.order % 2),
                    .objection = {}};
-  if (result.growth.rate <= 1e-9 * impulses.arrival_rate()) return result;
+  if (!grows(result.growth, impulses)) return result;
   result.objection = fmt::format(
       "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
       "the fourth difference over {:.3g} (use a regularisation length of at least {:.3g}; the "

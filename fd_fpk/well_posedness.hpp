@@ -19,6 +19,9 @@ struct Growth {
 /// -D2 q^2 + D4 q^4, and D4 > 0.
 Growth largest_growth(const Line& line, const Excitation& excitation, int order);
 
+/// Whether that rate is more than rounding.
+bool grows(const Growth& growth, const problem::ImpulseTrain& impulses);
+
 /// Shortest length l for which -D2 q^2 + D4 (2 sin(q l / 2) / l)^4 <= 0 for all q:
 /// l^2 = 4 max_t(sin^4 t / t^2) D4/D2 with D2 = lambda E[Y^2]/2, D4 = lambda E[Y^4]/24.
 double shortest_regularisation_length(const problem::ImpulseLaw& law);

@@ -91,6 +91,10 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"fd", "case1", "--start-y", "0.5"}, "without --until"},
       {{"mcs", "case1", "--streams", "1"}, "streams"},
       {{"report"}, "one directory"},
+      {{"study"}, "study of what"},
+      {{"study", "colour", "case1"}, "'colour' is no subject of a study (use regularisation"},
+      {{"study", "regularisation"}, "no case"},
+      {{"study", "regularisation", "case1", "case2"}, "one case"},
   };
   for (auto [arguments, expected] : bad) {
     if (arguments.size() > 1) arguments.insert(arguments.end(), {"--out", out});
@@ -196,6 +200,23 @@ TEST_F(Program, TheFullRunIsDoneThoughSomeClosuresFindNoDensity) {
   EXPECT_EQ(solutions.at(3).at("status"), "not_converged");
 }
 
+TEST_F(Program, AStudyIsTabulatedAndSaved) {
+  const std::string out = path("out");
+  // Rare, strong impulses make the grids small.
+  const std::vector<std::string> arguments{
+      "study", "regularisation",         "case1", "--set", "impulse.rate=0.2",
+      "--set", "system.restitution=0.9", "--out", out};
+  const auto study = program(arguments);
+  EXPECT_EQ(study.exit_code, kDone) << study.err;
+  EXPECT_NE(study.out.find("The literal scheme, l = h, grows at"), std::string::npos) << study.out;
+  EXPECT_EQ(study.err, "");
+  std::ifstream file(fs::path(out) / "study-regularisation.json");
+  const auto saved = nlohmann::json::parse(file);
+  EXPECT_EQ(saved.at("rows").size(), 20u);
+  EXPECT_EQ(saved.at("impulse").at("rate"), 0.2);
+  EXPECT_TRUE(fs::exists(fs::path(out) / "study-regularisation.csv"));
+}
+
 TEST_F(Program, SettingsReachTheSolver) {
   const auto [exit_code, out, err] =
       program({"fd", "case1", "--set", "system.restitution=1", "--equation", "white", "--stepper",
@@ -257,6 +278,7 @@ TEST_F(Program, HelpAndVersionAreAnswersNotErrors) {
                                                     {"fd", "-h"},
                                                     {"mcs", "--help"},
                                                     {"report", "--help"},
+                                                    {"study", "--help"},
                                                     {"--version"}}) {
     const auto [exit_code, out, err] = program(arguments);
     EXPECT_EQ(exit_code, kDone);

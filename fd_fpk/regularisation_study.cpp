@@ -1,0 +1,173 @@
+#include "fd_fpk/regularisation_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fd_fpk/discretisation.hpp"
+#include "fd_fpk/null_vector.hpp"
+#include "fd_fpk/observables.hpp"
+#include "fd_fpk/rightmost_eigenvalue.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Of the whole matrix, which dense jumps fill: beyond it KLU takes minutes.
+constexpr int kMostCellsFactored = 5000;
+// A matrix grows when its rightmost eigenvalue is this far right of zero, in units of sqrt(k_eq).
+constexpr double kZero = 1e-7;
+
+struct Scheme {
+  const char* name;
+  Equation equation;
+  std::function<double(double step)> length;
+};
+
+std::vector<Scheme> schemes(double default_length, double shortest_length) {
+  return {{"literal", Equation::km4, [](double step) { return step; }},
+          {"0.9 l*", Equation::km4, [=](double) { return 0.9 * shortest_length; }},
+          {"1.1 l*", Equation::km4, [=](double) { return 1.1 * shortest_length; }},
+          {"regularised", Equation::km4, [=](double) { return default_length; }},
+          {"pade", Equation::km4_pade, [](double) { return 0.0; }}};
+}
+
+double frequency(const problem::Problem& problem) {
+  return std::sqrt(problem::equivalent_linearisation(problem).stiffness);
+}
+
+// The box of the solver, its velocities a whole number of steps.
+Options options_on(const problem::Problem& problem, double step, int nx) {
+  Options options;
+  const Box box = initial_box(problem, options);
+  const int half = std::max(8, static_cast<int>(std::ceil(box.x2_max / step - 1e-9)));
+  options.origin_refinement = 1;  // uniform: h is the width of every cell
+  options.nx = nx;
+  options.nv = 2 * half;
+  options.x1_max = box.x1_max;
+  options.x2_max = half * step;
+  return options;
+}
+
+Box box_of(const Options& options) { return {*options.x1_max, *options.x2_max}; }
+
+void append(std::string& remark, const std::string& more) {
+  remark += (remark.empty() ? "" : "; ") + more;
+}
+
+struct Marginals {
+  Eigen::VectorXd y;
+  Eigen::VectorXd ydot;
+};
+
+Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
+  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  return {p.transpose() * grid.x2.widths(), p * grid.x1.widths()};
+}
+
+NullVector by_gmres(const problem::Problem& problem, const Options& options,
+                    const Discretisation& on, const FokkerPlanckOperator& op) {
+  Preconditioner preconditioner(problem, on.excitation, options.impact, on.grid);
+  return null_vector(op, preconditioner, gaussian_start(on.grid, problem));
+}
+
+// The density of the jump equation on a grid, or why there is none.
+NullVector reference(const problem::Problem& problem, Options options) {
+  options.equation = Equation::kf;
+  const Discretisation on = discretise(problem, options, box_of(options));
+  if (!on.refusal.empty()) return {std::nullopt, 0, on.refusal};
+  const auto op =
+      fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid, options.order);
+  return by_gmres(problem, options, on, op);
+}
+
+void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperator& op,
+                      bool symbol_grows, RegularisationRow& row) {
+  if (op.areas.size() > kMostCellsFactored) {
+    append(row.remark,
+           fmt::format("no eigenvalue sought on more than {} cells", kMostCellsFactored));
+    return;
+  }
+  auto [values, vector, residual, factorisations, solves, failure] = rightmost_eigenvalues(
+      op, symbol_grows ? row.symbol->rate : 0, frequency(problem), symbol_grows ? 1 : 2);
+  if (values.empty()) return append(row.remark, failure);
+  row.rightmost = values[0];
+  if (values.size() > 1) row.next = values[1];
+}
+
+void find_density(const problem::Problem& problem, const Options& options, const Discretisation& on,
+                  const FokkerPlanckOperator& op, bool symbol_grows, const NullVector& kf,
+                  RegularisationRow& row) {
+  // GMRES leans on an approximation that does not grow.
+  const NullVector found =
+      symbol_grows ? factored_null_vector(op, gaussian_start(on.grid, problem), frequency(problem))
+                   : by_gmres(problem, options, on, op);
+  if (!found.averages) return append(row.remark, "no null vector: " + found.failure);
+  row.min_density = found.averages->minCoeff() / found.averages->cwiseAbs().maxCoeff();
+  if (!kf.averages) return append(row.remark, "no kf to compare with: " + kf.failure);
+  const Marginals mine = marginals(on.grid, *found.averages);
+  const Marginals of_kf = marginals(on.grid, *kf.averages);
+  row.l1_y = on.grid.x1.widths().dot((mine.y - of_kf.y).cwiseAbs());
+  row.l1_ydot = on.grid.x2.widths().dot((mine.ydot - of_kf.ydot).cwiseAbs());
+}
+
+RegularisationRow study_row(const problem::Problem& problem, const Scheme& scheme, double step,
+                            Options options, const NullVector& kf) {
+  RegularisationRow row{.scheme = scheme.name, .step = step, .length = scheme.length(step)};
+  options.equation = scheme.equation;
+  if (options.equation == Equation::km4) options.regularisation_length = row.length;
+  row.nx = *options.nx;
+  row.nv = *options.nv;
+  const Discretisation on = discretise(problem, options, box_of(options));
+  row.remark = on.refusal;
+  if (!on.refusal.empty()) return row;
+  const auto [line, excitation] = unbounded_excitation(problem, options, step);
+  row.symbol = largest_growth(line, excitation, options.order + options.order % 2);
+  const bool symbol_grows = grows(*row.symbol, problem.impulses);
+  const auto op =
+      fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid, options.order);
+  find_eigenvalues(problem, op, symbol_grows, row);
+  find_density(problem, options, on, op, symbol_grows, kf, row);
+  return row;
+}
+
+}  // namespace
+
+std::optional<double> RegularisationRow::growth(const problem::Problem& problem) const {
+  if (rightmost) {
+    return rightmost->real() > kZero * frequency(problem) ? std::optional(rightmost->real())
+                                                          : std::nullopt;
+  }
+  return symbol && grows(*symbol, problem.impulses) ? std::optional(symbol->rate) : std::nullopt;
+}
+
+RegularisationStudy study_regularisation(const problem::Problem& problem,
+                                         const RegularisationStudyOptions& options,
+                                         const std::function<void(int, int)>& progress) {
+  const auto& law = problem.impulses.law();
+  RegularisationStudy study{.default_length = default_regularisation_length(law),
+                            .shortest_length = shortest_regularisation_length(law),
+                            .rows = {}};
+  const auto all = schemes(study.default_length, study.shortest_length);
+  const int rows = static_cast<int>(all.size() * options.divisions.size());
+  std::vector<RegularisationRow> by_step;
+  for (const int division : options.divisions) {
+    const double step = study.default_length / division;
+    const Options on_step = options_on(problem, step, options.nx);
+    if (progress) progress(static_cast<int>(by_step.size()), rows);
+    const NullVector kf = reference(problem, on_step);
+    for (const Scheme& scheme : all) {
+      if (progress) progress(static_cast<int>(by_step.size()), rows);
+      by_step.push_back(study_row(problem, scheme, step, on_step, kf));
+    }
+  }
+  for (std::size_t scheme = 0; scheme < all.size(); ++scheme) {
+    for (std::size_t k = scheme; k < by_step.size(); k += all.size()) {
+      study.rows.push_back(by_step[k]);
+    }
+  }
+  return study;
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,93 @@
+#include "fd_fpk/regularisation_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fd_fpk/discretisation.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+const RegularisationRow& row_of(const RegularisationStudy& study, const std::string& scheme,
+                                double division) {
+  for (const auto& row : study.rows) {
+    if (row.scheme == scheme && std::abs(row.step * division / study.default_length - 1) < 1e-9) {
+      return row;
+    }
+  }
+  throw std::out_of_range(scheme);
+}
+
+TEST(RegularisationStudy, LiteralSchemeGrowsOnFineStepsAndItsNullVectorIsNoDensity) {
+  const auto p = tests::make_problem();
+  int calls = 0;
+  const auto study = study_regularisation(p, {.divisions = {1, 2, 4}}, [&](int row, int rows) {
+    EXPECT_LT(row, rows);
+    ++calls;
+  });
+  EXPECT_GE(calls, 15);
+  ASSERT_EQ(study.rows.size(), 15u);
+  EXPECT_NEAR(study.default_length, std::sqrt(0.1), 1e-12);
+
+  // 16 D4/h^4 - 6.04 D2/h^2 < 0 at h = l: there the literal scheme is the regularised one.
+  EXPECT_FALSE(row_of(study, "literal", 1).growth(p));
+  EXPECT_EQ(row_of(study, "literal", 1).l1_y, row_of(study, "regularised", 1).l1_y);
+  EXPECT_NEAR(*row_of(study, "literal", 2).growth(p), 16.5, 1.5);
+  const auto& literal = row_of(study, "literal", 4);
+  EXPECT_NEAR(literal.symbol->rate, 464, 1);
+  EXPECT_NEAR(*literal.growth(p) / literal.symbol->rate, 0.985, 0.01);
+  EXPECT_GT(*literal.l1_ydot, 0.5);
+  EXPECT_LT(*literal.min_density, -0.1);
+
+  for (const double division : {1, 2, 4}) {
+    const auto& row = row_of(study, "regularised", division);
+    EXPECT_FALSE(row.growth(p));
+    EXPECT_LT(std::abs(*row.rightmost), 1e-10);
+    EXPECT_NEAR(row.next->real(), -0.1186, 1e-3);
+    EXPECT_LT(*row.l1_y, 5e-4);
+    EXPECT_LT(*row.l1_ydot, 6e-4);
+    EXPECT_GT(*row.min_density, -1e-5);
+    EXPECT_EQ(row.remark, "");
+    EXPECT_FALSE(row_of(study, "pade", division).growth(p));
+  }
+  // On both sides of the threshold, on a step that resolves it.
+  EXPECT_GT(row_of(study, "0.9 l*", 4).symbol->rate, 1);
+  EXPECT_NEAR(row_of(study, "0.9 l*", 4).growth(p).value_or(0), 1.5, 0.3);
+  EXPECT_FALSE(row_of(study, "1.1 l*", 4).growth(p));
+}
+
+TEST(RegularisationStudy, SaysWhatDoesNotExistForALaw) {
+  // A small spread about a large mean: so skew about zero that the Pade approximant has a pole.
+  const auto skew = tests::make_problem({.mean = 0.29, .law = "two_point"});
+  const auto study = study_regularisation(skew, {.divisions = {1}});
+  const auto& pade = row_of(study, "pade", 1);
+  EXPECT_NE(pade.remark.find("does not exist"), std::string::npos) << pade.remark;
+  EXPECT_FALSE(pade.symbol || pade.rightmost || pade.l1_y);
+  EXPECT_TRUE(row_of(study, "regularised", 1).l1_y);
+}
+
+TEST(RegularisationStudy, GoesWithoutEigenvaluesWhereTheMatrixIsLarge) {
+  const auto frequent = tests::make_problem({.rate = 40});
+  const auto study = study_regularisation(frequent, {.divisions = {2}, .nx = 16});
+  for (const auto& row : study.rows) {
+    EXPECT_FALSE(row.rightmost);
+    EXPECT_NE(row.remark.find("no eigenvalue"), std::string::npos);
+    EXPECT_TRUE(row.symbol);
+  }
+  EXPECT_TRUE(row_of(study, "literal", 2).growth(frequent));
+}
+
+TEST(RegularisationStudy, PadeApproximantDecaysOnFineSteps) {
+  // Its kernel reaches far beyond a stencil: a line that cuts it off shows growth that is not
+  // there.
+  const auto p = tests::make_problem();
+  Options pade;
+  pade.equation = Equation::km4_pade;
+  for (const double step : {0.1, 0.04, 0.02}) {
+    const auto [line, excitation] = unbounded_excitation(p, pade, step);
+    EXPECT_FALSE(grows(largest_growth(line, excitation, 6), p.impulses)) << step;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
