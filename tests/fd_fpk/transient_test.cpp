@@ -61,7 +61,8 @@ TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
 // of the imaginary axis. Longer stencils have some, which is why they are refused.
 TEST(Transient, OrdersThatAreAllowedHaveNoGrowingModes) {
   const auto largest_real_part = [](const problem::Problem& problem, Equation equation, int order) {
-    const Options options{.equation = equation, .order = order, .nx = 16, .nv = 28};
+    const Options options{
+        .equation = equation, .order = order, .origin_refinement = 1, .nx = 16, .nv = 28};
     const auto on = discretise(problem, options, initial_box(problem, options));
     const auto op = fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid,
                                            options.order);
