@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <vector>
 
 #include "fd_fpk/line.hpp"
 
@@ -10,7 +12,9 @@ namespace fpkcheck::fd_fpk {
 /// averages give it exactly. Whatever is done with C, differences of it over the cells keep mass.
 class CumulativeInterpolation {
  public:
-  /// @param points faces a stencil: exact for p of degree points - 2
+  static constexpr int kMostPoints = 10;
+
+  /// @param points faces a stencil, up to kMostPoints: exact for p of degree points - 2
   /// @param beyond_left boundary: stencils stay on the line; vacuum: C = 0 before it. After the
   ///        line C is constant.
   CumulativeInterpolation(const Line& line, int points, Beyond beyond_left);
@@ -23,9 +27,17 @@ class CumulativeInterpolation {
   Eigen::VectorXd on_averages(const Eigen::Ref<const Eigen::VectorXd>& face_weights) const;
 
  private:
+  // The faces around a cell and 1 / prod_{b != a} (x_a - x_b), the Lagrange polynomials'
+  // denominators: they are the same for every x in the cell.
+  struct Stencil {
+    int first;
+    std::array<double, kMostPoints> faces;
+    std::array<double, kMostPoints> inverse_denominators;
+  };
+
   const Line& line_;
   int points_;
-  Beyond beyond_left_;
+  std::vector<Stencil> stencils_;  // shape (cells)
 };
 
 }  // namespace fpkcheck::fd_fpk
