@@ -10,7 +10,19 @@ namespace {
 
 // A acts on x1, B on x2; the index of a cell is i nv + j.
 SparseColumns tensor(const LineOperator& a, const LineOperator& b) {
-  return SparseColumns(LineOperator(Eigen::kroneckerProduct(a, b)));
+  const SparseColumns a_columns(a), b_columns(b);
+  SparseColumns product(a.rows() * b.rows(), a.cols() * b.cols());
+  product.reserve(a.nonZeros() * b.nonZeros());
+  for (Eigen::Index column = 0; column < product.cols(); ++column) {
+    product.startVec(column);
+    for (SparseColumns::InnerIterator x1(a_columns, column / b.cols()); x1; ++x1) {
+      for (SparseColumns::InnerIterator x2(b_columns, column % b.cols()); x2; ++x2) {
+        product.insertBack(x1.row() * b.rows() + x2.row(), column) = x1.value() * x2.value();
+      }
+    }
+  }
+  product.finalize();
+  return product;
 }
 
 LineOperator identity(int n) {
