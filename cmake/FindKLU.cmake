@@ -1,13 +1,14 @@
 # SuiteSparse before version 6 ships no CMake package; this makes the imported target SuiteSparse::KLU.
+# CHOLMOD comes with it, for its nested dissection.
 find_path(KLU_INCLUDE_DIR klu.h PATH_SUFFIXES suitesparse)
 set(klu_libraries "")
-foreach(component IN ITEMS klu amd colamd btf suitesparseconfig)
+foreach(component IN ITEMS klu cholmod amd colamd btf suitesparseconfig)
   find_library(KLU_${component}_LIBRARY ${component})
   list(APPEND klu_libraries "${KLU_${component}_LIBRARY}")
 endforeach()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(
-  KLU REQUIRED_VARS KLU_klu_LIBRARY KLU_amd_LIBRARY KLU_colamd_LIBRARY KLU_btf_LIBRARY
+  KLU REQUIRED_VARS KLU_klu_LIBRARY KLU_cholmod_LIBRARY KLU_amd_LIBRARY KLU_colamd_LIBRARY KLU_btf_LIBRARY
                     KLU_suitesparseconfig_LIBRARY KLU_INCLUDE_DIR)
 if(KLU_FOUND AND NOT TARGET SuiteSparse::KLU)
   add_library(SuiteSparse::KLU INTERFACE IMPORTED)

@@ -8,8 +8,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Sparse LU factorisations by KLU with AMD ordering. The ordering is found once: all matrices that
-/// one object factors must have the same pattern.
+/// Sparse LU factorisations by KLU, ordered by nested dissection (CHOLMOD with METIS). The ordering
+/// is found once, and so are the pivots: all matrices that one object factors must have the same
+/// pattern. A matrix for which the pivots of the one before are no good gets its own.
 class KluFactorisation {
  public:
   KluFactorisation();
@@ -29,6 +30,7 @@ class KluFactorisation {
 
  private:
   struct Handles;
+  bool refactor(const SparseColumns& matrix);
   std::unique_ptr<Handles> handles_;
 };
 
