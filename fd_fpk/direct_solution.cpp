@@ -20,7 +20,7 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
   FokkerPlanckOperator op =
       fokker_planck_operator(problem.system, excitation, options.impact, grid, options.order);
   Preconditioner preconditioner(problem, excitation, options.impact, grid);
-  auto [averages, iterations, failure] =
+  auto [averages, iterations, failure, krylov_seconds] =
       null_vector(op, preconditioner, gaussian_start(grid, problem));
   return {.discretisation = std::move(discretisation),
           .refinement = options.refinement,
@@ -29,7 +29,8 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
           .preconditioner = std::move(preconditioner),
           .averages = std::move(averages),
           .krylov_iterations = iterations,
-          .failure = std::move(failure)};
+          .failure = std::move(failure),
+          .krylov_seconds = krylov_seconds};
 }
 
 // Solves in `box` and moves the walls of it that the options leave free until they are empty.

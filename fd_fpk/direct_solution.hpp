@@ -22,6 +22,7 @@ struct DirectSolution {
   std::optional<Eigen::VectorXd> averages = {};  ///< mass 1
   long krylov_iterations = 0;                    ///< of GMRES, on the final grid
   std::string failure = {};                      ///< why there are no averages, and what to do
+  double krylov_seconds = 0;                     ///< of GMRES, on the final grid
 };
 
 /// initial_box with those walls that the options leave free moved out on coarse grids until the

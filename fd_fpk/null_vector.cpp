@@ -4,6 +4,7 @@
 
 #include "fd_fpk/gmres.hpp"
 #include "fd_fpk/klu.hpp"
+#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -13,12 +14,14 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
   if (!preconditioner.factor_stationary()) return {std::nullopt, 0, preconditioner.failure()};
   const auto times = [&](const Eigen::VectorXd& p) { return op * p; };
   const auto nearby = [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); };
+  const Stopwatch stopwatch;
   auto [correction, iterations, failure] =
       gmres(times, nearby, -(op * start), op.areas, kTolerance);
-  if (!correction) return {std::nullopt, iterations, failure + " (take another grid)"};
+  const double seconds = stopwatch.seconds();
+  if (!correction) return {std::nullopt, iterations, failure + " (take another grid)", seconds};
   Eigen::VectorXd averages = start + *correction;
   averages /= op.mass(averages);
-  return {std::move(averages), iterations};
+  return {std::move(averages), iterations, "", seconds};
 }
 
 NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::VectorXd& start,

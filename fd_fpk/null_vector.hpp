@@ -13,6 +13,7 @@ struct NullVector {
   std::optional<Eigen::VectorXd> averages;
   long iterations = 0;       ///< of GMRES
   std::string failure = {};  ///< why there are no averages
+  double krylov_seconds = 0;
 };
 
 /// The stationary density without stepping: the null vector of L of mass 1. The correction d of a

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fd_fpk/stopwatch.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -45,10 +46,18 @@ Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation
 }
 
 bool Preconditioner::factor(double gamma) {
+  const Stopwatch stopwatch;
   factored_ = identity(approximation_.rows()) - gamma * approximation_;
-  return klu_.factor(factored_);
+  const bool succeeded = klu_.factor(factored_);
+  factor_seconds_ += stopwatch.seconds();
+  return succeeded;
 }
 
-bool Preconditioner::factor_stationary() { return klu_.factor(approximation_); }
+bool Preconditioner::factor_stationary() {
+  const Stopwatch stopwatch;
+  const bool succeeded = klu_.factor(approximation_);
+  factor_seconds_ += stopwatch.seconds();
+  return succeeded;
+}
 
 }  // namespace fpkcheck::fd_fpk

@@ -22,6 +22,11 @@ class Preconditioner {
   bool factor_stationary();
   std::string failure() const { return klu_.failure(); }
 
+  /// Time spent in factorisations so far, in seconds.
+  double factor_seconds() const { return factor_seconds_; }
+  /// Entries of the factors.
+  long entries() const { return klu_.entries(); }
+
   /// Replaces b by the solution.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const { klu_.solve_in_place(b); }
 
@@ -29,6 +34,7 @@ class Preconditioner {
   SparseColumns approximation_;  // M, with its diagonal stored
   SparseColumns factored_;
   KluFactorisation klu_;
+  double factor_seconds_ = 0;
 };
 
 }  // namespace fpkcheck::fd_fpk

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fd_fpk/linear_cvode.hpp"
+#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -19,6 +20,8 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   constexpr double kLinearTolerance = 1e-11;
   constexpr double kStepGrowth = 100;
 
+  const Stopwatch stopwatch;
+  const double factored_before = preconditioner.factor_seconds();
   LinearCvode cvode(op, preconditioner, start,
                     {.max_order = 1,
                      .relative_tolerance = kRelativeTolerance,
@@ -46,6 +49,8 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   march.factorisations = cvode.factorisations();
   march.rhs_evaluations = cvode.rhs_evaluations();
   march.krylov_iterations = cvode.krylov_iterations();
+  march.factor_seconds = preconditioner.factor_seconds() - factored_before;
+  march.krylov_seconds = stopwatch.seconds() - march.factor_seconds;
   march.averages = cvode.averages();
   return march;
 }

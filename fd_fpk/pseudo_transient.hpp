@@ -17,6 +17,8 @@ struct March {
   long factorisations = 0;     ///< KLU factorisations
   long rhs_evaluations = 0;    ///< products L P asked for by CVODE
   long krylov_iterations = 0;  ///< of GMRES, in all
+  double factor_seconds = 0;   ///< in KLU factorisations
+  double krylov_seconds = 0;   ///< in all else: GMRES, but for a small rest
 };
 
 /// Times that belong to the problem.

@@ -47,6 +47,8 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
   if (options.stepper == Stepper::direct) {
     summary.factorisations = 1;
     summary.krylov_iterations = direct.krylov_iterations;
+    summary.factor_seconds = direct.preconditioner->factor_seconds();
+    summary.krylov_seconds = direct.krylov_seconds;
     summary.residual = direct.op.residual(*direct.averages) / frequency;
     averages = direct.averages;
   } else {
@@ -59,6 +61,8 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     summary.factorisations = march.factorisations;
     summary.rhs_evaluations = march.rhs_evaluations;
     summary.krylov_iterations = march.krylov_iterations;
+    summary.factor_seconds = march.factor_seconds;
+    summary.krylov_seconds = march.krylov_seconds;
     summary.residual = march.residual / frequency;
     summary.stepped_against_direct =
         (march.averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
@@ -157,6 +161,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Options& options
   if (direct.averages) {
     summary.nonzeros = direct.op.local.nonZeros();
     summary.leak = direct.op.leak();
+    summary.factor_entries = direct.preconditioner->entries();
   }
   const auto density = stationary_density(direct, problem, options, result);
   if (density) {

@@ -31,6 +31,9 @@ struct Summary {
   long factorisations = 0;  ///< KLU factorisations on the final grid
   long rhs_evaluations = 0;
   long krylov_iterations = 0;  ///< of GMRES, in all
+  long factor_entries = 0;     ///< of both factors of the preconditioner
+  double factor_seconds = 0;   ///< in KLU factorisations on the final grid
+  double krylov_seconds = 0;   ///< in GMRES on the final grid
   double residual = 0;         ///< ||L P||_1 / ||P||_1 in units of sqrt(k_eq)
   double stepped_against_direct =
       0;  ///< max |difference| / max density; 0 for the direct solve alone
