@@ -1,0 +1,248 @@
+#include <benchmark/benchmark.h>
+#include <cholmod.h>
+#include <klu.h>
+#include <umfpack.h>
+
+#include <string>
+#include <vector>
+
+#include "fd_fpk/klu.hpp"
+#include "fd_fpk/null_vector.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "setting.hpp"
+
+/// Orders of unknowns and sparse LU codes on the preconditioner's matrix.
+namespace fpkcheck::benchmarks {
+namespace {
+
+using namespace fd_fpk;
+using Integer = SuiteSparse_long;
+
+/// I - M/10 for the preconditioner M without its jumps, at order kLowOrder.
+SparseColumns low_order_matrix(const Setting& setting) {
+  const auto& impulses = setting.problem.impulses;
+  const Excitation weak{.drift = 0, .diffusion = impulses.rate_moment(2) / 8, .exchange = {}};
+  SparseColumns unit(setting.grid().size(), setting.grid().size());
+  unit.setIdentity();
+  return unit - 0.1 * fokker_planck_operator(setting.problem.system, weak, setting.options.impact,
+                                             setting.grid(), Preconditioner::kLowOrder,
+                                             Weighting::lumped)
+                          .local;
+}
+
+struct Arrays {
+  Integer n;
+  Integer* columns;
+  Integer* rows;
+  double* values;
+  explicit Arrays(SparseColumns& a)
+      : n(a.cols()),
+        columns(reinterpret_cast<Integer*>(a.outerIndexPtr())),
+        rows(reinterpret_cast<Integer*>(a.innerIndexPtr())),
+        values(a.valuePtr()) {}
+};
+
+enum class Order { amd, colamd, metis, nested_dissection };
+
+std::vector<Integer> dissection(SparseColumns& matrix, Order order) {
+  SparseColumns symmetric = SparseColumns(matrix.transpose()) + matrix;
+  const Arrays arrays(symmetric);
+  cholmod_common common;
+  cholmod_l_start(&common);
+  cholmod_sparse graph{};
+  graph.nrow = graph.ncol = arrays.n;
+  graph.nzmax = symmetric.nonZeros();
+  graph.p = arrays.columns;
+  graph.i = arrays.rows;
+  graph.stype = 1;
+  graph.itype = CHOLMOD_LONG;
+  graph.xtype = CHOLMOD_PATTERN;
+  graph.sorted = graph.packed = 1;
+  std::vector<Integer> found(arrays.n), parents(arrays.n), members(arrays.n);
+  if (order == Order::metis) {
+    cholmod_l_metis(&graph, nullptr, 0, 1, found.data(), &common);
+  } else {
+    cholmod_l_nested_dissection(&graph, nullptr, 0, found.data(), parents.data(), members.data(),
+                                &common);
+  }
+  cholmod_l_finish(&common);
+  return found;
+}
+
+class Klu {
+ public:
+  Klu(SparseColumns& matrix, Order order) : a_(matrix) {
+    klu_l_defaults(&common_);
+    if (order == Order::amd || order == Order::colamd) {
+      common_.ordering = order == Order::amd ? 0 : 1;
+      symbolic_ = klu_l_analyze(a_.n, a_.columns, a_.rows, &common_);
+    } else {
+      common_.btf = 0;
+      auto found = dissection(matrix, order);
+      symbolic_ =
+          klu_l_analyze_given(a_.n, a_.columns, a_.rows, found.data(), found.data(), &common_);
+    }
+  }
+  ~Klu() {
+    klu_l_free_numeric(&numeric_, &common_);
+    klu_l_free_symbolic(&symbolic_, &common_);
+  }
+  Klu(const Klu&) = delete;
+  Klu& operator=(const Klu&) = delete;
+  void factor() {
+    klu_l_free_numeric(&numeric_, &common_);
+    numeric_ = klu_l_factor(a_.columns, a_.rows, a_.values, symbolic_, &common_);
+  }
+  void refactor() { klu_l_refactor(a_.columns, a_.rows, a_.values, symbolic_, numeric_, &common_); }
+  void solve(Eigen::VectorXd& b) { klu_l_solve(symbolic_, numeric_, a_.n, 1, b.data(), &common_); }
+  double entries() const { return static_cast<double>(numeric_->lnz + numeric_->unz); }
+
+ private:
+  Arrays a_;
+  klu_l_common common_{};
+  klu_l_symbolic* symbolic_ = nullptr;
+  klu_l_numeric* numeric_ = nullptr;
+};
+
+class Umfpack {
+ public:
+  Umfpack(SparseColumns& matrix, Order order) : a_(matrix) {
+    umfpack_dl_defaults(control_);
+    control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
+    control_[UMFPACK_ORDERING] =
+        order == Order::amd ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
+    control_[UMFPACK_IRSTEP] = 0;
+    umfpack_dl_symbolic(a_.n, a_.n, a_.columns, a_.rows, a_.values, &symbolic_, control_, info_);
+  }
+  ~Umfpack() {
+    umfpack_dl_free_numeric(&numeric_);
+    umfpack_dl_free_symbolic(&symbolic_);
+  }
+  Umfpack(const Umfpack&) = delete;
+  Umfpack& operator=(const Umfpack&) = delete;
+  void factor() {
+    if (numeric_ != nullptr) umfpack_dl_free_numeric(&numeric_);
+    umfpack_dl_numeric(a_.columns, a_.rows, a_.values, symbolic_, &numeric_, control_, info_);
+    entries_ = info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ];
+  }
+  void solve(Eigen::VectorXd& b) {
+    Eigen::VectorXd x(b.size());
+    umfpack_dl_solve(UMFPACK_A, a_.columns, a_.rows, a_.values, x.data(), b.data(), numeric_,
+                     control_, info_);
+    b = x;
+  }
+  double entries() const { return entries_; }
+
+ private:
+  Arrays a_;
+  double control_[UMFPACK_CONTROL], info_[UMFPACK_INFO], entries_ = 0;
+  void* symbolic_ = nullptr;
+  void* numeric_ = nullptr;
+};
+
+template <class Code>
+void analyse(benchmark::State& state, Order order) {
+  const Setting setting(state.range(0));
+  SparseColumns matrix = low_order_matrix(setting);
+  for (auto _ : state) Code code(matrix, order);
+}
+
+template <class Code>
+void factor(benchmark::State& state, Order order) {
+  const Setting setting(state.range(0));
+  SparseColumns matrix = low_order_matrix(setting);
+  Code code(matrix, order);
+  for (auto _ : state) code.factor();
+  state.counters["factor_entries"] = code.entries();
+}
+
+template <class Code>
+void solve(benchmark::State& state, Order order) {
+  const Setting setting(state.range(0));
+  SparseColumns matrix = low_order_matrix(setting);
+  Code code(matrix, order);
+  code.factor();
+  Eigen::VectorXd b = Eigen::VectorXd::Ones(matrix.cols());
+  for (auto _ : state) {
+    b.setOnes();
+    code.solve(b);
+  }
+}
+
+void refactor(benchmark::State& state, Order order) {
+  const Setting setting(state.range(0));
+  SparseColumns matrix = low_order_matrix(setting);
+  Klu klu(matrix, order);
+  klu.factor();
+  for (auto _ : state) klu.refactor();
+}
+
+void on_grids(const std::string& name, void (*measure)(benchmark::State&, Order), Order order) {
+  benchmark::RegisterBenchmark(name.c_str(), measure, order)
+      ->Arg(4000)
+      ->Arg(16000)
+      ->Arg(64000)
+      ->Unit(benchmark::kMillisecond);
+}
+
+template <class Code>
+void register_code(const std::string& name, Order order) {
+  on_grids("analyse/" + name, analyse<Code>, order);
+  on_grids("factor/" + name, factor<Code>, order);
+  on_grids("triangular_solve/" + name, solve<Code>, order);
+}
+
+const bool kRegistered = [] {
+  register_code<Klu>("klu_amd", Order::amd);
+  register_code<Klu>("klu_colamd", Order::colamd);
+  register_code<Klu>("klu_metis", Order::metis);
+  register_code<Klu>("klu_nested_dissection", Order::nested_dissection);
+  register_code<Umfpack>("umfpack_amd", Order::amd);
+  register_code<Umfpack>("umfpack_metis", Order::metis);
+  on_grids("refactor/klu_nested_dissection", refactor, Order::nested_dissection);
+  return true;
+}();
+
+// The null vector with one factorisation of the preconditioner and GMRES.
+void null_vector_by_gmres(benchmark::State& state) {
+  const Setting setting(state.range(0));
+  const FokkerPlanckOperator op = setting.op();
+  const Eigen::VectorXd start = gaussian_start(setting.grid(), setting.problem);
+  for (auto _ : state) {
+    Preconditioner preconditioner = setting.preconditioner();
+    const NullVector null = null_vector(op, preconditioner, start);
+    state.counters["iterations"] = static_cast<double>(null.iterations);
+    state.counters["factor_entries"] = static_cast<double>(preconditioner.entries());
+  }
+}
+BENCHMARK(null_vector_by_gmres)->Arg(1000)->Arg(2000)->Arg(4000)->Unit(benchmark::kMillisecond);
+
+// The same with the whole operator, jumps and all, in KLU: inverse iteration with a small shift.
+void null_vector_by_whole_factors(benchmark::State& state) {
+  const Setting setting(state.range(0));
+  const FokkerPlanckOperator op = setting.op();
+  const Eigen::VectorXd start = gaussian_start(setting.grid(), setting.problem);
+  SparseColumns unit(start.size(), start.size());
+  unit.setIdentity();
+  const double loss =
+      1e-8 * problem::slowest_decay(problem::equivalent_linearisation(setting.problem));
+  for (auto _ : state) {
+    KluFactorisation klu;
+    klu.factor(op.assembled() - loss * unit);
+    Eigen::VectorXd p = start;
+    for (int iteration = 0; iteration < 3; ++iteration) {
+      klu.solve_in_place(p);
+      p /= op.mass(p);
+    }
+    benchmark::DoNotOptimize(p);
+    state.counters["factor_entries"] = static_cast<double>(klu.entries());
+  }
+}
+BENCHMARK(null_vector_by_whole_factors)
+    ->Arg(1000)
+    ->Arg(2000)
+    ->Arg(4000)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace fpkcheck::benchmarks

@@ -1,0 +1,44 @@
+#include <benchmark/benchmark.h>
+
+#include "fd_fpk/jump_matrix.hpp"
+#include "setting.hpp"
+
+namespace fpkcheck::benchmarks {
+namespace {
+
+using namespace fd_fpk;
+
+void jump_matrix_of_a_line(benchmark::State& state) {
+  const auto problem = paper_case(1);
+  const int cells = static_cast<int>(state.range(0));
+  const Line line = Line::uniform(-5, 10.0 / cells, cells);
+  for (auto _ : state) benchmark::DoNotOptimize(jump_matrix(line, problem.impulses.law()));
+}
+BENCHMARK(jump_matrix_of_a_line)->Arg(88)->Arg(176)->Arg(352)->Unit(benchmark::kMillisecond);
+
+void operator_assembly(benchmark::State& state) {
+  const Setting setting(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(setting.op());
+}
+BENCHMARK(operator_assembly)->Arg(4000)->Arg(16000)->Arg(64000)->Unit(benchmark::kMillisecond);
+
+void preconditioner_assembly(benchmark::State& state) {
+  const Setting setting(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(setting.preconditioner());
+}
+BENCHMARK(preconditioner_assembly)
+    ->Arg(4000)
+    ->Arg(16000)
+    ->Arg(64000)
+    ->Unit(benchmark::kMillisecond);
+
+void operator_product(benchmark::State& state) {
+  const Setting setting(state.range(0));
+  const FokkerPlanckOperator op = setting.op();
+  const Eigen::VectorXd p = gaussian_start(setting.grid(), setting.problem);
+  for (auto _ : state) benchmark::DoNotOptimize((op * p).eval());
+}
+BENCHMARK(operator_product)->Arg(4000)->Arg(16000)->Arg(64000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace fpkcheck::benchmarks
