@@ -38,8 +38,11 @@ inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
+/// A vector whose inner products, a tenth of a solution's time, are Eigen's: they use the vector
+/// registers, where N_VDotProd_Serial adds one product at a time.
 inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, sundials::Context& context) {
   auto v = owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
+  v->ops->nvdotprod = [](N_Vector a, N_Vector b) { return view(a).dot(view(b)); };
   view(v.get()) = values;
   return v;
 }
