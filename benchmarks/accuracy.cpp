@@ -50,7 +50,7 @@ void white_noise_against_exact(benchmark::State& state) {
                               [&](double y) { return exact.displacement_marginal(y); });
   state.counters["l1_ydot"] = l1(marginal(result.solution, Variable::ydot, grid.v_edges),
                                  [&](double v) { return exact.velocity_marginal(v); });
-  state.counters["iterations"] = static_cast<double>(result.summary.krylov_iterations);
+  state.counters["krylov_iterations"] = static_cast<double>(result.summary.krylov_iterations);
   state.counters["factor_entries"] = static_cast<double>(result.summary.factor_entries);
 }
 BENCHMARK(white_noise_against_exact)

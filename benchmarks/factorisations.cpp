@@ -211,7 +211,7 @@ void null_vector_by_gmres(benchmark::State& state) {
   for (auto _ : state) {
     Preconditioner preconditioner = setting.preconditioner();
     const NullVector null = null_vector(op, preconditioner, start);
-    state.counters["iterations"] = static_cast<double>(null.iterations);
+    state.counters["krylov_iterations"] = static_cast<double>(null.iterations);
     state.counters["factor_entries"] = static_cast<double>(preconditioner.entries());
   }
 }

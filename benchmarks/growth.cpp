@@ -40,7 +40,7 @@ void growth(benchmark::State& state) {
   getrusage(RUSAGE_SELF, &usage);
   state.counters["unknowns"] = unknowns;
   state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
-  state.counters["iterations"] = static_cast<double>(summary.krylov_iterations);
+  state.counters["krylov_iterations"] = static_cast<double>(summary.krylov_iterations);
   state.counters["factor_entries"] = static_cast<double>(summary.factor_entries);
   state.counters["factor_s"] = summary.factor_seconds;
   state.counters["krylov_s"] = summary.krylov_seconds;

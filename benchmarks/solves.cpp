@@ -23,7 +23,7 @@ void solve_case(benchmark::State& state, Stepper stepper) {
   state.counters["unknowns"] = last.nx * last.nv;
   state.counters["steps"] = static_cast<double>(last.steps);
   state.counters["setups"] = static_cast<double>(last.factorisations);
-  state.counters["iterations"] = static_cast<double>(last.krylov_iterations);
+  state.counters["krylov_iterations"] = static_cast<double>(last.krylov_iterations);
   state.counters["factor_ms"] = 1e3 * last.factor_seconds;
   state.counters["krylov_ms"] = 1e3 * last.krylov_seconds;
   state.counters["factor_entries"] = static_cast<double>(last.factor_entries);
