@@ -23,7 +23,7 @@ using transform::Status;
 constexpr double kTooMuch = 1e-3;
 // First and longest CVODE step, in units of the oscillator's radian and of its slowest decay time.
 // Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the bound.
-constexpr double kFirstStep = 0.1;
+constexpr double kFirstStep = 10;
 constexpr double kLongestStep = 500;
 
 // A density that falls below this share of its peak, or misses the power balance by more, is not
