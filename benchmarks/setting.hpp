@@ -40,8 +40,7 @@ struct Setting {
                                           options.order);
   }
   fd_fpk::Preconditioner preconditioner() const {
-    return fd_fpk::Preconditioner(problem, excitation(), options.impact, grid(),
-                                  fd_fpk::Preconditioner::kLowOrder);
+    return {problem, excitation(), options.impact, grid()};
   }
 };
 
