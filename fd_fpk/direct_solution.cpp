@@ -19,7 +19,7 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
   const Excitation& excitation = discretisation.excitation;
   FokkerPlanckOperator op =
       fokker_planck_operator(problem.system, excitation, options.impact, grid, options.order);
-  Preconditioner preconditioner(problem, excitation, options.impact, grid);
+  Preconditioner preconditioner(problem, excitation, options.impact, grid, options.order);
   auto [averages, iterations, failure, krylov_seconds] =
       null_vector(op, preconditioner, gaussian_start(grid, problem));
   return {.discretisation = std::move(discretisation),
@@ -99,10 +99,12 @@ DirectSolution solve_directly(const problem::Problem& problem, const Options& op
         resolved(problem, options, direct)) {
       return direct;
     }
-    // What is not resolved is first of all the origin, where rare impulses and strong losses at the
-    // impact pile up a density like a negative power of the distance.
-    on_grid.refinement *= direct.origin_refinement < kAtOrigin ? 1 : kRefinement;
-    on_grid.origin_refinement = std::max(direct.origin_refinement, kAtOrigin);
+    // What is not resolved of a spike is the spike.
+    if (unbounded_at_origin(problem) && direct.origin_refinement < kAtOrigin) {
+      on_grid.origin_refinement = kAtOrigin;
+    } else {
+      on_grid.refinement *= kRefinement;
+    }
   }
 }
 

@@ -34,7 +34,7 @@ Box stationary_box(const problem::Problem& problem, const Options& options);
 /// - a wall with more than options.wall_density of the peak moves out by 15 % as long as the
 /// density on it
 ///   falls, first on coarse grids;
-/// - an automatic grid is refined, at the origin first, while the density falls below
+/// - an automatic grid is refined, at a spike at the origin first, while the density falls below
 /// -1e-5 of its peak
 ///   or misses the balance of power by more than 5e-4.
 DirectSolution solve_directly(const problem::Problem& problem, const Options& options);

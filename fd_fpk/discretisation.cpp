@@ -103,15 +103,17 @@ Box initial_box(const problem::Problem& problem, const Options& options) {
                                        std::abs(law.moment(1)) + kImpulseBox * law.deviation()))};
 }
 
+bool unbounded_at_origin(const problem::Problem& problem) {
+  const double decay = problem::slowest_decay(problem::equivalent_linearisation(problem));
+  return problem.impulses.arrival_rate() <= 2 * decay;
+}
+
 double origin_refinement(const problem::Problem& problem, const Options& options) {
   constexpr double kSmallJump = 0.1;
   constexpr double kAutomatic = 16;
   const double r = problem.system.restitution();
-  // Between impulses an amplitude a decays like exp(-kappa t), so that close to the origin the
-  // density goes like a^(lambda/kappa - 2). Where that is unbounded, high orders ring on the narrow
-  // cells, and wide ones hold the spike as the mass that it is.
-  const double decay = problem::slowest_decay(problem::equivalent_linearisation(problem));
-  const bool bounded = problem.impulses.arrival_rate() > 2 * decay;
+  // High orders ring on narrow cells at a spike; wide ones hold it as the mass that it is.
+  const bool bounded = !unbounded_at_origin(problem);
   const bool jumps = 1 / (r * r) - 1 > kSmallJump;
   return options.origin_refinement.value_or(bounded && jumps ? kAutomatic : 1);
 }

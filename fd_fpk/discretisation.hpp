@@ -27,6 +27,10 @@ struct Discretisation {
   std::string refusal = {};
 };
 
+/// Between impulses an amplitude a decays like exp(-kappa t), so that close to the origin the
+/// density goes like a^(lambda/kappa - 2): true where that is unbounded.
+bool unbounded_at_origin(const problem::Problem& problem);
+
 /// options.origin_refinement, or the automatic choice.
 double origin_refinement(const problem::Problem& problem, const Options& options);
 

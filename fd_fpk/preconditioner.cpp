@@ -37,10 +37,12 @@ SparseColumns identity(Eigen::Index n) {
 }  // namespace
 
 Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                               problem::Impact impact, const Grid& grid) {
+                               problem::Impact impact, const Grid& grid, int order) {
+  const bool centred = order % 2 == 0;
   const double loss = problem::slowest_decay(problem::equivalent_linearisation(problem));
   approximation_ = fokker_planck_operator(problem.system, without_exchange(excitation, grid.x2),
-                                          impact, grid, kOrder, Weighting::lumped)
+                                          impact, grid, centred ? order : kOrder,
+                                          centred ? Weighting::full : Weighting::lumped)
                        .local -
                    loss * identity(grid.size());
 }

@@ -10,11 +10,13 @@ namespace fpkcheck::fd_fpk {
 /// Solves systems with I - gamma L, or with L itself, approximately: KLU on a sparse operator of
 /// the same equation and of low order. The jumps, which would fill the factors, are left out and a
 /// weak diffusion put in their place; a small loss of mass keeps the matrix regular. GMRES corrects
-/// for all three. The number of its iterations does not grow with the grid.
+/// for all three. The number of its iterations hardly grows with the grid (docs/performance.md).
 class Preconditioner {
  public:
+  /// @param order of L. An even one is taken as it is, and not replaced by the third: centred
+  ///        differences lack the upwind dissipation, and GMRES would not get along with it.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                 problem::Impact impact, const Grid& grid);
+                 problem::Impact impact, const Grid& grid, int order = 3);
 
   /// Factors I - gamma M. False when it failed; see failure().
   bool factor(double gamma);

@@ -17,17 +17,26 @@ std::vector<StreamRecord> run_streams(const problem::Problem& problem, const Pla
   int done = 0;
   std::exception_ptr failure;
 
+  const auto stop = [&] {  // with the lock held
+    if (!failure) failure = std::current_exception();
+    next = plan.streams;  // nobody begins another stream
+  };
   const auto work = [&] {
     for (int s = next++; s < plan.streams; s = next++) {
       try {
         slots[s] = run_stream(problem, plan, static_cast<std::uint32_t>(s));
         const std::lock_guard lock(mutex);
         ++done;
-        if (progress && !failure) progress(static_cast<double>(done) / plan.streams);
+        if (!progress || failure) continue;
+        // Caught here, with the lock held: no other thread reports after a report has thrown.
+        try {
+          progress(static_cast<double>(done) / plan.streams);
+        } catch (...) {
+          stop();
+        }
       } catch (...) {
         const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = plan.streams;  // nobody begins another stream
+        stop();
       }
     }
   };
