@@ -128,10 +128,11 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
                     "estimate the discretisation error from two coarser grids")(
           "tolerance", optional_value(options.tolerance, "T"),
           "pick the grid whose error estimate, L1 of p(y) and p(y') and the second moments, is "
-          "below T")(
-          "wall-density",
-          po::value(&options.wall_density)->value_name("D")->default_value(options.wall_density),
-          "density on a wall, relative to the peak, beyond which the box is widened")(
+          "below T")("wall-density",
+                     po::value(&options.wall_density)
+                         ->value_name("D")
+                         ->default_value(options.wall_density, "1e-06"),
+                     "density on a wall, relative to the peak, beyond which the box is widened")(
           "residual",
           po::value(&options.residual_tolerance)
               ->value_name("R")

@@ -47,7 +47,7 @@ usage: fpkcheck COMMAND [CASE ...] [options]
 
 commands:
 )");
-  for (const auto& command : kCommands) fmt::print("  {:<8} {}\n", command.name, command.summary);
+  for (const auto& command : kCommands) fmt::print("  {:<9} {}\n", command.name, command.summary);
   fmt::print(R"(
 A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
 `fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.

@@ -120,10 +120,25 @@ void say_whether_the_references_agree(const Json& summary_case,
   sentences.push_back(sentence + '.');
 }
 
+void say_discretisation_errors(const Json& summary_case, std::vector<std::string>& sentences) {
+  for (const auto& solution : summary_case.at("solutions")) {
+    const auto error = solution.find("error");
+    if (error == solution.end() || !error->is_object()) continue;
+    const auto y = number(*error, "y_l1"), ydot = number(*error, "ydot_l1");
+    const auto y2 = number(error->at("moments"), "y2"), v2 = number(error->at("moments"), "v2");
+    if (!y || !ydot || !y2 || !v2) continue;
+    sentences.push_back(fmt::format(
+        "The discretisation error of {}, estimated from two coarser grids: L1 {}, {:.1g} in E[y^2] "
+        "and {:.1g} in E[y'^2].",
+        solution.at("id").get<std::string>(), text({*y, *ydot}), *y2, *v2));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> findings(const Json& summary_case) {
   std::vector<std::string> sentences;
+  say_discretisation_errors(summary_case, sentences);
   say_what_approximations_cost(summary_case, sentences);
   say_which_closure_is_closest(summary_case, sentences);
   say_whether_the_references_agree(summary_case, sentences);

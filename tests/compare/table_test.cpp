@@ -150,6 +150,18 @@ TEST(Findings, SayWhichApproximationCostsWhat) {
   EXPECT_TRUE(contains(findings(json["cases"][0])[2], "does not explain"));
 }
 
+TEST(Findings, SayWhatIsKnownOfADiscretisationError) {
+  Json json = made_up_summary();
+  for (auto& solution : json["cases"][0]["solutions"]) {
+    if (solution["id"] != "fd-kf") continue;
+    solution["error"] = {
+        {"y_l1", 2.8e-5}, {"ydot_l1", 2.5e-5}, {"moments", {{"y2", 1.3e-6}, {"v2", 2.4e-6}}}};
+  }
+  EXPECT_EQ(findings(json["cases"][0])[0],
+            "The discretisation error of fd-kf, estimated from two coarser grids: L1 2.8e-05 in "
+            "p(y) and 2.5e-05 in p(y'), 1e-06 in E[y^2] and 2e-06 in E[y'^2].");
+}
+
 TEST(Findings, NameTheClosestClosureOfEachFormulation) {
   Json json = made_up_summary();
   json["cases"][0]["solutions"][0]["formulation"] = "moment";
