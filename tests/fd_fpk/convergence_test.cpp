@@ -114,6 +114,32 @@ TEST_P(OrderOf, MarginalsAndJointDensityUnderJumpsAreThatOfTheScheme) {
   expect_order(coarse.v, middle.v, fine.v, 1.5, order - 0.6, order + 1.6);
 }
 
+TEST(ImpulseLaws, EachGivesTheExactMarginalsOfTheLinearOscillator) {
+  for (const auto* law : {"gaussian", "laplace", "uniform", "two_point"}) {
+    SCOPED_TRACE(law);
+    const auto p = tests::make_problem({.cubic = 0, .restitution = 1, .law = law});
+    const problem::exact::LinearDensity exact(p, 1e-11);
+    const auto solution = solve(p, {.stepper = Stepper::direct}).solution;
+    ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
+    const auto& grid = std::get<transform::GridDensity>(*solution.density);
+    const auto distance = [&](transform::Variable variable, const std::vector<double>& edges,
+                              const std::vector<double>& averages) {
+      const auto marginal = transform::marginal(solution, variable, edges);
+      double sum = 0;
+      for (std::size_t b = 0; b < averages.size(); ++b) {
+        sum += std::abs(marginal.density[b] - averages[b]) * marginal.width(b);
+      }
+      return sum;
+    };
+    EXPECT_LT(
+        distance(transform::Variable::y, grid.y_edges, exact.displacement_averages(grid.y_edges)),
+        1e-4);
+    EXPECT_LT(
+        distance(transform::Variable::ydot, grid.v_edges, exact.velocity_averages(grid.v_edges)),
+        1e-4);
+  }
+}
+
 // p = exp(-x^2) P(v), P = v^6 exp(-v^2) for v < 0 and (v/r)^6 exp(-(v/r)^2) / r^2 for v > 0: what
 // the impact returns, p(0, w) = p(0, -w/r) / r^2, is what is there. P has five derivatives at 0.
 struct Manufactured {
