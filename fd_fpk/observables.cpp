@@ -26,13 +26,16 @@ Eigen::VectorXd bell(const Line& line, double deviation) {
 
 }  // namespace
 
-transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order) {
+Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
   // Column i of the map holds the velocity cells at x1 cell i.
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  const Eigen::VectorXd y = p.transpose() * grid.x2.widths();
-  const Eigen::VectorXd v = p * grid.x1.widths();
-  const auto of_y = [&](int power) { return moment(grid.x1, y, order, power); };
-  const auto of_v = [&](int power) { return moment(grid.x2, v, order, power); };
+  return {p.transpose() * grid.x2.widths(), p * grid.x1.widths()};
+}
+
+transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order) {
+  const auto [y, v] = marginals(grid, averages);
+  const auto of_y = [&, &y = y](int power) { return moment(grid.x1, y, order, power); };
+  const auto of_v = [&, &v = v](int power) { return moment(grid.x2, v, order, power); };
   return {.y1 = of_y(1), .y2 = of_y(2), .y4 = of_y(4), .v1 = of_v(1), .v2 = of_v(2), .v4 = of_v(4)};
 }
 

@@ -8,6 +8,13 @@
 
 namespace fpkcheck::fd_fpk {
 
+/// The marginals' averages over the cells of each line.
+struct Marginals {
+  Eigen::VectorXd y;     ///< shape (nx), on the cells of x1
+  Eigen::VectorXd ydot;  ///< shape (nv), on the cells of x2
+};
+Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
+
 /// E[y^n], E[y'^n] from cell averages, with the same order as the operator.
 transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order);
 

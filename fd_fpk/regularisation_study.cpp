@@ -56,16 +56,6 @@ void append(std::string& remark, const std::string& more) {
   remark += (remark.empty() ? "" : "; ") + more;
 }
 
-struct Marginals {
-  Eigen::VectorXd y;
-  Eigen::VectorXd ydot;
-};
-
-Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  return {p.transpose() * grid.x2.widths(), p * grid.x1.widths()};
-}
-
 NullVector by_gmres(const problem::Problem& problem, const Options& options,
                     const Discretisation& on, const FokkerPlanckOperator& op) {
   Preconditioner preconditioner(problem, on.excitation, options.impact, on.grid);

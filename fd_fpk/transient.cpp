@@ -80,18 +80,6 @@ Options resolving(const problem::Problem& problem, Options options, const Start&
   return options;
 }
 
-std::vector<double> marginal_of_y(const Grid& grid, const Eigen::VectorXd& averages) {
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  const Eigen::VectorXd y = p.transpose() * grid.x2.widths();
-  return {y.begin(), y.end()};
-}
-
-std::vector<double> marginal_of_v(const Grid& grid, const Eigen::VectorXd& averages) {
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  const Eigen::VectorXd v = p * grid.x1.widths();
-  return {v.begin(), v.end()};
-}
-
 Snapshot snapshot(const problem::Problem& problem, const Options& options, const Grid& grid,
                   const FokkerPlanckOperator& op, const Eigen::VectorXd& averages, double time) {
   Snapshot s{.time = time, .moments = moments(grid, averages, options.order)};
@@ -108,8 +96,9 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   s.mass = op.mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
   s.wall = relative_wall_density(problem, grid, averages);
-  s.y = marginal_of_y(grid, averages);
-  s.v = marginal_of_v(grid, averages);
+  const auto [y, ydot] = marginals(grid, averages);
+  s.y.assign(y.begin(), y.end());
+  s.v.assign(ydot.begin(), ydot.end());
   return s;
 }
 

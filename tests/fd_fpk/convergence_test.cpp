@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "distances.hpp"
 #include "fd_fpk/gmres.hpp"
 #include "fd_fpk/null_vector.hpp"
 #include "fd_fpk/observables.hpp"
@@ -97,9 +98,7 @@ TEST_P(OrderOf, MarginalsAndJointDensityUnderJumpsAreThatOfTheScheme) {
     const auto joint = exact.joint_averages(grid.x1.faces(), grid.x2.faces());
     const auto y = exact.displacement_averages(grid.x1.faces());
     const auto v = exact.velocity_averages(grid.x2.faces());
-    const Eigen::Map<const Eigen::MatrixXd> cells(averages.data(), grid.nv(), grid.nx());
-    const Eigen::VectorXd of_y = cells.transpose() * grid.x2.widths();
-    const Eigen::VectorXd of_v = cells * grid.x1.widths();
+    const auto [of_y, of_v] = marginals(grid, averages);
     const auto as_vector = [](const std::vector<double>& values) {
       return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
     };
@@ -121,22 +120,11 @@ TEST(ImpulseLaws, EachGivesTheExactMarginalsOfTheLinearOscillator) {
     const problem::exact::LinearDensity exact(p, 1e-11);
     const auto solution = solve(p, {.stepper = Stepper::direct}).solution;
     ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
-    const auto& grid = std::get<transform::GridDensity>(*solution.density);
-    const auto distance = [&](transform::Variable variable, const std::vector<double>& edges,
-                              const std::vector<double>& averages) {
-      const auto marginal = transform::marginal(solution, variable, edges);
-      double sum = 0;
-      for (std::size_t b = 0; b < averages.size(); ++b) {
-        sum += std::abs(marginal.density[b] - averages[b]) * marginal.width(b);
-      }
-      return sum;
-    };
-    EXPECT_LT(
-        distance(transform::Variable::y, grid.y_edges, exact.displacement_averages(grid.y_edges)),
-        1e-4);
-    EXPECT_LT(
-        distance(transform::Variable::ydot, grid.v_edges, exact.velocity_averages(grid.v_edges)),
-        1e-4);
+    const auto [y, v] = tests::distances(
+        solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
+        [&](const auto& edges) { return exact.velocity_averages(edges); });
+    EXPECT_LT(y, 1e-4);
+    EXPECT_LT(v, 1e-4);
   }
 }
 

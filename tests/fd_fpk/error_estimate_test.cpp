@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "distances.hpp"
 #include "paper_cases.hpp"
 #include "problem/exact.hpp"
 #include "problem/exact_linear_density.hpp"
@@ -49,23 +50,6 @@ TEST(ErrorEstimate, DoesNotTakeChanceAgreementForAccuracy) {
   EXPECT_GT(stalled.moments.y2, 0.002);
 }
 
-// L1 distances of both marginals to averages on the solution's own cells.
-template <class Y, class V>
-std::pair<double, double> distances(const transform::Solution& solution, const Y& y, const V& v) {
-  const auto& grid = std::get<transform::GridDensity>(*solution.density);
-  const auto sum = [&](Variable variable, const std::vector<double>& edges,
-                       const std::vector<double>& exact) {
-    const auto marginal = transform::marginal(solution, variable, edges);
-    double total = 0;
-    for (std::size_t b = 0; b < exact.size(); ++b) {
-      total += std::abs(marginal.density[b] - exact[b]) * marginal.width(b);
-    }
-    return total;
-  };
-  return {sum(Variable::y, grid.y_edges, y(grid.y_edges)),
-          sum(Variable::ydot, grid.v_edges, v(grid.v_edges))};
-}
-
 TEST(ErrorEstimate, IsOfTheSizeOfTheErrorWhereTheSolutionIsKnown) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   const problem::exact::LinearDensity exact(p);
@@ -73,7 +57,7 @@ TEST(ErrorEstimate, IsOfTheSizeOfTheErrorWhereTheSolutionIsKnown) {
     const auto [solution, summary] =
         solve(p, {.stepper = Stepper::direct, .refinement = refinement, .error_estimate = true});
     ASSERT_TRUE(summary.error.has_value());
-    const auto [y, v] = distances(
+    const auto [y, v] = tests::distances(
         solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
         [&](const auto& edges) { return exact.velocity_averages(edges); });
     EXPECT_GT(summary.error->y_l1, 0.5 * y);
@@ -92,7 +76,7 @@ TEST(ErrorEstimate, ATolerancePicksAGridThatMeetsItAndNotAMuchFinerOne) {
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
     const auto [solution, summary] = solve(p, {.stepper = Stepper::direct, .tolerance = tolerance});
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
-    const auto [y, v] = distances(
+    const auto [y, v] = tests::distances(
         solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
         [&](const auto& edges) { return exact.velocity_averages(edges); });
     EXPECT_LT(y, tolerance);

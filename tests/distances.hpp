@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "transform/solution.hpp"
+
+namespace fpkcheck::tests {
+
+/// L1 distances of both marginals to bin averages on the solution's own cells.
+template <class Y, class V>
+std::pair<double, double> distances(const transform::Solution& solution, const Y& y, const V& v) {
+  const auto& grid = std::get<transform::GridDensity>(*solution.density);
+  const auto sum = [&](transform::Variable variable, const std::vector<double>& edges,
+                       const std::vector<double>& exact) {
+    const auto marginal = transform::marginal(solution, variable, edges);
+    double total = 0;
+    for (std::size_t b = 0; b < exact.size(); ++b) {
+      total += std::abs(marginal.density[b] - exact[b]) * marginal.width(b);
+    }
+    return total;
+  };
+  return {sum(transform::Variable::y, grid.y_edges, y(grid.y_edges)),
+          sum(transform::Variable::ydot, grid.v_edges, v(grid.v_edges))};
+}
+
+}  // namespace fpkcheck::tests
