@@ -10,8 +10,12 @@ namespace {
 
 constexpr const char* kUsage = R"(usage: fpkcheck epc CASE ... [options]
 
-Exponential-polynomial closure: p(z, z') = C exp(Q_n(z, z')), the coefficients of Q_n from
-the weak equations (23) of the paper. The status says what the result is worth:
+Exponential-polynomial closure: a density C exp(Q_n), Q_n a polynomial of degree n, from weak
+equations. Two formulations:
+  gaussian   the paper's: p(z, z') on the whole plane, projections (23) under Gaussian weights;
+             series cut after the fourth derivative, impact as a delta function
+  moment     p(y, y') on y >= 0, exact moment equations of the impact process itself
+The status says what the result is worth:
   ok             the equations are met by a density that has decayed on the whole edge of its
                  support
   inadmissible   the equations are met, but not by such a density (condition (19) of the paper)
@@ -19,6 +23,7 @@ the weak equations (23) of the paper. The status says what the result is worth:
 
 examples:
   fpkcheck epc case1 --order 6
+  fpkcheck epc case1 case4 --formulation moment --order 8
   fpkcheck epc case2 --order 8 --json
 )";
 
@@ -30,13 +35,21 @@ epc::MonomialSet monomial_set(const std::string& name) {
 
 epc::Formulation formulation(const std::string& name) {
   if (name == "gaussian") return epc::Formulation::gaussian;
-  throw InputError(fmt::format("--formulation {} (use gaussian)", name));
+  if (name == "moment") return epc::Formulation::moment;
+  throw InputError(fmt::format("--formulation {} (use gaussian or moment)", name));
 }
 
 epc::Equation equation(const std::string& name) {
-  if (name == "km4") return epc::Equation::km4;
-  if (name == "white") return epc::Equation::white;
-  throw InputError(fmt::format("--equation {} (the closure solves km4 or white)", name));
+  for (const auto equation : {epc::Equation::white, epc::Equation::km4, epc::Equation::kf}) {
+    if (name == epc::name(equation)) return equation;
+  }
+  throw InputError(fmt::format("--equation {} (use white, km4 or kf)", name));
+}
+
+epc::moment::Tail tail(const std::string& name) {
+  if (name == "confined") return epc::moment::Tail::confined;
+  if (name == "cut") return epc::moment::Tail::cut;
+  throw InputError(fmt::format("--tail {} (use confined or cut)", name));
 }
 
 }  // namespace
@@ -45,20 +58,28 @@ int epc_command(const std::vector<std::string>& arguments, const std::string& co
   namespace po = boost::program_options;
   CommonArguments common;
   epc::Options options;
-  std::string formulation_name, equation_name, set_name;
+  std::string formulation_name, equation_name, set_name, tail_name;
   po::options_description own;
   own.add_options()  //
       ("order", po::value(&options.order)->value_name("N")->default_value(options.order),
        "degree n of the polynomial, even")(
           "formulation", po::value(&formulation_name)->value_name("F")->default_value("gaussian"),
-          "gaussian: the paper's, projections under Gaussian weights")(
-          "equation", po::value(&equation_name)->value_name("E")->default_value("km4"),
-          "km4: the paper's series cut after the fourth derivative; white: white noise")(
+          "gaussian or moment, see above")(
+          "equation", po::value(&equation_name)->value_name("E"),
+          "km4: the paper's series cut after the fourth derivative (gaussian's default); kf: the "
+          "full jump integral (moment's default); white: white noise")(
           "monomials", po::value(&set_name)->value_name("SET")->default_value("point_symmetric"),
-          "point_symmetric: even total degrees, all that survive; general: every degree");
+          "of gaussian: point_symmetric: even total degrees, all that survive; general: every "
+          "degree")(
+          "tail", po::value(&tail_name)->value_name("T")->default_value("confined"),
+          "of moment: confined: a steep fixed term holds the exponent down where Q_n cannot be "
+          "trusted; cut: Q_n alone, zero beyond");
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
   options.formulation = formulation(formulation_name);
+  const bool moment = options.formulation == epc::Formulation::moment;
+  if (equation_name.empty()) equation_name = moment ? "kf" : "km4";
   options.equation = equation(equation_name);
+  options.tail = tail(tail_name);
   options.monomials = monomial_set(set_name);
   return solve_and_report(common, {compare::epc_method(options)}, 0, Required::all, command_line);
 }

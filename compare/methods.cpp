@@ -9,13 +9,12 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <tuple>
 
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::compare {
 namespace {
-
-constexpr std::string_view kClosurePrefix = "epc-gaussian-n";
 
 // What stands for several methods in a list, in the order of trust.
 struct Family {
@@ -24,23 +23,49 @@ struct Family {
 };
 const std::vector<Family>& families() {
   static const std::vector<Family> list{
-      {"epc", {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"}},
+      {"epc-gaussian",
+       {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"}},
+      {"epc-moment", {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}},
       {"fd", {"fd-white", "fd-km4", "fd-kf"}},
       {"mcs", {"mcs"}}};
   return list;
 }
 
-std::optional<int> order_of_closure(std::string_view id) {
-  if (!id.starts_with(kClosurePrefix)) return std::nullopt;
-  const std::string_view digits = id.substr(kClosurePrefix.size());
+// The number behind "-n" at the end of an id, and what stands before them.
+struct Ordered {
+  std::string stem;
+  int order;
+};
+std::optional<Ordered> split(std::string_view id) {
+  const auto mark = id.rfind("-n");
+  if (mark == std::string_view::npos) return std::nullopt;
+  const std::string_view digits = id.substr(mark + 2);
   int order = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), order);
   if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
-  return order;
+  return Ordered{std::string(id.substr(0, mark)), order};
+}
+
+std::optional<epc::Options> closure_of(std::string_view id) {
+  const auto ordered = split(id);
+  if (!ordered) return std::nullopt;
+  const std::string plain = fmt::format("{}-n{}", ordered->stem, ordered->order);
+  for (const auto formulation : {epc::Formulation::gaussian, epc::Formulation::moment}) {
+    for (const auto equation : {epc::Equation::km4, epc::Equation::kf, epc::Equation::white}) {
+      for (const auto tail : {epc::moment::Tail::confined, epc::moment::Tail::cut}) {
+        const epc::Options options{.order = ordered->order,
+                                   .formulation = formulation,
+                                   .equation = equation,
+                                   .tail = tail};
+        if (plain == epc::id(options)) return options;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 Method method_of(const std::string& id, const mcs::Options& simulation) {
-  if (const auto order = order_of_closure(id)) return epc_method({.order = *order});
+  if (const auto closure = closure_of(id)) return epc_method(*closure);
   for (const auto equation : {fd_fpk::Equation::white, fd_fpk::Equation::km4,
                               fd_fpk::Equation::km4_pade, fd_fpk::Equation::kf}) {
     for (const auto impact : {problem::Impact::map, problem::Impact::delta}) {
@@ -50,17 +75,18 @@ Method method_of(const std::string& id, const mcs::Options& simulation) {
   }
   if (id == "mcs") return mcs_method(simulation);
   throw InputError(
-      fmt::format("--methods: '{}' is no method (use epc, fd, mcs, or ids such as {}6, fd-kf)", id,
-                  kClosurePrefix));
+      fmt::format("--methods: '{}' is no method (use epc, fd, mcs, or ids such as epc-gaussian-n6, "
+                  "epc-moment-n8, fd-kf)",
+                  id));
 }
 
-// Place in the order of trust: families first, then closures by their order.
-std::pair<std::size_t, int> rank(const std::string& id) {
+// Place in the order of trust: families first, then closures by their order, then by name.
+std::tuple<std::size_t, int, std::string> rank(const std::string& id) {
   std::size_t family = 0;
   while (family < families().size() && !id.starts_with(families()[family].name)) ++family;
-  if (const auto order = order_of_closure(id)) return {family, *order};
+  if (const auto ordered = split(id)) return {family, ordered->order, id};
   const auto& ids = families()[family].ids;
-  return {family, static_cast<int>(std::ranges::find(ids, id) - ids.begin())};
+  return {family, static_cast<int>(std::ranges::find(ids, id) - ids.begin()), id};
 }
 
 }  // namespace
@@ -68,7 +94,7 @@ std::pair<std::size_t, int> rank(const std::string& id) {
 Method epc_method(const epc::Options& options) {
   epc::validate(options);
   return {
-      .id = fmt::format("{}{}", kClosurePrefix, options.order),
+      .id = epc::id(options),
       .solve = [options](const problem::Problem& problem, const ComparisonAxes&, const Fraction&) {
         auto [solution, summary] = epc::solve(problem, options);
         return Entry{std::move(solution), epc::to_json(options), epc::to_json(summary)};
@@ -104,12 +130,13 @@ std::vector<Method> select_methods(const std::string& list, const mcs::Options& 
   std::vector<std::string> ids;
   std::istringstream items(list);
   for (std::string item; std::getline(items, item, ',');) {
-    const auto family = std::ranges::find(families(), item, &Family::name);
-    if (family == families().end()) {
-      ids.push_back(item);
-    } else {
-      ids.insert(ids.end(), family->ids.begin(), family->ids.end());
+    const std::size_t before = ids.size();
+    for (const auto& [name, members] : families()) {
+      if (name == item || name.starts_with(item + '-')) {  // epc: all its formulations
+        ids.insert(ids.end(), members.begin(), members.end());
+      }
     }
+    if (ids.size() == before) ids.push_back(item);
   }
   if (ids.empty()) {
     throw InputError("--methods: the list is empty (use epc, fd, mcs, or ids separated by commas)");

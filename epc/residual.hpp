@@ -9,7 +9,8 @@ namespace fpkcheck::epc {
 /// Which terms of paper (22) are kept.
 enum class Equation {
   white,  ///< E[Y^3] and E[Y^4] dropped: Gaussian white noise of the same intensity
-  km4     ///< all of (22): Kramers-Moyal terms up to the fourth derivative
+  km4,    ///< all of (22): Kramers-Moyal terms up to the fourth derivative
+  kf      ///< the jump integral lambda ( E[exp(Q(x1, x2 - sgn(x1) Y) - Q)] - 1 ) instead of them
 };
 
 /// Coefficients of the residual F, paper (22).

@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <cmath>
+#include <string_view>
 
 #include "epc/admissibility.hpp"
 #include "epc/gaussian_search.hpp"
+#include "epc/moment/solve.hpp"
 #include "epc/projection.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/input_error.hpp"
@@ -16,24 +18,81 @@ namespace {
 
 using transform::Status;
 
-transform::Solution labelled(const Options& options) {
-  const bool white = options.equation == Equation::white;
-  transform::Solution solution;
-  solution.id = fmt::format("epc-gaussian{}-n{}", white ? "-white" : "", options.order);
-  solution.method = "epc";
-  solution.equation = white ? "white" : "km4";
-  solution.impact = problem::Impact::delta;
-  return solution;
+// What the formulation solves unless it is told otherwise needs no word in the id.
+Equation usual_equation(Formulation formulation) {
+  return formulation == Formulation::moment ? Equation::kf : Equation::km4;
+}
+
+void label(const Options& options, Result& result) {
+  result.solution.id = id(options);
+  result.solution.method = "epc";
+  result.solution.equation = name(options.equation);
+  result.solution.impact =
+      options.formulation == Formulation::moment ? problem::Impact::map : problem::Impact::delta;
+  result.summary.order = options.order;
+  result.summary.formulation = options.formulation;
+}
+
+Result solve_gaussian(const problem::Problem& problem, const Options& options) {
+  const Deviations sigma = deviations(problem::equivalent_linearisation(problem));
+  const Projection projection(Basis(options.order, options.monomials, sigma));
+  const Search search =
+      find_root(projection, residual_coefficients(problem, options.equation), options);
+
+  Result result;
+  result.summary.iterations = search.root.iterations;
+  result.summary.residual = search.root.residual;
+  if (search.root.converged) {
+    judge(problem, projection.basis().polynomial(search.root.a), sigma, result);
+  } else {
+    result.solution.status = Status::not_converged;
+    result.solution.reason = search.failure;
+  }
+  return result;
 }
 
 }  // namespace
 
+std::string_view name(Equation equation) {
+  switch (equation) {
+    case Equation::white:
+      return "white";
+    case Equation::km4:
+      return "km4";
+    case Equation::kf:
+      return "kf";
+  }
+  return "";
+}
+
+int greatest_order(Formulation formulation) { return formulation == Formulation::moment ? 16 : 12; }
+
+std::string id(const Options& options) {
+  const bool moment = options.formulation == Formulation::moment;
+  std::string text = moment ? "epc-moment" : "epc-gaussian";
+  if (moment && options.tail == moment::Tail::cut) text += "-cut";
+  if (options.equation != usual_equation(options.formulation)) {
+    text += fmt::format("-{}", name(options.equation));
+  }
+  return text + fmt::format("-n{}", options.order);
+}
+
 void validate(const Options& options) {
-  if (options.order < 2 || options.order > kMaxOrder || options.order % 2 != 0) {
+  const int greatest = greatest_order(options.formulation);
+  if (options.order < 2 || options.order > greatest || options.order % 2 != 0) {
     throw InputError(
         fmt::format("epc order = {} (must be an even number from 2 to {}: an odd one cannot fall "
                     "in every direction, and rounding shows in higher ones)",
-                    options.order, kMaxOrder));
+                    options.order, greatest));
+  }
+  if (options.formulation == Formulation::moment && options.equation == Equation::km4) {
+    throw InputError(
+        "epc equation = km4 (the moment equations of the formulation moment are those of a "
+        "process, and no process belongs to the series cut after the fourth derivative) use kf or "
+        "white");
+  }
+  if (options.formulation == Formulation::gaussian && options.equation == Equation::kf) {
+    throw InputError("epc equation = kf (not solved by the formulation gaussian) use km4 or white");
   }
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw InputError(fmt::format("epc tolerance = {} (no iteration can end) use a positive number",
@@ -48,23 +107,9 @@ void validate(const Options& options) {
 Result solve(const problem::Problem& problem, const Options& options) {
   validate(options);
   const auto start = std::chrono::steady_clock::now();
-  const Deviations sigma = deviations(problem::equivalent_linearisation(problem));
-  const Projection projection(Basis(options.order, options.monomials, sigma));
-  const Search search =
-      find_root(projection, residual_coefficients(problem, options.equation), options);
-
-  Result result;
-  result.solution = labelled(options);
-  result.summary.order = options.order;
-  result.summary.formulation = options.formulation;
-  result.summary.iterations = search.root.iterations;
-  result.summary.residual = search.root.residual;
-  if (search.root.converged) {
-    judge(problem, projection.basis().polynomial(search.root.a), sigma, result);
-  } else {
-    result.solution.status = Status::not_converged;
-    result.solution.reason = search.failure;
-  }
+  Result result = options.formulation == Formulation::moment ? moment::solve(problem, options)
+                                                             : solve_gaussian(problem, options);
+  label(options, result);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.solution.seconds = elapsed.count();
   return result;

@@ -9,8 +9,14 @@ std::string_view name(Formulation formulation) {
   switch (formulation) {
     case Formulation::gaussian:
       return "gaussian";
+    case Formulation::moment:
+      return "moment";
   }
   return "";
+}
+
+std::string_view name(moment::Tail tail) {
+  return tail == moment::Tail::confined ? "confined" : "cut";
 }
 
 using Json = nlohmann::ordered_json;
@@ -36,28 +42,48 @@ Json support(const Summary& summary) {
           {"rises_from", form.negative ? Json(nullptr) : Json(form.rises_from)}};
 }
 
+std::string_view name(const LeadingForm& form) { return form.negative ? "negative" : "indefinite"; }
+
+// Of the density's exponent: a confinement makes it negative whatever Q_n does.
 Json leading_form(const Summary& summary) {
   if (!summary.leading_form) return nullptr;
-  return summary.leading_form->negative ? "negative" : "indefinite";
+  if (summary.moment && summary.moment->tail == moment::Tail::confined) return "negative";
+  return name(*summary.leading_form);
+}
+
+void add_moment_fields(const Summary& summary, Json& json) {
+  if (!summary.moment) return;
+  const MomentSummary& own = *summary.moment;
+  json["tail"] = {{"kind", name(own.tail)},
+                  {"level", own.level},
+                  {"level_deviations", own.level_deviations},
+                  {"beyond_level", own.beyond_level},
+                  {"polynomial_leading_form", name(*summary.leading_form)}};
+  json["condition"] = own.condition;
+  json["quadrature_change"] = own.quadrature_change;
+  json["homotopies"] = own.homotopies;
 }
 
 }  // namespace
 
 nlohmann::ordered_json to_json(const Summary& summary) {
-  return {{"order", summary.order},
-          {"formulation", name(summary.formulation)},
-          {"iterations", summary.iterations},
-          {"residual", summary.residual},
-          {"coefficients", coefficients(summary.coefficients)},
-          {"support", support(summary)},
-          {"leading_form", leading_form(summary)}};
+  Json json{{"order", summary.order},
+            {"formulation", name(summary.formulation)},
+            {"iterations", summary.iterations},
+            {"residual", summary.residual},
+            {"coefficients", coefficients(summary.coefficients)},
+            {"support", support(summary)},
+            {"leading_form", leading_form(summary)}};
+  add_moment_fields(summary, json);
+  return json;
 }
 
 nlohmann::ordered_json to_json(const Options& options) {
   return {{"order", options.order},
           {"formulation", name(options.formulation)},
           {"monomials", options.monomials == MonomialSet::general ? "general" : "point_symmetric"},
-          {"equation", options.equation == Equation::white ? "white" : "km4"},
+          {"equation", name(options.equation)},
+          {"tail", name(options.tail)},
           {"tolerance", options.tolerance},
           {"max_iterations", options.max_iterations}};
 }

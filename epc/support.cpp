@@ -85,14 +85,16 @@ double edge(const Ray& q, double core_peak) {
 
 }  // namespace
 
-LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigma) {
+LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigma, Plane plane) {
   const Polynomial q = without_rounding(with_rounding, sigma);
   LeadingForm form{true, {1, 0}, 0, 0};
   double largest = -std::numeric_limits<double>::infinity();
-  int rising = 0;
+  int rising = 0, directions = 0;
   Ray worst;
   for (int k = 0; k < kDirections; ++k) {
     const Direction e = direction(k);
+    if (plane == Plane::half && e.x1 < 0) continue;
+    ++directions;
     const Ray coefficients = ray(q, sigma, e);
     if (coefficients.size() < 2) continue;
     const double leading = coefficients.back();
@@ -104,7 +106,7 @@ LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigm
     }
   }
   form.negative = rising == 0;
-  form.rising_share = static_cast<double>(rising) / kDirections;
+  form.rising_share = static_cast<double>(rising) / directions;
   if (!form.negative) {
     // The last change of sign of the slope; beyond kFarthest it does not matter where.
     const Ray slope = derivative(worst);

@@ -21,7 +21,10 @@ struct LeadingForm {
   double rising_share = 0;  ///< share of all directions in which Q_n rises in the end
 };
 
-LeadingForm leading_form(const Polynomial& q, const Deviations& sigma);
+/// Where directions are looked at.
+enum class Plane { whole, half };  ///< half: cos theta >= 0 only
+
+LeadingForm leading_form(const Polynomial& q, const Deviations& sigma, Plane plane = Plane::whole);
 
 /// The star-shaped set of the plane on which C exp(Q_n) is used as a density; it is zero outside.
 ///

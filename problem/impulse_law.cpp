@@ -6,6 +6,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/uniform.hpp>
 #include <boost/math/special_functions/binomial.hpp>
+#include <boost/math/special_functions/factorials.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <boost/math/special_functions/sinhc.hpp>
 #include <cmath>
@@ -45,15 +46,18 @@ double deviation_of(const LaplaceLaw& law) { return std::sqrt(2.0) * law.scale; 
 double deviation_of(const TwoPointLaw& law) { return law.deviation; }
 double deviation_of(const UniformLaw& law) { return law.half_width / std::sqrt(3.0); }
 
-// E[((Y - mean) / deviation)^(2n)], n = 0 .. 3; the odd ones are zero.
-using StandardisedMoments = std::array<double, 4>;
+// E[((Y - mean) / deviation)^(2n)]; the odd ones are zero.
 // (2n-1)!!
-StandardisedMoments standardised_moments(const GaussianLaw&) { return {1, 1, 3, 15}; }
+double standardised_moment(const GaussianLaw&, int n) {
+  return n == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(2 * n - 1));
+}
 // (2n)! / 2^n
-StandardisedMoments standardised_moments(const LaplaceLaw&) { return {1, 1, 6, 90}; }
-StandardisedMoments standardised_moments(const TwoPointLaw&) { return {1, 1, 1, 1}; }
+double standardised_moment(const LaplaceLaw&, int n) {
+  return boost::math::factorial<double>(static_cast<unsigned>(2 * n)) / std::pow(2.0, n);
+}
+double standardised_moment(const TwoPointLaw&, int) { return 1; }
 // 3^n / (2n+1)
-StandardisedMoments standardised_moments(const UniformLaw&) { return {1, 1, 9.0 / 5, 27.0 / 7}; }
+double standardised_moment(const UniformLaw&, int n) { return std::pow(3.0, n) / (2 * n + 1); }
 
 double density_of(const GaussianLaw& law, double y) {
   return boost::math::pdf(boost::math::normal(law.mean, law.deviation), y);
@@ -112,26 +116,23 @@ double mean_hyperbolic_cosine(const UniformLaw& law, double u) {
   return boost::math::sinhc_pi(u * law.half_width);
 }
 
+// E[Y^j] = sum_n binomial(j, 2n) mean^(j-2n) E[(Y - mean)^(2n)]
 template <class Law>
-std::array<double, kMomentCount> moments_of(const Law& law) {
-  const StandardisedMoments standardised = standardised_moments(law);
+double moment_of(const Law& law, int j) {
   const double variance = deviation_of(law) * deviation_of(law);
-  std::array<double, kMomentCount> moments{};
-  for (int j = 0; j < kMomentCount; ++j) {
-    // E[Y^j] = sum_n binomial(j, 2n) mean^(j-2n) E[(Y - mean)^(2n)]
-    for (int n = 0; 2 * n <= j; ++n) {
-      moments[j] += boost::math::binomial_coefficient<double>(j, 2 * n) *
-                    std::pow(law.mean, j - 2 * n) * standardised[n] * std::pow(variance, n);
-    }
+  double sum = 0;
+  for (int n = 0; 2 * n <= j; ++n) {
+    sum += boost::math::binomial_coefficient<double>(j, 2 * n) * std::pow(law.mean, j - 2 * n) *
+           standardised_moment(law, n) * std::pow(variance, n);
   }
-  return moments;
+  return sum;
 }
 
 }  // namespace
 
 ImpulseLaw::ImpulseLaw(const Kind& kind) : kind_(kind) {
   std::visit([](const auto& law) { validate(law); }, kind_);
-  moments_ = std::visit([](const auto& law) { return moments_of(law); }, kind_);
+  for (int j = 0; j < kMomentCount; ++j) moments_[j] = moment(j);
 }
 
 ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviation) {
@@ -145,6 +146,10 @@ ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviatio
 
 std::string_view ImpulseLaw::name() const {
   return std::visit([](const auto& law) { return name_of(law); }, kind_);
+}
+
+double ImpulseLaw::moment(int order) const {
+  return std::visit([&](const auto& law) { return moment_of(law, order); }, kind_);
 }
 
 double ImpulseLaw::mean() const {

@@ -38,7 +38,7 @@ struct Atom {
   double probability;
 };
 
-/// Number of moments of the impulse amplitude that the project keeps: E[Y^0] .. E[Y^6].
+/// Number of moments of the impulse amplitude that summaries hold: E[Y^0] .. E[Y^6].
 inline constexpr int kMomentCount = 7;
 
 /// The law of an impulse amplitude Y of the Poisson train, paper (3). Every law is symmetric about
@@ -59,8 +59,9 @@ class ImpulseLaw {
   std::string_view name() const;
   const Kind& kind() const { return kind_; }
 
-  /// E[Y^order], 0 <= order < kMomentCount.
-  double moment(int order) const { return moments_.at(order); }
+  /// E[Y^order], order >= 0.
+  double moment(int order) const;
+  /// E[Y^0] .. E[Y^6].
   const std::array<double, kMomentCount>& moments() const { return moments_; }
 
   double mean() const;

@@ -18,12 +18,20 @@ using Ids = std::vector<std::string>;
 
 TEST(Methods, FamiliesStandForTheirMembersByIncreasingTrust) {
   EXPECT_EQ(ids("mcs,fd,epc"), (Ids{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6",
-                                    "epc-gaussian-n8", "fd-white", "fd-km4", "fd-kf", "mcs"}));
+                                    "epc-gaussian-n8", "epc-moment-n4", "epc-moment-n8",
+                                    "epc-moment-n12", "fd-white", "fd-km4", "fd-kf", "mcs"}));
 }
 
 TEST(Methods, ItemsAreTakenOnceAndOrdersByNumber) {
   EXPECT_EQ(ids("epc-gaussian-n12,fd-kf,epc-gaussian-n2,fd-kf,fd-km4,epc-gaussian-n02"),
             (Ids{"epc-gaussian-n2", "epc-gaussian-n12", "fd-km4", "fd-kf"}));
+}
+
+TEST(Methods, AFormulationStandsForItsOrdersAndVariantsHaveNames) {
+  EXPECT_EQ(ids("epc-moment"), (Ids{"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}));
+  EXPECT_EQ(
+      ids("epc-moment-cut-n6,epc-gaussian-white-n4,epc-moment-white-n6,epc-moment-n6"),
+      (Ids{"epc-gaussian-white-n4", "epc-moment-cut-n6", "epc-moment-n6", "epc-moment-white-n6"}));
 }
 
 TEST(Methods, WhatIsNoMethodIsRefusedByName) {
@@ -33,6 +41,7 @@ TEST(Methods, WhatIsNoMethodIsRefusedByName) {
   }
   EXPECT_THROW(ids("epc-gaussian-n7"), InputError);    // odd
   EXPECT_THROW(ids("epc-gaussian-n400"), InputError);  // huge
+  EXPECT_THROW(ids("epc-moment-km4-n6"), InputError);  // no process belongs to it
 }
 
 TEST(Methods, SolutionsCarryTheIdThatTheMethodPromised) {
@@ -40,7 +49,10 @@ TEST(Methods, SolutionsCarryTheIdThatTheMethodPromised) {
   const auto axes = comparison_axes(problem);
   mcs::Options brief;
   brief.time = 5000;
-  for (const auto& method : select_methods("epc-gaussian-n2,fd-white,mcs", brief)) {
+  for (const auto& method :
+       select_methods("epc-gaussian-n2,epc-gaussian-white-n4,epc-moment-n4,epc-moment-cut-n2,"
+                      "fd-white,mcs",
+                      brief)) {
     const Entry entry = method.solve(problem, axes, [](double) {});
     EXPECT_EQ(entry.solution.id, method.id);
     EXPECT_TRUE(entry.solution.density.has_value()) << method.id;

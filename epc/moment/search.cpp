@@ -1,0 +1,224 @@
+#include "epc/moment/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "epc/moment/homotopy.hpp"
+#include "epc/moment/tail.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::epc::moment {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// The level in deviations of v, if the density fell like exp(-h/T) with T = E[v^2]: what is tried,
+// in this order.
+constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
+// Where Q_n falls by this much without ever rising, the level lies there, and it does not matter.
+constexpr double kWholeDepth = 42;
+constexpr double kFarthestDeviations = 16;
+constexpr double kRoughTolerance = 1e-4;
+constexpr double kQuadratureTolerance = 1e-9;
+constexpr int kMostRefinements = 4;
+
+// Enough for a start of the next order.
+QuadratureSize rough_quadrature(int order) {
+  return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
+}
+// A first try; the wider the domain, the more points.
+QuadratureSize quadrature(int order, double level_in_temperatures) {
+  const double width = std::sqrt(level_in_temperatures) / kLevelDeviations[0] * std::sqrt(2.0);
+  const int y = static_cast<int>((24 + 2 * order) * width);
+  const int v = static_cast<int>((32 + 2 * order) * width);
+  return {y, v, v};
+}
+QuadratureSize doubled(const QuadratureSize& size) {
+  return {2 * size.y, 2 * size.v, 2 * size.wall};
+}
+
+// A density to start from, and how wide it is.
+struct Guess {
+  Polynomial q;
+  double temperature;  // E[v^2]
+};
+
+double level_of(const Guess& guess, double deviations) {
+  return guess.temperature * deviations * deviations / 2;
+}
+
+Guess linearised(const problem::Problem& problem) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
+  const double centre = problem::static_deflection(problem);
+  return {Polynomial(
+              {{1, 0, centre / (s1 * s1)}, {2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}}),
+          s2 * s2};
+}
+
+class Search {
+ public:
+  Search(const problem::Problem& problem, const SearchOptions& options)
+      : problem_(problem), options_(options) {}
+
+  Root run() {
+    Guess guess = linearised(problem_);
+    for (int n = 2; n <= options_.order; n += 2) {
+      if (!advance(guess, n)) return root_;
+      // At strong impact losses the linearised deviations are far too large.
+      if (n == 2 && !advance(guess, n)) return root_;
+    }
+    finish(guess);
+    return root_;
+  }
+
+ private:
+  enum class Aim { next_order, answer };
+
+  // Order n, well enough to start the next.
+  bool advance(Guess& guess, int n) {
+    return std::ranges::any_of(kLevelDeviations, [&](double deviations) {
+      return solve(guess, n, level_of(guess, deviations), rough_quadrature(n), Aim::next_order);
+    });
+  }
+
+  EnergyDomain domain_of(double level) const {
+    return {problem_, options_.tail == Tail::confined ? level * Confinement::reach() : level};
+  }
+  Confinement confinement_of(double level) const {
+    return options_.tail == Tail::confined ? Confinement{level} : Confinement{};
+  }
+
+  // Solves order n from the guess and puts the solution in its place.
+  bool solve(Guess& guess, int n, double level, const QuadratureSize& size, Aim aim) {
+    const EnergyDomain domain = domain_of(level);
+    const Confinement confinement = confinement_of(level);
+    const Points points = domain.rule(size.y, size.v);
+    VectorXd exponent(points.y.size()), mass(points.y.size());
+    for (Eigen::Index i = 0; i < exponent.size(); ++i) {
+      exponent[i] = guess.q(points.y[i], points.v[i]);
+      mass[i] = exponent[i] + confinement(domain.energy(points.y[i], points.v[i]));
+    }
+    mass = points.weight.array() * (mass.array() - mass.maxCoeff()).exp();
+    mass /= mass.sum();
+    const Equations equations(problem_, options_.rate_moment, domain, confinement,
+                              Basis(n, points, mass), size);
+    return solve(guess, equations, equations.fit(exponent, mass), level, size, aim);
+  }
+
+  bool solve(Guess& guess, const Equations& equations, const VectorXd& start, double level,
+             const QuadratureSize& size, Aim aim) {
+    const bool answer = aim == Aim::answer;
+    const NewtonOptions newton_options{.tolerance = answer ? options_.tolerance : kRoughTolerance,
+                                       .max_iterations = options_.max_iterations,
+                                       .polish = answer};
+    const double damping = problem_.system.damping();
+    NewtonResult result = newton(equations, start, damping, newton_options);
+    iterations_ += result.iterations;
+    if (!result.converged) {
+      const HomotopyResult rescue = follow_homotopy(equations, start);
+      ++root_.homotopies;
+      iterations_ += rescue.steps;
+      if (rescue.reached == 1) {
+        result = newton(equations, rescue.a, damping, newton_options);
+        iterations_ += result.iterations;
+      }
+    }
+    if (!result.converged) {
+      root_.newton = result;
+      root_.newton.iterations = iterations_;
+      root_.failure = fmt::format(
+          "Newton's method was lost at order {} after {} iterations (least residual {:.1e})",
+          equations.basis().order(), result.iterations, result.residual);
+      return false;
+    }
+    const auto density = equations.density(result.a);
+    guess.q = equations.basis().polynomial(result.a);
+    guess.temperature = density.mass.dot(equations.points().v.cwiseAbs2());
+    if (answer) accept(guess, equations, result, density, level, size);
+    return true;
+  }
+
+  void accept(const Guess& guess, const Equations& equations, const NewtonResult& result,
+              const Equations::Density& density, double level, const QuadratureSize& size) {
+    root_.newton = result;
+    root_.newton.iterations = iterations_;
+    root_.failure.clear();
+    root_.q = guess.q;
+    root_.temperature = guess.temperature;
+    root_.level = level;
+    root_.support = domain_of(level).level();
+    root_.quadrature = size;
+    // The constant of Q_n differs between the basis and the monomials.
+    const auto& [y, v, weight] = equations.points();
+    const double constant =
+        guess.q(y[0], v[0]) - equations.basis().values(y.head(1), v.head(1)).row(0).dot(result.a);
+    root_.log_normalisation = density.log_normalisation + constant;
+    root_.peak = density.peak + constant;
+    root_.edge_density = std::exp(largest_on_contour(root_.q, problem_, root_.support) -
+                                  root_.peak + confinement_of(level)(root_.support));
+
+    // On twice as many points: is it still a root?
+    const Equations fine(problem_, options_.rate_moment, domain_of(level), confinement_of(level),
+                         equations.basis(), doubled(size));
+    const MatrixXd jacobian = equations.jacobian(density);
+    const MatrixXd covariance = equations.covariance(density);
+    const VectorXd step = jacobian.partialPivLu().solve(fine.residual(fine.density(result.a)));
+    root_.quadrature_change = length(step, covariance);
+    root_.condition = condition_of(jacobian, covariance);
+  }
+
+  // The order asked for, to the tolerance: the level as far out as Q_n falls, else the first at
+  // which the density has decayed at the edge.
+  void finish(const Guess& start) {
+    const double farthest = level_of(start, kFarthestDeviations);
+    const Fall fall =
+        fall_of(start.q, problem_, level_of(start, kLevelDeviations[0]), farthest, kWholeDepth);
+    std::vector<double> levels;
+    if (fall.reached) levels.push_back(*fall.reached);
+    for (const double deviations : kLevelDeviations) {
+      levels.push_back(level_of(start, deviations));
+    }
+    std::optional<Root> best;
+    for (const double level : levels) {
+      Guess guess = start;
+      if (!refine(guess, level)) continue;
+      if (!best || root_.edge_density < best->edge_density) best = root_;
+      if (best->edge_density < options_.edge_allowed) break;
+    }
+    if (best) {
+      root_ = *best;
+      root_.newton.iterations = iterations_;
+    }
+  }
+
+  // The answer at a level, on as many points as it takes.
+  bool refine(Guess& guess, double level) {
+    QuadratureSize size = quadrature(options_.order, level / guess.temperature);
+    bool solved = solve(guess, options_.order, level, size, Aim::answer);
+    for (int i = 0; solved && i < kMostRefinements; ++i) {
+      if (root_.quadrature_change < kQuadratureTolerance) break;
+      size = {size.y * 3 / 2, size.v * 3 / 2, size.wall * 3 / 2};
+      solved = solve(guess, options_.order, level, size, Aim::answer);
+    }
+    return solved;
+  }
+
+  const problem::Problem& problem_;
+  const SearchOptions& options_;
+  Root root_;
+  int iterations_ = 0;
+};
+
+}  // namespace
+
+Root find_root(const problem::Problem& problem, const SearchOptions& options) {
+  return Search(problem, options).run();
+}
+
+}  // namespace fpkcheck::epc::moment

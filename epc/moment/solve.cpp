@@ -1,0 +1,121 @@
+#include "epc/moment/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "epc/moment/search.hpp"
+#include "epc/moment/tail.hpp"
+#include "problem/energy_balance.hpp"
+
+namespace fpkcheck::epc::moment {
+namespace {
+
+using transform::Status;
+
+// By how much more points may change Q_n, in standard deviations.
+constexpr double kQuadratureAllowed = 1e-6;
+
+// lambda E[Y^j], j = 0 .. n, as far as the equation has the term.
+std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
+  std::vector<double> moments(options.order + 1);
+  const int last = options.equation == Equation::white ? 2 : options.order;
+  for (int j = 1; j <= last; ++j) moments[j] = problem.impulses.rate_moment(j);
+  return moments;
+}
+
+transform::SmoothDensity density_of(const problem::Problem& problem, const Root& root, Tail tail) {
+  const EnergyDomain domain(problem, root.support);
+  const Confinement confinement = tail == Tail::confined ? Confinement{root.level} : Confinement{};
+  return {
+      .value =
+          [domain, confinement, q = root.q, constant = root.log_normalisation](double y, double v) {
+            if (!domain.contains(y, v)) return 0.0;
+            return std::exp(q(y, v) + confinement(domain.energy(y, v)) - constant);
+          },
+      .y_max = domain.y_max(),
+      .v_max = domain.v_max()};
+}
+
+// What the density's own deviations make of the support.
+SupportSummary support_of(const problem::Problem& problem, const Root& root,
+                          const Deviations& sigma) {
+  const EnergyDomain domain(problem, root.support);
+  const auto [least, greatest] = radii(domain, sigma);
+  return {.least_radius = least,
+          .greatest_radius = greatest,
+          .y_max = domain.y_max(),
+          .v_max = domain.v_max(),
+          .edge_density = root.edge_density,
+          .cut_off = probability_beyond(root.q, problem, root.support, root.temperature,
+                                        root.log_normalisation)};
+}
+
+std::string objection(const Root& root, const LeadingForm& form) {
+  if (root.edge_density < Support::kEdgeAllowed) return "";
+  const std::string rise =
+      form.negative
+          ? std::string("though Q_n falls in the end")
+          : fmt::format(
+                "and Q_n rises in the end along {:.0f} % of all directions, along (y, v) / "
+                "deviations = ({:.2f}, {:.2f}) from radius {:.2f} on",
+                100 * form.rising_share, form.worst.x1, form.worst.x2, form.rises_from);
+  return fmt::format(
+      "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e}), {}",
+      root.edge_density, Support::kEdgeAllowed, rise);
+}
+
+}  // namespace
+
+Result solve(const problem::Problem& problem, const Options& options) {
+  const Root root = find_root(problem, {.order = options.order,
+                                        .rate_moment = rate_moments(problem, options),
+                                        .tail = options.tail,
+                                        .tolerance = options.tolerance,
+                                        .max_iterations = options.max_iterations,
+                                        .edge_allowed = Support::kEdgeAllowed});
+  Result result;
+  auto& [solution, summary] = result;
+  summary.iterations = root.newton.iterations;
+  summary.residual = root.newton.residual;
+  solution.status = Status::not_converged;
+  solution.reason = root.failure;
+  if (!root.failure.empty()) return result;
+
+  const transform::SmoothDensity density = density_of(problem, root, options.tail);
+  solution.mass = transform::expectation(density, [](double, double) { return 1.0; });
+  solution.moments = transform::moments(density);
+  solution.energy_residual =
+      problem::energy_residual(problem, problem::Impact::map,
+                               {.mean_velocity = solution.moments.v1,
+                                .mean_square_velocity = solution.moments.v2,
+                                .impact_energy_flux = transform::impact_flux(density, 3)});
+  solution.density = density;
+  const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
+  summary.coefficients = root.q.terms();
+  summary.leading_form = leading_form(root.q, sigma, Plane::half);
+  summary.support = support_of(problem, root, sigma);
+  summary.moment = {.tail = options.tail,
+                    .level = root.level,
+                    .level_deviations = std::sqrt(2 * root.level / root.temperature),
+                    .beyond_level = probability_beyond(root.q, problem, root.level,
+                                                       root.temperature, root.log_normalisation),
+                    .condition = root.condition,
+                    .quadrature_change = root.quadrature_change,
+                    .homotopies = root.homotopies};
+  if (!(root.quadrature_change < kQuadratureAllowed)) {
+    solution.reason = fmt::format(
+        "twice the points of the quadrature would change Q_n by {:.1e} of a unit (allowed {:.0e}): "
+        "the density has features that {} x {} points miss",
+        root.quadrature_change, kQuadratureAllowed, root.quadrature.y, root.quadrature.v);
+    return result;
+  }
+  solution.reason = objection(root, *summary.leading_form);
+  solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
+  return result;
+}
+
+}  // namespace fpkcheck::epc::moment
