@@ -1,0 +1,91 @@
+#include "epc/moment/energy_domain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::epc::moment {
+namespace {
+
+using std::numbers::pi;
+using tests::make_problem;
+
+double integral(const Points& points, auto&& f) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < points.y.size(); ++i) {
+    sum += points.weight[i] * f(points.y[i], points.v[i]);
+  }
+  return sum;
+}
+
+// k = 4: the half-ellipse 2 y^2 + v^2/2 <= level.
+TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
+  const double level = 3;
+  const EnergyDomain domain(make_problem({.stiffness = 4, .cubic = 0}), level);
+  const double a = std::sqrt(level / 2), b = std::sqrt(2 * level);
+  EXPECT_NEAR(domain.y_max(), a, 1e-14);
+  EXPECT_NEAR(domain.v_max(), b, 1e-14);
+  EXPECT_EQ(domain.y_low(), 0);
+  const Points rule = domain.rule(12, 10);
+  EXPECT_NEAR(integral(rule, [](double, double) { return 1.0; }), pi * a * b / 2, 1e-13);
+  EXPECT_NEAR(integral(rule, [](double y, double) { return y; }), 2 * a * a * b / 3, 1e-13);
+  EXPECT_NEAR(integral(rule, [](double, double v) { return v * v; }), pi * a * b * b * b / 8,
+              1e-12);
+  EXPECT_NEAR(integral(domain.wall_rule(8), [](double, double v) { return -v * v * v; }),
+              b * b * b * b / 4, 1e-12);
+}
+
+// The area below a level is one integral over y, here by the midpoint rule after y = top sin(phi).
+TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
+  const EnergyDomain domain(make_problem({.cubic = 2}), 5);
+  const auto bell = [&](double y, double v) {
+    return std::exp(-domain.energy(y, v)) * (1 + v * y);
+  };
+  const double coarse = integral(domain.rule(14, 14), bell);
+  const double fine = integral(domain.rule(40, 40), bell);
+  EXPECT_NEAR(coarse, fine, 1e-8);
+  double area = 0;
+  constexpr int kCells = 2000;
+  for (int i = 0; i < kCells; ++i) {
+    const double phi = (i + 0.5) / kCells * pi / 2;
+    const double y = domain.y_max() * std::sin(phi);
+    area += 2 * domain.half_width(y) * domain.y_max() * std::cos(phi) * pi / 2 / kCells;
+  }
+  EXPECT_NEAR(integral(domain.rule(40, 2), [](double, double) { return 1.0; }), area, 1e-6);
+}
+
+// k = 1, mean force 3: the minimum is at y = 3, 4.5 below the wall's energy.
+TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
+  const auto held = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = 0.03});
+  const EnergyDomain oval(held, 2);
+  EXPECT_NEAR(oval.y_low(), 1, 1e-12);
+  EXPECT_NEAR(oval.y_max(), 5, 1e-12);
+  EXPECT_EQ(oval.wall_rule(8).y.size(), 0);
+  EXPECT_NEAR(integral(oval.rule(12, 10), [](double, double) { return 1.0; }), pi * 4, 1e-12);
+  EXPECT_NEAR(integral(oval.rule(12, 10), [](double y, double) { return y; }), pi * 12, 1e-11);
+
+  // Beyond, the circle of radius 5 about (3, 0) is cut at y = 0.
+  const EnergyDomain cut(held, 12.5);
+  EXPECT_EQ(cut.y_low(), 0);
+  EXPECT_NEAR(cut.half_width(0), 4, 1e-12);
+  EXPECT_NEAR(integral(cut.rule(30, 10), [](double, double) { return 1.0; }),
+              25 * (pi - std::acos(0.6)) + 12, 1e-8);
+  EXPECT_NEAR(integral(cut.wall_rule(8), [](double, double) { return 1.0; }), 4, 1e-12);
+}
+
+TEST(EnergyDomain, OfAnOscillatorPushedToTheWallStandsOnTheWall) {
+  const auto pushed = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = -0.03});
+  const EnergyDomain domain(pushed, 3.5);  // y^2/2 + 3 y = 3.5 at y = 1
+  EXPECT_NEAR(domain.y_max(), 1, 1e-12);
+  EXPECT_NEAR(domain.half_width(0), std::sqrt(7.0), 1e-12);
+  const Points rule = domain.rule(40, 10);
+  for (Eigen::Index i = 0; i < rule.y.size(); ++i) {
+    EXPECT_TRUE(domain.contains(rule.y[i], rule.v[i]));
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::moment

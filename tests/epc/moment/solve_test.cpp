@@ -1,0 +1,210 @@
+#include "epc/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "paper_cases.hpp"
+#include "problem/exact.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using tests::make_problem;
+using tests::paper_case;
+using transform::Status;
+
+Options of_order(int order, Equation equation = Equation::kf) {
+  return {.order = order, .formulation = Formulation::moment, .equation = equation};
+}
+
+std::map<std::pair<int, int>, double> by_power(const Summary& summary) {
+  std::map<std::pair<int, int>, double> result;
+  for (const auto& [p, q, a] : summary.coefficients) result[{p, q}] = a;
+  return result;
+}
+
+class PaperCase : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Each, PaperCase, testing::Values(1, 2, 3, 4));
+
+TEST_P(PaperCase, EveryOrderConverges) {
+  const auto p = paper_case(GetParam());
+  for (int order = 2; order <= greatest_order(Formulation::moment); order += 2) {
+    const auto [solution, summary] = solve(p, of_order(order));
+    EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
+    EXPECT_LT(summary.residual, 1e-10) << order;
+    // The mass and the balance are by another quadrature, with panels that miss the domain's edge.
+    EXPECT_NEAR(solution.mass, 1, 1e-7) << order;
+    EXPECT_LT(std::abs(solution.energy_residual), 1e-6) << order;
+    EXPECT_LT(summary.moment->quadrature_change, 1e-8) << order;
+    EXPECT_LT(summary.moment->condition, 1e4) << order;
+    EXPECT_EQ(summary.moment->homotopies, 0) << order;
+  }
+}
+
+// Theory, section 1: p_3(y) = sqrt(10) p_2(sqrt(10) y), which every part of the method respects.
+TEST(Moment, CasesTwoAndThreeAreOneProblem) {
+  for (const int order : {4, 8}) {
+    const auto two = solve(paper_case(2), of_order(order));
+    const auto three = solve(paper_case(3), of_order(order));
+    EXPECT_NEAR(three.solution.moments.y2 * 10 / two.solution.moments.y2, 1, 1e-10);
+    EXPECT_NEAR(three.solution.moments.v4 * 100 / two.solution.moments.v4, 1, 1e-10);
+    auto scaled = by_power(two.summary);
+    for (const auto& [power, a] : by_power(three.summary)) {
+      const double expected = scaled[power] * std::pow(10, (power.first + power.second) / 2.0);
+      EXPECT_NEAR(a, expected, 1e-6 * (1 + std::abs(expected)))
+          << "y^" << power.first << " v^" << power.second;
+    }
+  }
+}
+
+TEST(Moment, IsExactForWhiteNoiseAtAnImpactWithoutLoss) {
+  const auto p = make_problem({.cubic = 0.7, .restitution = 1, .rate = 2, .intensity = 0.4});
+  const double beta = 2 * 0.1 / 0.4;
+  const std::map<std::pair<int, int>, double> exact{
+      {{2, 0}, -beta / 2}, {{0, 2}, -beta / 2}, {{4, 0}, -beta * 0.7 / 4}};
+  for (const int order : {4, 6, 8}) {
+    const auto [solution, summary] = solve(p, of_order(order, Equation::white));
+    EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+    const double tolerance = order == 4 ? 1e-10 : 1e-8;
+    const double s1 = std::sqrt(solution.moments.y2), s2 = std::sqrt(solution.moments.v2);
+    for (const auto& [power, a] : by_power(summary)) {
+      const double unit = std::pow(s1, power.first) * std::pow(s2, power.second);
+      const double expected = exact.contains(power) ? exact.at(power) : 0;
+      EXPECT_NEAR(a * unit, expected * unit, tolerance)
+          << order << ": y^" << power.first << " v^" << power.second;
+    }
+  }
+}
+
+// In the linear system without losses the equations of the even moments are closed, so that n = 4
+// gives the second and fourth moments of the compound Poisson process exactly, n = 6 the sixth too.
+TEST(Moment, GivesTheExactMomentsOfTheLinearProcess) {
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    const auto p = make_problem({.cubic = 0, .restitution = 1, .law = law});
+    const double y2 = problem::exact::linear_cumulant(p, 2, 0),
+                 v2 = problem::exact::linear_cumulant(p, 0, 2);
+    const double y4 = problem::exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2;
+    const double v4 = problem::exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2;
+    const double v6 = problem::exact::linear_cumulant(p, 0, 6) +
+                      15 * problem::exact::linear_cumulant(p, 0, 4) * v2 + 15 * v2 * v2 * v2;
+    for (const int order : {4, 6, 8}) {
+      const auto [solution, summary] = solve(p, of_order(order));
+      EXPECT_EQ(solution.status, Status::ok) << law << ": " << solution.reason;
+      EXPECT_NEAR(solution.moments.y2 / y2, 1, 1e-8) << law << order;
+      EXPECT_NEAR(solution.moments.v2 / v2, 1, 1e-8) << law << order;
+      EXPECT_NEAR(solution.moments.y4 / y4, 1, 1e-7) << law << order;
+      EXPECT_NEAR(solution.moments.v4 / v4, 1, 1e-7) << law << order;
+      if (order >= 6) {
+        const auto& density = std::get<transform::SmoothDensity>(*solution.density);
+        const double sixth =
+            transform::expectation(density, [](double, double v) { return std::pow(v, 6); });
+        EXPECT_NEAR(sixth / v6, 1, 1e-6) << law << order;
+      }
+    }
+  }
+}
+
+// r = 1, any even potential: E[v^2] = lambda E[Y^2] / (2c), though not with a mean.
+TEST(Moment, HasTheExactVelocityWithoutLosses) {
+  const auto p = make_problem({.cubic = 3, .restitution = 1, .law = "laplace"});
+  EXPECT_NEAR(solve(p, of_order(6)).solution.moments.v2, 0.5, 1e-8);
+}
+
+TEST(Moment, HoldsAMeanOfTheImpulsesOfEitherSign) {
+  for (const double mean : {-0.2, 0.2}) {
+    const auto p = make_problem({.restitution = 0.9, .mean = mean});
+    const auto [solution, summary] = solve(p, of_order(6));
+    EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+    EXPECT_LT(std::abs(solution.energy_residual), 1e-6);
+    // Stationary: E[v] is what impacts give back, E[v] = 0 as y does not drift.
+    EXPECT_NEAR(solution.moments.v1, 0, 1e-7);
+  }
+  // Far from the wall the linear oscillator stands at lambda E[Y] / k with its own deviations.
+  const auto held = make_problem({.cubic = 0, .rate = 1000, .intensity = 0.1, .mean = 0.008});
+  const auto [solution, summary] = solve(held, of_order(4));
+  EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_NEAR(solution.moments.y1, 8, 1e-6);
+  EXPECT_NEAR(solution.moments.v2, 0.1 / 0.2, 1e-6);
+}
+
+// r from 0.7 to 1, lambda from 0.5 to 20, mu from 0 to 2, intensities from 0.1 to 1.
+TEST(Moment, FortyRandomProblemsConvergeAtEveryOrder) {
+  std::mt19937_64 engine(2026);
+  const auto uniform = [&](double from, double to) {
+    return from + (to - from) * std::generate_canonical<double, 53>(engine);
+  };
+  for (int k = 0; k < 40; ++k) {
+    const double restitution = uniform(0.7, 1);
+    const double rate = 0.5 * std::pow(40, uniform(0, 1));
+    const double cubic = uniform(0, 2);
+    const double intensity = 0.1 * std::pow(10, uniform(0, 1));
+    const auto p = make_problem({.cubic = cubic,
+                                 .restitution = restitution,
+                                 .rate = rate,
+                                 .intensity = intensity,
+                                 .law = k % 2 == 0 ? "gaussian" : "laplace"});
+    for (int order = 2; order <= 8; order += 2) {
+      const auto [solution, summary] = solve(p, of_order(order));
+      EXPECT_EQ(solution.status, Status::ok)
+          << "problem " << k << ", r = " << restitution << ", lambda = " << rate
+          << ", mu = " << cubic << ", n = " << order << ": " << solution.reason;
+      EXPECT_LT(summary.residual, 1e-10);
+    }
+  }
+}
+
+TEST(Moment, SaysWhenACutDensityHasNotDecayedAtItsEdge) {
+  auto options = of_order(4);
+  options.tail = moment::Tail::cut;
+  const auto [solution, summary] = solve(paper_case(1), options);
+  EXPECT_EQ(solution.id, "epc-moment-cut-n4");
+  EXPECT_EQ(solution.status, Status::inadmissible);
+  EXPECT_NE(solution.reason.find("of its peak on the edge"), std::string::npos) << solution.reason;
+  EXPECT_FALSE(summary.leading_form->negative);
+  EXPECT_GT(summary.leading_form->rises_from, 3);
+  EXPECT_LT(summary.residual, 1e-10);
+  EXPECT_FALSE(summary.coefficients.empty());
+  EXPECT_TRUE(solution.density.has_value());
+}
+
+// The confinement gives the same Q_n a tail: little of the probability is there.
+TEST(Moment, AConfinementHoldsTheTailDown) {
+  const auto [solution, summary] = solve(paper_case(1), of_order(4));
+  EXPECT_EQ(solution.status, Status::ok);
+  EXPECT_FALSE(summary.leading_form->negative);  // Q_n itself rises
+  EXPECT_LT(summary.support->edge_density, 1e-6);
+  EXPECT_LT(summary.moment->beyond_level, 1e-3);
+  EXPECT_EQ(to_json(summary).at("leading_form"), "negative");
+  EXPECT_EQ(to_json(summary).at("tail").at("polynomial_leading_form"), "indefinite");
+}
+
+// Where Q_n falls by itself the confinement moves out of the way: a density that has decayed to
+// rounding there does not know of it.
+TEST(Moment, TheConfinementGivesWayToAFallingExponent) {
+  const auto [solution, summary] = solve(paper_case(1), of_order(6));
+  EXPECT_TRUE(summary.leading_form->negative);
+  EXPECT_GT(summary.moment->level_deviations, 9);
+  EXPECT_LT(summary.moment->beyond_level, 1e-15);
+}
+
+TEST(Moment, ReportsTheOrderAtWhichItIsLost) {
+  auto options = of_order(8);
+  options.max_iterations = 1;
+  const auto [solution, summary] = solve(paper_case(4), options);
+  EXPECT_EQ(solution.status, Status::not_converged);
+  EXPECT_NE(solution.reason.find("order 4"), std::string::npos) << solution.reason;
+  EXPECT_FALSE(solution.density.has_value());
+}
+
+TEST(Moment, RefusesTheCutSeries) {
+  EXPECT_THROW(validate(of_order(6, Equation::km4)), InputError);
+  EXPECT_THROW(validate(of_order(7)), InputError);
+  EXPECT_THROW(validate(of_order(18)), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc
