@@ -29,7 +29,7 @@ constexpr Command kCommands[] = {
     {"fd", "finite differences for the (generalised) Fokker-Planck-Kolmogorov equation",
      fd_command},
     {"mcs", "Monte Carlo simulation of the impact system itself", mcs_command},
-    {"study", "what discretisation does: growth, eigenvalues and densities over a range of steps",
+    {"study", "what order, step and regularisation do: convergence, cost, growth",
      study_command},
     {"reference", "reference values, agreed on by two discretisations and a simulation",
      reference_command},

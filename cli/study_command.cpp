@@ -1,107 +1,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 
-#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
-#include "cli/progress_line.hpp"
-#include "cli/solve_and_report.hpp"
-#include "compare/regularisation_report.hpp"
-#include "compare/report.hpp"
-#include "compare/run_directory.hpp"
+#include "cli/studies.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck study regularisation CASE [options]
+constexpr const char* kUsage = R"(usage: fpkcheck study SUBJECT CASE [options]
 
-What becomes of the series cut after the fourth derivative on finer and finer velocity steps h:
-  literal      fourth difference over the step, l = h: ill-posed, the worse the finer
-  0.9 l*       a fixed length below the threshold l* of well-posedness, and
-  1.1 l*       one above it
-  regularised  the default length, l^2 = E[Y^6] / (5 E[Y^4])
-  pade         the Pade approximant of the series, which has no length
-Each row gives the largest growth rate of a wave (from the symbol), the rightmost eigenvalue of the
-whole matrix (shift-invert Arnoldi on KLU factors), and how far the null vector is from the density
-of the full jump equation on the same grid.
-Exit code 0 when the default length neither grows nor lacks a density on the finest step.
-
-examples:
-  fpkcheck study regularisation case1
-  fpkcheck study regularisation mine.ini --set system.restitution=0.9 --out results
+subjects (fpkcheck study SUBJECT --help explains each):
+  order           closures over the order of their polynomial: which converge, to what, at what cost
+  regularisation  the series cut after the fourth derivative on finer and finer velocity steps
 )";
-constexpr const char* kSubjects = "regularisation";
+constexpr const char* kSubjects = "order or regularisation";
 
-bool reached(const fd_fpk::RegularisationStudy& study, const problem::Problem& problem) {
-  const fd_fpk::RegularisationRow* finest = nullptr;
-  for (const auto& row : study.rows) {
-    if (row.scheme == "regularised") finest = &row;
-  }
-  return finest != nullptr && !finest->growth(problem) && finest->l1_y;
-}
-
-int study_regularisation(const CommonArguments& common, const std::string& command_line) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto problems = load_cases(common);
-  if (problems.size() != 1) throw InputError("a study takes one case");
-  if (common.out) compare::make_writable(*common.out);
-
-  ProgressLine line(common.quiet);
-  const auto study = fd_fpk::study_regularisation(problems[0], {}, [&](int row, int rows) {
-    line.show({.done = static_cast<std::size_t>(row),
-               .total = static_cast<std::size_t>(rows),
-               .case_name = problems[0].name,
-               .method = "regularisation",
-               .fraction = 0});
-  });
-  line.clear();
-
-  const auto report = compare::regularisation_report(command_line, problems[0], study);
-  if (common.json) {
-    fmt::print("{}\n", compare::json_text(report));
-  } else if (!common.quiet) {
-    fmt::print("{}", compare::regularisation_table(report, table_width()));
-  }
-  if (common.out) {
-    const std::filesystem::path directory = *common.out;
-    compare::write_file(directory / "study-regularisation.json", compare::json_text(report) + '\n');
-    compare::write_file(directory / "study-regularisation.csv",
-                        compare::regularisation_csv(report));
-  }
-  if (!common.quiet && !common.json) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    fmt::print("\n{}{:.1f} s.\n",
-               common.out
-                   ? fmt::format("Wrote study-regularisation.json and .csv to {} in ", *common.out)
-                   : "Done in ",
-               elapsed.count());
-  }
-  return reached(study, problems[0]) ? kDone : kNotReached;
-}
+bool asks_for_help(const std::string& argument) { return argument == "--help" || argument == "-h"; }
 
 }  // namespace
 
 int study_command(const std::vector<std::string>& arguments, const std::string& command_line) {
-  CommonArguments common;
-  if (!parse(arguments, kUsage,
-             with_common_options({}, common, "write study-regularisation.json and .csv there"),
-             common.cases)) {
+  if (!arguments.empty() && asks_for_help(arguments.front())) {
+    fmt::print("{}", kUsage);
     return kDone;
   }
-  if (common.cases.empty()) {
-    throw InputError(fmt::format("study of what? (subjects: {}; --help explains)", kSubjects));
-  }
-  const std::string subject = common.cases.front();
-  common.cases.erase(common.cases.begin());
-  if (subject != "regularisation") {
+  const auto subject =
+      std::ranges::find_if(arguments, [](const auto& a) { return !a.starts_with('-'); });
+  if (subject == arguments.end() || subject != arguments.begin()) {
     throw InputError(
-        fmt::format("'{}' is no subject of a study (use {}; --help explains)", subject, kSubjects));
+        fmt::format("study of what? (the subject comes first: {}; --help explains)", kSubjects));
   }
-  return study_regularisation(common, command_line);
+  const std::vector<std::string> rest(subject + 1, arguments.end());
+  if (*subject == "order") return study_order(rest, command_line);
+  if (*subject == "regularisation") return study_regularisation(rest, command_line);
+  throw InputError(
+      fmt::format("'{}' is no subject of a study (use {}; --help explains)", *subject, kSubjects));
 }
 
 }  // namespace fpkcheck::cli

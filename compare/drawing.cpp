@@ -39,6 +39,24 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
   });
 }
 
+std::vector<std::string> write_pictures(const fs::path& figures, const std::string& stem,
+                                        const std::string& text, const std::string& gnuplot) {
+  fs::create_directories(figures);
+  const fs::path script = figures / (stem + ".gp");
+  write_file(script, text);
+  std::vector<std::string> warnings;
+  try {
+    for (const char* format : {".png", ".svg"}) draw(gnuplot, script, figures / (stem + format));
+  } catch (const GnuplotMissing& missing) {
+    warnings.push_back(
+        fmt::format("no picture: {} (install gnuplot, then `cd {} && gnuplot {}.gp` draws it)",
+                    missing.what(), figures.string(), stem));
+  } catch (const std::runtime_error& error) {
+    warnings.emplace_back(error.what());
+  }
+  return warnings;
+}
+
 void remove_pictures_of(const fs::path& figures, const std::string& stem) {
   std::error_code ignored;
   for (const char* extension : {".png", ".svg", ".gp"})

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace fpkcheck::compare {
 
@@ -16,6 +17,12 @@ struct GnuplotMissing : std::runtime_error {
 /// @throws GnuplotMissing; std::runtime_error on one line when nothing was drawn
 void draw(const std::string& gnuplot, const std::filesystem::path& script,
           const std::filesystem::path& picture);
+
+/// Writes STEM.gp into a directory and draws STEM.png and STEM.svg from it.
+/// @return a warning for each picture that was not drawn; one when there is no gnuplot
+std::vector<std::string> write_pictures(const std::filesystem::path& figures,
+                                        const std::string& stem, const std::string& script,
+                                        const std::string& gnuplot);
 
 /// Removes STEM.png, STEM.svg and STEM.gp in a directory, where they are.
 void remove_pictures_of(const std::filesystem::path& figures, const std::string& stem);

@@ -128,20 +128,7 @@ std::vector<std::string> write_transient(const fs::path& directory, const Transi
   }
   write_transient_netcdf(directory / kFile, run);
   if (run.result.snapshots.size() < 2) return {"no picture: there is a density at t = 0 only"};
-  fs::create_directories(figures);
-  const fs::path script = figures / (stem + ".gp");
-  write_file(script, transient_figure(run, stem));
-  std::vector<std::string> warnings;
-  try {
-    for (const char* format : {".png", ".svg"}) draw(gnuplot, script, figures / (stem + format));
-  } catch (const GnuplotMissing& missing) {
-    warnings.push_back(
-        fmt::format("no picture: {} (install gnuplot, then `cd {} && gnuplot {}.gp` draws it)",
-                    missing.what(), figures.string(), stem));
-  } catch (const std::runtime_error& error) {
-    warnings.emplace_back(error.what());
-  }
-  return warnings;
+  return write_pictures(figures, stem, transient_figure(run, stem), gnuplot);
 }
 
 }  // namespace fpkcheck::compare
