@@ -1,10 +1,9 @@
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Dense>
 
 #include "epc/basis.hpp"
+#include "epc/projection_nodes.hpp"
 #include "epc/residual.hpp"
 
 namespace fpkcheck::epc {
@@ -27,21 +26,10 @@ class Projection {
   Eigen::MatrixXd jacobian(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
 
  private:
-  // A quadrature node with the basis functions there.
-  struct Node {
-    double x1, x2;
-    Eigen::VectorXd weighted_tests;    // weight times the projection functions
-    std::vector<Derivatives> members;  // derivatives of each basis function
-  };
-  using Nodes = std::vector<Node>;
-
-  Node node(double x1, double x2, double weight) const;
-  Derivatives of_q(const Node& node, const Eigen::VectorXd& a) const;
-
   Basis basis_;
-  Nodes smooth_;  // weights f1 f2
-  Nodes signed_;  // weights sgn(x1) f1 f2
-  Nodes impact_;  // weights delta(x1) |x2| f1 f2
+  ProjectionNodes smooth_;  // weights f1 f2
+  ProjectionNodes signed_;  // weights sgn(x1) f1 f2
+  ProjectionNodes impact_;  // weights delta(x1) |x2| f1 f2
 };
 
 }  // namespace fpkcheck::epc

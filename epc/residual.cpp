@@ -32,14 +32,16 @@ double smooth_part(const ResidualCoefficients& f, double x1, double x2, const De
          f.rate_moment[4] / 24 * fourth + f.damping;
 }
 
-double smooth_part_derivative(const ResidualCoefficients& f, double x1, double x2,
-                              const Derivatives& q, const Derivatives& d) {
+Derivatives smooth_gradient(const ResidualCoefficients& f, double x1, double x2,
+                            const Derivatives& q) {
   const double drift = f.damping * x2 + f.stiffness * x1 + f.cubic * x1 * x1 * x1;
-  const double second = d.q22 + 2 * q.q2 * d.q2;
-  const double fourth = d.q2222 + 4 * (d.q2 * q.q222 + q.q2 * d.q222) + 6 * q.q22 * d.q22 +
-                        6 * (2 * q.q2 * q.q22 * d.q2 + q.q2 * q.q2 * d.q22) +
-                        4 * q.q2 * q.q2 * q.q2 * d.q2;
-  return -x2 * d.q1 + drift * d.q2 + f.rate_moment[2] / 2 * second + f.rate_moment[4] / 24 * fourth;
+  const double second = f.rate_moment[2] / 2, fourth = f.rate_moment[4] / 24;
+  return {.q1 = -x2,
+          .q2 = drift + second * 2 * q.q2 +
+                fourth * (4 * q.q222 + 12 * q.q2 * q.q22 + 4 * q.q2 * q.q2 * q.q2),
+          .q22 = second + fourth * (6 * q.q22 + 6 * q.q2 * q.q2),
+          .q222 = fourth * 4 * q.q2,
+          .q2222 = fourth};
 }
 
 double signed_part(const ResidualCoefficients& f, const Derivatives& q) {
@@ -47,18 +49,21 @@ double signed_part(const ResidualCoefficients& f, const Derivatives& q) {
   return -f.rate_moment[1] * q.q2 - f.rate_moment[3] / 6 * third;
 }
 
-double signed_part_derivative(const ResidualCoefficients& f, const Derivatives& q,
-                              const Derivatives& d) {
-  const double third = d.q222 + 3 * (d.q2 * q.q22 + q.q2 * d.q22) + 3 * q.q2 * q.q2 * d.q2;
-  return -f.rate_moment[1] * d.q2 - f.rate_moment[3] / 6 * third;
+Derivatives signed_gradient(const ResidualCoefficients& f, const Derivatives& q) {
+  const double third = -f.rate_moment[3] / 6;
+  return {.q1 = 0,
+          .q2 = -f.rate_moment[1] + third * 3 * (q.q22 + q.q2 * q.q2),
+          .q22 = third * 3 * q.q2,
+          .q222 = third,
+          .q2222 = 0};
 }
 
 double impact_part(const ResidualCoefficients& f, double x2, const Derivatives& q) {
   return f.impact_loss * (x2 * q.q2 + 2);
 }
 
-double impact_part_derivative(const ResidualCoefficients& f, double x2, const Derivatives& d) {
-  return f.impact_loss * x2 * d.q2;
+Derivatives impact_gradient(const ResidualCoefficients& f, double x2) {
+  return {.q1 = 0, .q2 = f.impact_loss * x2, .q22 = 0, .q222 = 0, .q2222 = 0};
 }
 
 }  // namespace fpkcheck::epc

@@ -39,23 +39,22 @@ struct Derivatives {
 //
 //     F = smooth + sgn(x1) signed + delta(x1) |x2| impact,
 //
-// since each factor has a quadrature rule of its own. Each part below comes with its derivative in
-// the direction d of the unknowns, where d holds the derivatives of a basis function of Q_n.
+// since each factor has a quadrature rule of its own. Each part below comes with its gradient with
+// respect to the derivatives of Q_n that it contains.
 
 /// -x2 Q_1 + [c x2 + k x1 + mu x1^3] Q_2 + lambda E[Y^2]/2! [Q_22 + Q_2^2] + lambda E[Y^4]/4!
 /// [Q_2222
 /// + 4 Q_2 Q_222 + 3 Q_22^2 + 6 Q_2^2 Q_22 + Q_2^4] + c
 double smooth_part(const ResidualCoefficients& f, double x1, double x2, const Derivatives& q);
-double smooth_part_derivative(const ResidualCoefficients& f, double x1, double x2,
-                              const Derivatives& q, const Derivatives& d);
+Derivatives smooth_gradient(const ResidualCoefficients& f, double x1, double x2,
+                            const Derivatives& q);
 
 /// -lambda E[Y] Q_2 - lambda E[Y^3]/3! [Q_222 + 3 Q_2 Q_22 + Q_2^3]
 double signed_part(const ResidualCoefficients& f, const Derivatives& q);
-double signed_part_derivative(const ResidualCoefficients& f, const Derivatives& q,
-                              const Derivatives& d);
+Derivatives signed_gradient(const ResidualCoefficients& f, const Derivatives& q);
 
 /// (1-r) [x2 Q_2 + 2]
 double impact_part(const ResidualCoefficients& f, double x2, const Derivatives& q);
-double impact_part_derivative(const ResidualCoefficients& f, double x2, const Derivatives& d);
+Derivatives impact_gradient(const ResidualCoefficients& f, double x2);
 
 }  // namespace fpkcheck::epc
