@@ -47,24 +47,28 @@ double Basis::value(Eigen::Index s, double x1, double x2) const {
   return std::pow(x1, p) * std::pow(x2, q) / norm;
 }
 
+Eigen::MatrixXd Basis::products(const Eigen::MatrixXd& of_x1, const Eigen::MatrixXd& of_x2) const {
+  Eigen::MatrixXd result(of_x1.rows(), size());
+  for (Eigen::Index s = 0; s < size(); ++s) {
+    const auto& [p, q, norm] = members_[s];
+    result.col(s) = of_x1.col(p).cwiseProduct(of_x2.col(q)) / norm;
+  }
+  return result;
+}
+
+Eigen::MatrixXd Basis::values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
+  return products(power_derivatives(x1, order_, 0), power_derivatives(x2, order_, 0));
+}
+
 BasisTable Basis::table(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
-  const Eigen::MatrixXd along_x1 = power_derivatives(x1, order_, 0);
-  const Eigen::MatrixXd slope_x1 = power_derivatives(x1, order_, 1);
-  const auto columns = [&](const Eigen::MatrixXd& of_x1, int j) -> Eigen::MatrixXd {
-    const Eigen::MatrixXd of_x2 = power_derivatives(x2, order_, j);
-    Eigen::MatrixXd result(x1.size(), size());
-    for (Eigen::Index s = 0; s < size(); ++s) {
-      const auto& [p, q, norm] = members_[s];
-      result.col(s) = of_x1.col(p).cwiseProduct(of_x2.col(q)) / norm;
-    }
-    return result;
-  };
-  return {.value = columns(along_x1, 0),
-          .d1 = columns(slope_x1, 0),
-          .d2 = columns(along_x1, 1),
-          .d22 = columns(along_x1, 2),
-          .d222 = columns(along_x1, 3),
-          .d2222 = columns(along_x1, 4)};
+  const Eigen::MatrixXd of_x1 = power_derivatives(x1, order_, 0);
+  const auto in_x2 = [&](int j) { return products(of_x1, power_derivatives(x2, order_, j)); };
+  return {.value = in_x2(0),
+          .d1 = products(power_derivatives(x1, order_, 1), power_derivatives(x2, order_, 0)),
+          .d2 = in_x2(1),
+          .d22 = in_x2(2),
+          .d222 = in_x2(3),
+          .d2222 = in_x2(4)};
 }
 
 Polynomial Basis::polynomial(const Eigen::VectorXd& scaled) const {

@@ -41,6 +41,8 @@ class Basis {
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
 
   double value(Eigen::Index s, double x1, double x2) const;
+  /// The basis functions at the points (x1[i], x2[i]): point i in row i, function s in column s.
+  Eigen::MatrixXd values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
   /// The basis functions and their derivatives at the points (x1[i], x2[i]).
   BasisTable table(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
 
@@ -50,6 +52,9 @@ class Basis {
   Eigen::VectorXd scaled(const std::vector<Term>& terms) const;
 
  private:
+  /// Products of a power of x1 and one of x2, or of their derivatives, each given by columns.
+  Eigen::MatrixXd products(const Eigen::MatrixXd& of_x1, const Eigen::MatrixXd& of_x2) const;
+
   struct Member {
     int p, q;
     double norm;

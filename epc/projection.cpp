@@ -75,6 +75,11 @@ Projection::Projection(Basis basis)
       impact_(nodes(along_wall(absolute_rule(impact_degree(basis_.order())), basis_.sigma()),
                     basis_)) {}
 
+Projection::Projection(Basis basis, const problem::ImpulseTrain& impulses, double jump_radius)
+    : Projection(std::move(basis)) {
+  jump_.emplace(basis_, impulses, jump_radius);
+}
+
 Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
                                      const Eigen::VectorXd& a) const {
   Eigen::VectorXd result =
@@ -85,6 +90,7 @@ Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
     result += signed_.project(
         values(signed_, a, [&](Eigen::Index, const Derivatives& q) { return signed_part(f, q); }));
   }
+  if (f.jump_share != 0) result += f.jump_share * jump_.value().projection(a);
   return result + impact_.project(values(impact_, a, [&](Eigen::Index i, const Derivatives& q) {
     return impact_part(f, impact_.x2(i), q);
   }));
@@ -100,6 +106,7 @@ Eigen::MatrixXd Projection::jacobian(const ResidualCoefficients& f,
     result += signed_.project_gradients(gradients(
         signed_, a, [&](Eigen::Index, const Derivatives& q) { return signed_gradient(f, q); }));
   }
+  if (f.jump_share != 0) result += f.jump_share * jump_.value().jacobian(a);
   return result +
          impact_.project_gradients(gradients(impact_, a, [&](Eigen::Index i, const Derivatives&) {
            return impact_gradient(f, impact_.x2(i));
