@@ -81,6 +81,11 @@ TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
   EXPECT_EQ(start.rate_moment[4], 0);
   EXPECT_DOUBLE_EQ(half.rate_moment[4], full.rate_moment[4] / 2);
   EXPECT_DOUBLE_EQ(half.impact_loss, 0.15);
+  const ResidualCoefficients jumps = residual_coefficients(tests::paper_case(1), Equation::kf);
+  EXPECT_EQ(full.jump_share, 0);
+  EXPECT_EQ(jumps.jump_share, 1);
+  EXPECT_EQ(partway(jumps, 0).jump_share, 0);
+  EXPECT_DOUBLE_EQ(partway(jumps, 0.25).jump_share, 0.25);
 }
 
 TEST(Newton, StopsAfterTheStepsAllowed) {
