@@ -13,18 +13,23 @@ constexpr const char* kUsage = R"(usage: fpkcheck epc CASE ... [options]
 Exponential-polynomial closure: a density C exp(Q_n), Q_n a polynomial of degree n, from weak
 equations. Two formulations:
   gaussian   the paper's: p(z, z') on the whole plane, projections (23) under Gaussian weights;
-             series cut after the fourth derivative, impact as a delta function
+             series cut after the fourth derivative, impact as a delta function. Where Newton's
+             method finds no root, the branch of solutions from the exact density of white noise
+             at r = 1 is followed past its folds (summary.json has it)
   moment     p(y, y') on y >= 0, exact moment equations of the impact process itself
 The status says what the result is worth:
   ok             the equations are met by a density that has decayed on the whole edge of its
-                 support
-  inadmissible   the equations are met, but not by such a density (condition (19) of the paper)
-  not_converged  the equations are not met
+                 support (gaussian: and keeps the balance of power, and is near that of order n-2)
+  inadmissible   the equations are met, but not by such a density (condition (19) of the paper),
+                 or by a spurious one
+  not_converged  the equations are not met (gaussian with kf: or depend on the disc on which the
+                 jump integral is taken)
 
 examples:
   fpkcheck epc case1 --order 6
   fpkcheck epc case1 case4 --formulation moment --order 8
   fpkcheck epc case2 --order 8 --json
+  fpkcheck epc case2 --order 8 --equation kf
 )";
 
 epc::MonomialSet monomial_set(const std::string& name) {

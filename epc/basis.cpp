@@ -13,11 +13,17 @@ double norm(int p, double sigma) {
   return std::pow(sigma, p) * std::sqrt(moment);
 }
 
-// The j-th derivative of x^p.
-double monomial_derivative(int p, int j, double x) {
-  double factor = 1;
-  for (int i = 0; i < j; ++i) factor *= p - i;
-  return factor == 0 ? 0 : factor * std::pow(x, p - j);
+// Column p holds the j-th derivative of x^p at each point.
+Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(x.size(), degree + 1);
+  Eigen::VectorXd power = Eigen::VectorXd::Ones(x.size());
+  for (int p = j; p <= degree; ++p) {
+    double factor = 1;
+    for (int i = 0; i < j; ++i) factor *= p - i;
+    columns.col(p) = factor * power;
+    power.array() *= x.array();
+  }
+  return columns;
 }
 
 }  // namespace
@@ -26,7 +32,8 @@ Deviations deviations(const problem::EquivalentLinearisation& linear) {
   return {linear.displacement_deviation, linear.velocity_deviation};
 }
 
-Basis::Basis(int order, MonomialSet set, const Deviations& sigma) : order_(order), sigma_(sigma) {
+Basis::Basis(int order, MonomialSet set, const Deviations& sigma)
+    : order_(order), set_(set), sigma_(sigma) {
   const int step = set == MonomialSet::point_symmetric ? 2 : 1;
   for (int m = step; m <= order; m += step) {
     for (int l = 0; l <= m; ++l) {
@@ -40,14 +47,28 @@ double Basis::value(Eigen::Index s, double x1, double x2) const {
   return std::pow(x1, p) * std::pow(x2, q) / norm;
 }
 
-Derivatives Basis::derivatives(Eigen::Index s, double x1, double x2) const {
-  const auto& [p, q, norm] = members_[s];
-  const double along_x1 = std::pow(x1, p) / norm;
-  return {.q1 = monomial_derivative(p, 1, x1) * std::pow(x2, q) / norm,
-          .q2 = along_x1 * monomial_derivative(q, 1, x2),
-          .q22 = along_x1 * monomial_derivative(q, 2, x2),
-          .q222 = along_x1 * monomial_derivative(q, 3, x2),
-          .q2222 = along_x1 * monomial_derivative(q, 4, x2)};
+Eigen::MatrixXd Basis::products(const Eigen::MatrixXd& of_x1, const Eigen::MatrixXd& of_x2) const {
+  Eigen::MatrixXd result(of_x1.rows(), size());
+  for (Eigen::Index s = 0; s < size(); ++s) {
+    const auto& [p, q, norm] = members_[s];
+    result.col(s) = of_x1.col(p).cwiseProduct(of_x2.col(q)) / norm;
+  }
+  return result;
+}
+
+Eigen::MatrixXd Basis::values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
+  return products(power_derivatives(x1, order_, 0), power_derivatives(x2, order_, 0));
+}
+
+BasisTable Basis::table(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
+  const Eigen::MatrixXd of_x1 = power_derivatives(x1, order_, 0);
+  const auto in_x2 = [&](int j) { return products(of_x1, power_derivatives(x2, order_, j)); };
+  return {.value = in_x2(0),
+          .d1 = products(power_derivatives(x1, order_, 1), power_derivatives(x2, order_, 0)),
+          .d2 = in_x2(1),
+          .d22 = in_x2(2),
+          .d222 = in_x2(3),
+          .d2222 = in_x2(4)};
 }
 
 Polynomial Basis::polynomial(const Eigen::VectorXd& scaled) const {

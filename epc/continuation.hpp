@@ -1,22 +1,24 @@
 #pragma once
 
+#include "epc/branch.hpp"
 #include "epc/newton.hpp"
 
 namespace fpkcheck::epc {
 
-/// How far the branch of solutions could be followed.
-struct Branch {
-  Eigen::VectorXd a;    ///< the solution at `reached`
-  double residual = 0;  ///< max |R_s(a)| / c there
-  double reached = 0;   ///< fraction of the path; 1 when the whole problem is solved
-  int iterations = 0;   ///< Newton steps in all
+/// The branch, and the root where it reaches the full problem.
+struct FollowedBranch {
+  Branch branch;
+  NewtonResult root;  ///< converged only if it does; else at the greatest fraction
 };
 
-/// Follows the solution of (23) along the path of `partway`: from the exact density of white noise
-/// at an impact without loss to the full problem. Steps are halved until Newton's method holds on
-/// to the branch; where they shrink to nothing the branch turns back (its Jacobian is singular
-/// there).
-Branch follow_branch(const Projection& projection, const ResidualCoefficients& full,
-                     double tolerance);
+/// Follows the solution of (23) by pseudo-arclength along the path of `partway`, from the exact
+/// density of white noise at an impact without loss towards the full problem, past folds.
+FollowedBranch follow_branch(const Projection& projection, const ResidualCoefficients& full,
+                             double tolerance);
+
+/// Adds equations little by little: follows R(a) = (1 - t) R(start) from the start, a root of the
+/// equations of lower order, to a root of all at t = 1 (Newton's homotopy).
+NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
+                           const Eigen::VectorXd& start, double tolerance);
 
 }  // namespace fpkcheck::epc

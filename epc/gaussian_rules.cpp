@@ -39,19 +39,24 @@ Rule gauss_rule(const Recurrence& recurrence) {
   return rule;
 }
 
-// int_0^inf g(t) exp(-t) dt with a number of points that makes it exact up to the degree.
-Rule laguerre_rule(int degree) {
-  const int count = degree / 2 + 1;
-  const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
-  return gauss_rule({(2 * i).array() + 1, i.array() + 1});
-}
-
 // With t = u^2 / 2,  E[|u| g(u)] = int_0^inf [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi),
 // where the bracket is a polynomial in t of half the degree. E[sgn(u) g(u)] is the same with
 // g(u)/u: the odd part of g alone counts, and its quotient by u is again a polynomial in t.
 const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace
+
+Rule exponential_rule(int degree) {
+  const int count = degree / 2 + 1;
+  const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
+  return gauss_rule({(2 * i).array() + 1, i.array() + 1});
+}
+
+Rule uniform_rule(int degree) {
+  const int count = degree / 2 + 1;
+  const Eigen::ArrayXd i = Eigen::ArrayXd::LinSpaced(count, 1, count);
+  return gauss_rule({Eigen::VectorXd::Zero(count), i / (4 * i * i - 1).sqrt()});
+}
 
 Rule normal_rule(int degree) {
   const int count = degree / 2 + 1;
@@ -60,7 +65,7 @@ Rule normal_rule(int degree) {
 }
 
 Rule absolute_rule(int degree) {
-  const Rule half = laguerre_rule(degree / 2);
+  const Rule half = exponential_rule(degree / 2);
   Rule rule;
   for (std::size_t i = 0; i < half.nodes.size(); ++i) {
     const double u = std::sqrt(2 * half.nodes[i]);

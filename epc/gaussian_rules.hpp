@@ -19,4 +19,10 @@ Rule sign_rule(int degree);
 /// E[|u| g(u)], exact for polynomials g up to the given degree.
 Rule absolute_rule(int degree);
 
+/// int_0^inf g(t) exp(-t) dt, exact for polynomials g up to the given degree (Gauss-Laguerre).
+Rule exponential_rule(int degree);
+
+/// The average of g over (-1, 1), exact for polynomials g up to the given degree (Gauss-Legendre).
+Rule uniform_rule(int degree);
+
 }  // namespace fpkcheck::epc

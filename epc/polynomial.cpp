@@ -1,7 +1,6 @@
 #include "epc/polynomial.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fpkcheck::epc {
 
@@ -30,17 +29,14 @@ double Polynomial::operator()(double x1, double x2) const {
 }
 
 std::vector<double> Polynomial::along(double e1, double e2) const {
-  std::vector<double> coefficients(degree_ + 1);
-  for (const auto& [p, q, a] : terms_) {
-    coefficients[p + q] += a * std::pow(e1, p) * std::pow(e2, q);
+  std::vector<double> power1{1}, power2{1};
+  for (int m = 1; m <= degree_; ++m) {
+    power1.push_back(power1.back() * e1);
+    power2.push_back(power2.back() * e2);
   }
+  std::vector<double> coefficients(degree_ + 1);
+  for (const auto& [p, q, a] : terms_) coefficients[p + q] += a * power1[p] * power2[q];
   return coefficients;
-}
-
-double horner(const std::vector<double>& coefficients, double rho) {
-  double value = 0;
-  for (std::size_t m = coefficients.size(); m-- > 0;) value = value * rho + coefficients[m];
-  return value;
 }
 
 std::vector<double> derivative(const std::vector<double>& coefficients) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace fpkcheck::epc {
@@ -31,7 +32,11 @@ class Polynomial {
 };
 
 /// Value at rho of the polynomial with the given coefficients, lowest power first.
-double horner(const std::vector<double>& coefficients, double rho);
+inline double horner(const std::vector<double>& coefficients, double rho) {
+  double value = 0;
+  for (std::size_t m = coefficients.size(); m-- > 0;) value = value * rho + coefficients[m];
+  return value;
+}
 
 /// Coefficients of the derivative, lowest power first.
 std::vector<double> derivative(const std::vector<double>& coefficients);

@@ -3,98 +3,114 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "epc/gaussian_rules.hpp"
 
 namespace fpkcheck::epc {
+namespace {
 
-Projection::Projection(Basis basis) : basis_(std::move(basis)) {
-  const auto& [sigma1, sigma2] = basis_.sigma();
-  const int n = basis_.order();
-  // The degree of each part of F in x1 and in x2, Q_2 being of degree n-1, and of the projection
-  // function.
-  const int smooth_degree = std::max(4 * (n - 1), n + 2) + n;
-  const int signed_degree = 3 * (n - 1) + n;
-  const int impact_degree = n + n;
+// The degree of each part of F in x1 and in x2, Q_2 being of degree n-1, and of the projection
+// function.
+int smooth_degree(int n) { return std::max(4 * (n - 1), n + 2) + n; }
+int signed_degree(int n) { return 3 * (n - 1) + n; }
+int impact_degree(int n) { return n + n; }
 
-  const Rule plain = normal_rule(smooth_degree);
-  for (std::size_t i = 0; i < plain.nodes.size(); ++i) {
-    for (std::size_t j = 0; j < plain.nodes.size(); ++j) {
-      smooth_.push_back(node(sigma1 * plain.nodes[i], sigma2 * plain.nodes[j],
-                             plain.weights[i] * plain.weights[j]));
+PlaneRule product(const Rule& u1, const Rule& u2, const Deviations& sigma) {
+  PlaneRule rule;
+  for (std::size_t i = 0; i < u1.nodes.size(); ++i) {
+    for (std::size_t j = 0; j < u2.nodes.size(); ++j) {
+      rule.add(sigma.x1 * u1.nodes[i], sigma.x2 * u2.nodes[j], u1.weights[i] * u2.weights[j]);
     }
   }
-  const Rule sign = sign_rule(signed_degree);
-  const Rule across = normal_rule(signed_degree);
-  for (std::size_t i = 0; i < sign.nodes.size(); ++i) {
-    for (std::size_t j = 0; j < across.nodes.size(); ++j) {
-      signed_.push_back(node(sigma1 * sign.nodes[i], sigma2 * across.nodes[j],
-                             sign.weights[i] * across.weights[j]));
-    }
-  }
-  // int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
-  const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma1);
-  const Rule absolute = absolute_rule(impact_degree);
+  return rule;
+}
+
+// int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
+PlaneRule along_wall(const Rule& absolute, const Deviations& sigma) {
+  const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
+  PlaneRule rule;
   for (std::size_t j = 0; j < absolute.nodes.size(); ++j) {
-    impact_.push_back(node(0, sigma2 * absolute.nodes[j], at_wall * sigma2 * absolute.weights[j]));
+    rule.add(0, sigma.x2 * absolute.nodes[j], at_wall * sigma.x2 * absolute.weights[j]);
   }
+  return rule;
 }
 
-Projection::Node Projection::node(double x1, double x2, double weight) const {
-  Node result{x1, x2, Eigen::VectorXd(basis_.size()), {}};
-  for (Eigen::Index s = 0; s < basis_.size(); ++s) {
-    result.weighted_tests[s] = weight * basis_.value(s, x1, x2);
-    result.members.push_back(basis_.derivatives(s, x1, x2));
-  }
-  return result;
+// F is even under (x1, x2) -> (-x1, -x2) when Q_n is.
+ProjectionNodes nodes(const PlaneRule& rule, const Basis& basis) {
+  const bool even = basis.set() == MonomialSet::point_symmetric;
+  return {even ? folded(rule) : rule, basis};
 }
 
-Derivatives Projection::of_q(const Node& node, const Eigen::VectorXd& a) const {
-  Derivatives q{0, 0, 0, 0, 0};
-  for (Eigen::Index s = 0; s < basis_.size(); ++s) {
-    const Derivatives& d = node.members[s];
-    q.q1 += a[s] * d.q1;
-    q.q2 += a[s] * d.q2;
-    q.q22 += a[s] * d.q22;
-    q.q222 += a[s] * d.q222;
-    q.q2222 += a[s] * d.q2222;
-  }
+// A part of F at each node.
+template <class Part>
+Eigen::VectorXd values(const ProjectionNodes& nodes, const Eigen::VectorXd& a, const Part& part) {
+  const std::vector<Derivatives> q = nodes.of_q(a);
+  return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
+}
+
+// Its gradient at each node.
+template <class Gradient>
+std::vector<Derivatives> gradients(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
+                                   const Gradient& gradient) {
+  std::vector<Derivatives> q = nodes.of_q(a);
+  for (Eigen::Index i = 0; i < nodes.size(); ++i) q[i] = gradient(i, q[i]);
   return q;
+}
+
+bool has_signed_part(const ResidualCoefficients& f) {
+  return f.rate_moment[1] != 0 || f.rate_moment[3] != 0;
+}
+
+}  // namespace
+
+Projection::Projection(Basis basis)
+    : basis_(std::move(basis)),
+      smooth_(nodes(product(normal_rule(smooth_degree(basis_.order())),
+                            normal_rule(smooth_degree(basis_.order())), basis_.sigma()),
+                    basis_)),
+      signed_(nodes(product(sign_rule(signed_degree(basis_.order())),
+                            normal_rule(signed_degree(basis_.order())), basis_.sigma()),
+                    basis_)),
+      impact_(nodes(along_wall(absolute_rule(impact_degree(basis_.order())), basis_.sigma()),
+                    basis_)) {}
+
+Projection::Projection(Basis basis, const problem::ImpulseTrain& impulses, double jump_radius)
+    : Projection(std::move(basis)) {
+  jump_.emplace(basis_, impulses, jump_radius);
 }
 
 Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
                                      const Eigen::VectorXd& a) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(basis_.size());
-  for (const Node& at : smooth_) {
-    result += smooth_part(f, at.x1, at.x2, of_q(at, a)) * at.weighted_tests;
+  Eigen::VectorXd result =
+      smooth_.project(values(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
+        return smooth_part(f, smooth_.x1(i), smooth_.x2(i), q);
+      }));
+  if (has_signed_part(f)) {
+    result += signed_.project(
+        values(signed_, a, [&](Eigen::Index, const Derivatives& q) { return signed_part(f, q); }));
   }
-  for (const Node& at : signed_) result += signed_part(f, of_q(at, a)) * at.weighted_tests;
-  for (const Node& at : impact_) result += impact_part(f, at.x2, of_q(at, a)) * at.weighted_tests;
-  return result;
+  if (f.jump_share != 0) result += f.jump_share * jump_.value().projection(a);
+  return result + impact_.project(values(impact_, a, [&](Eigen::Index i, const Derivatives& q) {
+    return impact_part(f, impact_.x2(i), q);
+  }));
 }
 
 Eigen::MatrixXd Projection::jacobian(const ResidualCoefficients& f,
                                      const Eigen::VectorXd& a) const {
-  const Eigen::Index size = basis_.size();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-  Eigen::RowVectorXd row(size);
-  const auto add = [&](const Nodes& nodes, auto&& part_derivative) {
-    for (const Node& at : nodes) {
-      const Derivatives q = of_q(at, a);
-      for (Eigen::Index k = 0; k < size; ++k) row[k] = part_derivative(at, q, at.members[k]);
-      result.noalias() += at.weighted_tests * row;
-    }
-  };
-  add(smooth_, [&](const Node& at, const Derivatives& q, const Derivatives& d) {
-    return smooth_part_derivative(f, at.x1, at.x2, q, d);
-  });
-  add(signed_, [&](const Node&, const Derivatives& q, const Derivatives& d) {
-    return signed_part_derivative(f, q, d);
-  });
-  add(impact_, [&](const Node& at, const Derivatives&, const Derivatives& d) {
-    return impact_part_derivative(f, at.x2, d);
-  });
-  return result;
+  Eigen::MatrixXd result =
+      smooth_.project_gradients(gradients(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
+        return smooth_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
+      }));
+  if (has_signed_part(f)) {
+    result += signed_.project_gradients(gradients(
+        signed_, a, [&](Eigen::Index, const Derivatives& q) { return signed_gradient(f, q); }));
+  }
+  if (f.jump_share != 0) result += f.jump_share * jump_.value().jacobian(a);
+  return result +
+         impact_.project_gradients(gradients(impact_, a, [&](Eigen::Index i, const Derivatives&) {
+           return impact_gradient(f, impact_.x2(i));
+         }));
 }
 
 }  // namespace fpkcheck::epc

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include <Eigen/Dense>
 
 #include "epc/basis.hpp"
+#include "epc/jump_remainder.hpp"
+#include "epc/projection_nodes.hpp"
 #include "epc/residual.hpp"
 
 namespace fpkcheck::epc {
@@ -14,10 +16,15 @@ namespace fpkcheck::epc {
 ///     R_s(a) = (1/N_s) int int F(x1, x2; a) x1^p x2^q f1(x1) f2(x2) dx1 dx2 = 0.
 ///
 /// Every integral is exact up to rounding: each part of F is a polynomial under a Gaussian, and
-/// each has the rule that its factor sgn(x1) or |x2| delta(x1) calls for.
+/// each has the rule that its factor sgn(x1) or |x2| delta(x1) calls for. What `kf` adds is no
+/// polynomial, see JumpRemainder.
 class Projection {
  public:
+  /// The equations with f.jump_share = 0.
   explicit Projection(Basis basis);
+  /// All equations.
+  Projection(Basis basis, const problem::ImpulseTrain& impulses,
+             double jump_radius = JumpRemainder::kRadius);
 
   const Basis& basis() const { return basis_; }
 
@@ -27,21 +34,11 @@ class Projection {
   Eigen::MatrixXd jacobian(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
 
  private:
-  // A quadrature node with the basis functions there.
-  struct Node {
-    double x1, x2;
-    Eigen::VectorXd weighted_tests;    // weight times the projection functions
-    std::vector<Derivatives> members;  // derivatives of each basis function
-  };
-  using Nodes = std::vector<Node>;
-
-  Node node(double x1, double x2, double weight) const;
-  Derivatives of_q(const Node& node, const Eigen::VectorXd& a) const;
-
   Basis basis_;
-  Nodes smooth_;  // weights f1 f2
-  Nodes signed_;  // weights sgn(x1) f1 f2
-  Nodes impact_;  // weights delta(x1) |x2| f1 f2
+  ProjectionNodes smooth_;  // weights f1 f2
+  ProjectionNodes signed_;  // weights sgn(x1) f1 f2
+  ProjectionNodes impact_;  // weights delta(x1) |x2| f1 f2
+  std::optional<JumpRemainder> jump_;
 };
 
 }  // namespace fpkcheck::epc

@@ -20,14 +20,17 @@ struct ResidualCoefficients {
   double cubic;                       ///< mu
   double impact_loss;                 ///< 1 - r
   std::array<double, 5> rate_moment;  ///< lambda E[Y^j], j = 0 .. 4; entry 0 is not used
+  /// Share of what `kf` adds to the terms above: the jump integral less its Kramers-Moyal series up
+  /// to the fourth derivative. 1 for `kf`, else 0.
+  double jump_share;
 };
 
 ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equation equation);
 
 /// The coefficients at a point of the straight path from white noise at an impact without loss
 /// (fraction 0), where the density is exp( -(c/D2)(x2^2/2 + k x1^2/2 + mu x1^4/4) ) up to a
-/// constant, to the given ones (fraction 1): 1-r and lambda E[Y], E[Y^3], E[Y^4] are multiplied by
-/// the fraction.
+/// constant, to the given ones (fraction 1): 1-r, lambda E[Y], E[Y^3], E[Y^4] and the jump share
+/// are multiplied by the fraction.
 ResidualCoefficients partway(const ResidualCoefficients& full, double fraction);
 
 /// Q_n's derivatives at a point; two twos stand for the second derivative in x2, and so on.
@@ -39,23 +42,27 @@ struct Derivatives {
 //
 //     F = smooth + sgn(x1) signed + delta(x1) |x2| impact,
 //
-// since each factor has a quadrature rule of its own. Each part below comes with its derivative in
-// the direction d of the unknowns, where d holds the derivatives of a basis function of Q_n.
+// since each factor has a quadrature rule of its own. Each part below comes with its gradient with
+// respect to the derivatives of Q_n that it contains.
 
 /// -x2 Q_1 + [c x2 + k x1 + mu x1^3] Q_2 + lambda E[Y^2]/2! [Q_22 + Q_2^2] + lambda E[Y^4]/4!
 /// [Q_2222
 /// + 4 Q_2 Q_222 + 3 Q_22^2 + 6 Q_2^2 Q_22 + Q_2^4] + c
 double smooth_part(const ResidualCoefficients& f, double x1, double x2, const Derivatives& q);
-double smooth_part_derivative(const ResidualCoefficients& f, double x1, double x2,
-                              const Derivatives& q, const Derivatives& d);
+Derivatives smooth_gradient(const ResidualCoefficients& f, double x1, double x2,
+                            const Derivatives& q);
 
 /// -lambda E[Y] Q_2 - lambda E[Y^3]/3! [Q_222 + 3 Q_2 Q_22 + Q_2^3]
 double signed_part(const ResidualCoefficients& f, const Derivatives& q);
-double signed_part_derivative(const ResidualCoefficients& f, const Derivatives& q,
-                              const Derivatives& d);
+Derivatives signed_gradient(const ResidualCoefficients& f, const Derivatives& q);
+
+/// The terms of the two parts above that are due to the impulses, at a point with x1 > 0
+/// (side = 1) or x1 < 0 (side = -1): the Kramers-Moyal series times exp(-Q).
+double series_part(const ResidualCoefficients& f, int side, const Derivatives& q);
+Derivatives series_gradient(const ResidualCoefficients& f, int side, const Derivatives& q);
 
 /// (1-r) [x2 Q_2 + 2]
 double impact_part(const ResidualCoefficients& f, double x2, const Derivatives& q);
-double impact_part_derivative(const ResidualCoefficients& f, double x2, const Derivatives& d);
+Derivatives impact_gradient(const ResidualCoefficients& f, double x2);
 
 }  // namespace fpkcheck::epc

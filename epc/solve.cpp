@@ -9,8 +9,6 @@
 #include "epc/admissibility.hpp"
 #include "epc/gaussian_search.hpp"
 #include "epc/moment/solve.hpp"
-#include "epc/projection.hpp"
-#include "problem/equivalent_linearisation.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::epc {
@@ -34,16 +32,14 @@ void label(const Options& options, Result& result) {
 }
 
 Result solve_gaussian(const problem::Problem& problem, const Options& options) {
-  const Deviations sigma = deviations(problem::equivalent_linearisation(problem));
-  const Projection projection(Basis(options.order, options.monomials, sigma));
-  const Search search =
-      find_root(projection, residual_coefficients(problem, options.equation), options);
-
+  const Search search = find_root(problem, options);
   Result result;
-  result.summary.iterations = search.root.iterations;
-  result.summary.residual = search.root.residual;
-  if (search.root.converged) {
-    judge(problem, projection.basis().polynomial(search.root.a), sigma, result);
+  result.summary.iterations = search.iterations;
+  result.summary.residual = search.residual;
+  result.summary.branch = search.branch;
+  result.summary.disc_sensitivity = search.disc_sensitivity;
+  if (search.root) {
+    judge(problem, *search.root, search.previous, result);
   } else {
     result.solution.status = Status::not_converged;
     result.solution.reason = search.failure;
@@ -90,9 +86,6 @@ void validate(const Options& options) {
         "epc equation = km4 (the moment equations of the formulation moment are those of a "
         "process, and no process belongs to the series cut after the fourth derivative) use kf or "
         "white");
-  }
-  if (options.formulation == Formulation::gaussian && options.equation == Equation::kf) {
-    throw InputError("epc equation = kf (not solved by the formulation gaussian) use km4 or white");
   }
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw InputError(fmt::format("epc tolerance = {} (no iteration can end) use a positive number",

@@ -64,6 +64,47 @@ void add_moment_fields(const Summary& summary, Json& json) {
   json["homotopies"] = own.homotopies;
 }
 
+std::string_view name(BranchEnd end) {
+  switch (end) {
+    case BranchEnd::not_followed:
+      return "not_followed";
+    case BranchEnd::full_problem:
+      return "full_problem";
+    case BranchEnd::white_noise:
+      return "white_noise";
+    case BranchEnd::far_away:
+      return "far_away";
+    case BranchEnd::lost:
+      return "lost";
+  }
+  return "";
+}
+
+Json branch(const Branch& branch) {
+  if (branch.end == BranchEnd::not_followed) return nullptr;
+  Json points = Json::array();
+  for (const BranchPoint& point : branch.points) {
+    points.push_back({{"fraction", point.fraction},
+                      {"norm", point.norm},
+                      {"smallest_singular_value", point.smallest_singular_value},
+                      {"determinant_sign", point.determinant_sign},
+                      {"falls", point.falls},
+                      {"fold", point.fold}});
+  }
+  return {{"end", name(branch.end)}, {"furthest", branch.furthest}, {"points", points}};
+}
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+void add_gaussian_fields(const Summary& summary, Json& json) {
+  if (summary.formulation != Formulation::gaussian) return;
+  json["distance_to_previous"] = number_or_null(summary.distance_to_previous);
+  json["disc_sensitivity"] = number_or_null(summary.disc_sensitivity);
+  json["branch"] = branch(summary.branch);
+}
+
 }  // namespace
 
 nlohmann::ordered_json to_json(const Summary& summary) {
@@ -74,6 +115,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
             {"coefficients", coefficients(summary.coefficients)},
             {"support", support(summary)},
             {"leading_form", leading_form(summary)}};
+  add_gaussian_fields(summary, json);
   add_moment_fields(summary, json);
   return json;
 }

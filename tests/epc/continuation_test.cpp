@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc {
@@ -21,24 +24,50 @@ TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
     const auto start =
         projection.basis().scaled({{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
     const NewtonResult plain = newton(projection, f, start, {});
-    const Branch branch = follow_branch(projection, f, 1e-10);
+    const NewtonResult damped = newton(projection, f, start, {.damped = true});
+    const auto [branch, root] = follow_branch(projection, f, 1e-10);
     ASSERT_TRUE(plain.converged);
-    ASSERT_EQ(branch.reached, 1);
-    EXPECT_LT((plain.a - branch.a).norm(), 1e-10);
+    ASSERT_TRUE(damped.converged);
+    ASSERT_EQ(branch.end, BranchEnd::full_problem);
+    EXPECT_EQ(branch.furthest, 1);
+    EXPECT_LT((plain.a - root.a).norm(), 1e-10);
+    EXPECT_LT((plain.a - damped.a).norm(), 1e-10);
   }
 }
 
-// Theory notes, section 5: at n = 8 the branch turns back before the full problem.
-TEST(Continuation, StopsWhereTheBranchTurnsBack) {
+// At n = 8 the branch turns back before the full problem, and does not come again.
+TEST(Continuation, GoesPastTheFoldAndBackToWhiteNoise) {
   const problem::Problem p = tests::paper_case(1);
   const Projection projection = projection_of(p, 8);
+  const auto [branch, root] =
+      follow_branch(projection, residual_coefficients(p, Equation::km4), 1e-10);
+  EXPECT_FALSE(root.converged);
+  EXPECT_EQ(branch.end, BranchEnd::white_noise);
+  EXPECT_NEAR(branch.furthest, 0.65475, 1e-5);
+  EXPECT_EQ(branch.points.front().fraction, 0);
+  EXPECT_EQ(branch.points.back().fraction, 0);
+  EXPECT_GT(std::abs(branch.points.back().norm - branch.points.front().norm), 0.01);
+  EXPECT_EQ(std::ranges::count_if(branch.points, &BranchPoint::fold), 1);
+  const auto fold = std::ranges::find_if(branch.points, &BranchPoint::fold);
+  EXPECT_EQ(fold->fraction, branch.furthest);
+  EXPECT_LT(fold->smallest_singular_value, 1e-9);
+  EXPECT_EQ(branch.points.front().determinant_sign, -branch.points.back().determinant_sign);
+  EXPECT_TRUE(branch.points.front().falls);
+  EXPECT_FALSE(fold->falls);
+}
+
+TEST(Continuation, AddsTheEquationsOfTheNextOrder) {
+  const problem::Problem p = tests::make_problem({.rate = 10});
   const ResidualCoefficients f = residual_coefficients(p, Equation::km4);
-  const Branch branch = follow_branch(projection, f, 1e-10);
-  EXPECT_NEAR(branch.reached, 0.655, 0.002);
-  EXPECT_LT(branch.residual, 1e-10);
-  const auto singular_values =
-      projection.jacobian(partway(f, branch.reached), branch.a).jacobiSvd().singularValues();
-  EXPECT_LT(singular_values.minCoeff(), 1e-4);
+  const Projection four = projection_of(p, 4), six = projection_of(p, 6);
+  const auto [branch, before] = follow_branch(four, f, 1e-10);
+  ASSERT_TRUE(before.converged);
+  const Eigen::VectorXd start = six.basis().scaled(four.basis().polynomial(before.a).terms());
+  // The equations of n = 4 are among those of n = 6.
+  EXPECT_LT(six.residual(f, start).head(8).norm(), 1e-12);
+  const NewtonResult root = add_equations(six, f, start, 1e-10);
+  EXPECT_TRUE(root.converged);
+  EXPECT_LT(six.residual(f, root.a).norm(), 1e-11);
 }
 
 TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
@@ -52,6 +81,11 @@ TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
   EXPECT_EQ(start.rate_moment[4], 0);
   EXPECT_DOUBLE_EQ(half.rate_moment[4], full.rate_moment[4] / 2);
   EXPECT_DOUBLE_EQ(half.impact_loss, 0.15);
+  const ResidualCoefficients jumps = residual_coefficients(tests::paper_case(1), Equation::kf);
+  EXPECT_EQ(full.jump_share, 0);
+  EXPECT_EQ(jumps.jump_share, 1);
+  EXPECT_EQ(partway(jumps, 0).jump_share, 0);
+  EXPECT_DOUBLE_EQ(partway(jumps, 0.25).jump_share, 0.25);
 }
 
 TEST(Newton, StopsAfterTheStepsAllowed) {
@@ -63,6 +97,35 @@ TEST(Newton, StopsAfterTheStepsAllowed) {
   EXPECT_EQ(one.iterations, 1);
   EXPECT_FALSE(one.converged);
   EXPECT_NEAR(one.residual, projection.residual(f, one.a).cwiseAbs().maxCoeff() / 0.1, 1e-12);
+}
+
+// A damped iteration may stall, but never leaves for worse.
+TEST(Newton, DampedStepsNeverRaiseTheResidual) {
+  const problem::Problem p = tests::paper_case(1);
+  const Projection projection = projection_of(p, 8);
+  const auto f = residual_coefficients(p, Equation::km4);
+  const auto [s1, s2] = projection.basis().sigma();
+  const Eigen::VectorXd start =
+      projection.basis().scaled({{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
+  double before = projection.residual(f, start).norm();
+  for (int steps = 1; steps <= 6; ++steps) {
+    const NewtonResult result =
+        newton(projection, f, start, {.max_iterations = steps, .damped = true});
+    EXPECT_FALSE(result.converged);
+    EXPECT_LE(projection.residual(f, result.a).norm(), 1.05 * before);
+    before = projection.residual(f, result.a).norm();
+  }
+}
+
+TEST(Newton, SmallDampingIsNoMeasureOfRounding) {
+  const problem::Problem p = tests::make_problem({.damping = 1e-7});
+  const Projection projection = projection_of(p, 4);
+  const auto f = residual_coefficients(p, Equation::km4);
+  const auto [s1, s2] = projection.basis().sigma();
+  EXPECT_DOUBLE_EQ(residual_unit(projection, f), 1e-4 * s2 / s1);
+  EXPECT_DOUBLE_EQ(residual_unit(projection_of(tests::paper_case(1), 4),
+                                 residual_coefficients(tests::paper_case(1), Equation::km4)),
+                   0.1);
 }
 
 }  // namespace

@@ -259,10 +259,36 @@ TEST(Solve, SummaryHasTheFieldsOfTheContract) {
   EXPECT_GT(json.at("support").at("rises_from"), 4);
   EXPECT_LT(json.at("support").at("cut_off"), 1e-8);
 
+  EXPECT_LT(json.at("distance_to_previous"), 0.05);
+  EXPECT_TRUE(json.at("branch").is_null());
+  EXPECT_TRUE(json.at("disc_sensitivity").is_null());
+
   const auto lost = to_json(solve(tests::paper_case(1), {.order = 8}).summary);
   EXPECT_TRUE(lost.at("support").is_null());
   EXPECT_TRUE(lost.at("leading_form").is_null());
   EXPECT_TRUE(lost.at("coefficients").empty());
+  EXPECT_EQ(lost.at("branch").at("end"), "white_noise");
+  EXPECT_NEAR(lost.at("branch").at("furthest"), 0.65475, 1e-5);
+  EXPECT_EQ(lost.at("branch").at("points")[0].at("fraction"), 0);
+}
+
+TEST(Solve, SaysInWordsWhatTheRestrictionOfSupportCutsOff) {
+  const auto [solution, summary] = solve(tests::paper_case(1), {.order = 4});
+  EXPECT_NE(solution.reason.find("cuts off about 5.2e-04"), std::string::npos) << solution.reason;
+  EXPECT_NE(solution.reason.find("from radius"), std::string::npos);
+}
+
+TEST(Solve, NearlyWithoutDampingIsNoMatterOfRounding) {
+  // Impulses as weak as the damping, so that the response is that of case 1.
+  for (const double damping : {1e-5, 1e-7}) {
+    const auto solution =
+        solve(tests::make_problem(
+                  {.damping = damping, .restitution = 1, .rate = 1, .intensity = damping}),
+              {.order = 4})
+            .solution;
+    EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+    EXPECT_NEAR(solution.moments.v2, 0.5, 1e-4);
+  }
 }
 
 TEST(Options, AreRefusedWithOneLine) {

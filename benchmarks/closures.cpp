@@ -1,0 +1,29 @@
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "epc/solve.hpp"
+#include "problem/case_file.hpp"
+
+namespace fpkcheck::benchmarks {
+namespace {
+
+using epc::Equation;
+
+// The paper's case `range(0)` at order `range(1)`: search, judging and the distance from n-2.
+void solve_gaussian(benchmark::State& state, Equation equation) {
+  const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
+  const epc::Options options{.order = static_cast<int>(state.range(1)), .equation = equation};
+  int iterations = 0;
+  for (auto _ : state) iterations = epc::solve(problem, options).summary.iterations;
+  state.counters["newton_steps"] = iterations;
+}
+BENCHMARK_CAPTURE(solve_gaussian, km4, Equation::km4)
+    ->ArgsProduct({{1, 2, 3, 4}, {2, 4, 6, 8}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_gaussian, kf, Equation::kf)
+    ->ArgsProduct({{1, 2, 3, 4}, {4, 6, 8}})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace fpkcheck::benchmarks

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "transform/density.hpp"
+
+namespace fpkcheck::epc {
+
+/// A density's marginals at the points of a composite Gauss-Legendre rule on
+/// [0, y_max] x [-v_max, 0] x [0, v_max], with what can be had from the same values.
+struct PanelMarginals {
+  std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the rule's points
+  std::vector<double> weight_y, weight_v;
+  double mass = 0;
+  transform::Moments moments = {};
+};
+
+/// The box may be that of another density, so that two can be compared.
+PanelMarginals panel_marginals(const transform::SmoothDensity& density, double y_max, double v_max);
+
+/// L1 distance of p(y) plus that of p(y'), of marginals at the same points.
+double distance(const PanelMarginals& a, const PanelMarginals& b);
+
+}  // namespace fpkcheck::epc

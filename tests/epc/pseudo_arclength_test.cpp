@@ -1,0 +1,69 @@
+#include "epc/pseudo_arclength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fpkcheck::epc {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// t = g(a), one unknown.
+template <class Function, class Slope>
+Family graph(const Function& g, const Slope& slope) {
+  return {[=](const VectorXd& a, double t) { return VectorXd::Constant(1, g(a[0]) - t); },
+          [=](const VectorXd& a, double) { return MatrixXd::Constant(1, 1, slope(a[0])); },
+          [](const VectorXd&, double) { return VectorXd::Constant(1, -1); }};
+}
+
+TEST(PseudoArclength, PassesTwoFoldsOnTheWay) {
+  // t = a^3 - 1.2 a^2 + 0.4 a + ... rises to a fold, falls, and rises again to 1.
+  const auto g = [](double a) { return 4 * a * a * a - 6 * a * a + 2.6 * a; };
+  const auto slope = [](double a) { return 12 * a * a - 12 * a + 2.6; };
+  const Curve curve = follow(graph(g, slope), VectorXd::Zero(1), {});
+  EXPECT_EQ(curve.end, CurveEnd::arrived);
+  ASSERT_EQ(curve.folds.size(), 2u);
+  const double half_gap = std::sqrt(144 - 4 * 12 * 2.6) / 24;  // of the roots of the slope
+  for (const int k : {0, 1}) {
+    const CurvePoint& fold = curve.points[curve.folds[k]];
+    const double expected = 0.5 + (k == 0 ? -half_gap : half_gap);
+    EXPECT_NEAR(fold.a[0], expected, 1e-6);
+    EXPECT_NEAR(fold.t, g(expected), 1e-10);
+    EXPECT_LT(fold.smallest_singular_value, 1e-5);
+  }
+  EXPECT_EQ(curve.points.back().t, 1);
+  EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
+  EXPECT_EQ(curve.furthest().t, 1);
+  for (const CurvePoint& point : curve.points) {
+    EXPECT_NEAR(g(point.a[0]), point.t, 1e-10);
+    const double s = slope(point.a[0]);
+    if (std::abs(s) > 1e-4) {
+      EXPECT_EQ(point.determinant_sign, s > 0 ? 1 : -1);
+    }
+  }
+}
+
+TEST(PseudoArclength, SaysThatTheCurveComesBack) {
+  const auto g = [](double a) { return 2 * a * (1 - a); };  // no more than 1/2
+  const auto slope = [](double a) { return 2 - 4 * a; };
+  const Curve curve = follow(graph(g, slope), VectorXd::Zero(1), {});
+  EXPECT_EQ(curve.end, CurveEnd::returned);
+  ASSERT_EQ(curve.folds.size(), 1u);
+  EXPECT_NEAR(curve.furthest().t, 0.5, 1e-10);
+  EXPECT_NEAR(curve.points.back().a[0], 1, 1e-10);
+}
+
+TEST(PseudoArclength, SaysThatTheUnknownsLeave) {
+  const auto g = [](double a) { return a / (1 + a); };  // 1 at infinity only
+  const auto slope = [](double a) { return 1 / ((1 + a) * (1 + a)); };
+  const Curve curve =
+      follow(graph(g, slope), VectorXd::Zero(1), {.max_points = 4000, .greatest_norm = 20});
+  EXPECT_EQ(curve.end, CurveEnd::far);
+  EXPECT_TRUE(curve.folds.empty());
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc
