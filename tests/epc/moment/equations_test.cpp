@@ -117,6 +117,19 @@ TEST(Equations, ImpulsesChangeTheMomentsAsJumpsDo) {
   }
 }
 
+// Up to a constant, which the density does not know.
+TEST(Equations, AFitRecoversAPolynomialExponent) {
+  const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
+  const Equations equations = equations_of(p, 4, 2, 6);
+  const VectorXd a = VectorXd::LinSpaced(14, -0.3, 0.4);
+  const auto& [y, v, weight] = equations.points();
+  const VectorXd exponent = (equations.basis().values(y, v) * a).array() + 5.0;
+  const VectorXd mass = VectorXd::Constant(y.size(), 1.0 / static_cast<double>(y.size()));
+  EXPECT_LT((equations.fit(exponent, mass) - a).cwiseAbs().maxCoeff(), 1e-9);
+  const Polynomial q = equations.basis().polynomial(a);
+  EXPECT_NEAR(q(y[7], v[7]) - q(y[900], v[900]), exponent[7] - exponent[900], 1e-9);
+}
+
 TEST(Equations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const bool confined : {false, true}) {
