@@ -25,5 +25,19 @@ BENCHMARK_CAPTURE(solve_gaussian, kf, Equation::kf)
     ->ArgsProduct({{1, 2, 3, 4}, {4, 6, 8}})
     ->Unit(benchmark::kMillisecond);
 
+// From a cold start: all orders from 2 on.
+void solve_moment(benchmark::State& state) {
+  const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
+  const epc::Options options{.order = static_cast<int>(state.range(1)),
+                             .formulation = epc::Formulation::moment,
+                             .equation = Equation::kf};
+  int iterations = 0;
+  for (auto _ : state) iterations = epc::solve(problem, options).summary.iterations;
+  state.counters["newton_steps"] = iterations;
+}
+BENCHMARK(solve_moment)
+    ->ArgsProduct({{1, 2, 3, 4}, {2, 4, 6, 8, 10, 12, 16}})
+    ->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace fpkcheck::benchmarks

@@ -53,7 +53,7 @@ std::string distance_blocks(const Json& report) {
 }
 
 std::string distance_panel(const Json& report, const char* title, const char* symbol, int column,
-                           double left, double right, double bottom) {
+                           double left, double right, double top, double bottom) {
   std::string plots;
   const auto names = formulations_of(report);
   for (std::size_t f = 0; f < names.size(); ++f) {
@@ -68,10 +68,10 @@ std::string distance_panel(const Json& report, const char* title, const char* sy
   return fmt::format(
       "set title '{}'\n"
       "set lmargin at screen {:.3f}\nset rmargin at screen {:.3f}\n"
-      "set tmargin at screen 0.86\nset bmargin at screen {:.3f}\n"
+      "set tmargin at screen {:.3f}\nset bmargin at screen {:.3f}\n"
       "set ylabel \"{{/:Italic L}}_1 distance of {{/:Italic p}}({}) to fd-kf\"\n"
       "plot {}\n\n",
-      title, left, right, bottom, symbol, plots);
+      title, left, right, top, bottom, symbol, plots);
 }
 
 // Rows with a branch, one block each: fraction and norm of the points, in the branch's order.
@@ -103,15 +103,15 @@ std::string branch_panel(const std::vector<BranchCurve>& curves) {
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const Mark& mark = kMarks[k % std::size(kMarks)];
     plots += fmt::format(
-        "{0}${1} using 1:2 with lines lc rgb '{2}' lw 2 title {3}, "
+        "{0}${1} using 1:2 with lines lc rgb '{2}' lw 2 dt {5} title {3}, "
         "${1} using ($3 == 1 ? $1 : NaN):2 with points lc rgb '{2}' lw 2 pt {4} ps 1.4 notitle",
         k == 0 ? "" : ", ", curves[k].block, mark.colour, gnuplot_literal(curves[k].name),
-        mark.open);
+        mark.open, k / std::size(kMarks) + 1);
   }
   return fmt::format(
       "set title '(c) branches from the exact density without losses; marks: folds'\n"
       "set lmargin at screen 0.09\nset rmargin at screen 0.97\n"
-      "set tmargin at screen 0.37\nset bmargin at screen 0.08\n"
+      "set tmargin at screen 0.42\nset bmargin at screen 0.08\n"
       "unset logscale y\nset format y '%g'\nset autoscale\n"
       "set xrange [0:1.02]\nset xtics 0.1\n"
       "set xlabel 'fraction of the way to the full problem'\n"
@@ -128,7 +128,8 @@ std::string order_figure(const Json& report, const std::string& file_stem) {
   const bool with_branches = !curves.empty();
   int highest = 2;
   for (const auto& row : report.at("rows")) highest = std::max(highest, row.at("order").get<int>());
-  const double bottom = with_branches ? 0.54 : 0.13;
+  const double top = with_branches ? 0.91 : 0.86;
+  const double bottom = with_branches ? 0.55 : 0.13;
   return figure_output(file_stem, {.width = 1100, .height = with_branches ? 950 : 560}) +
          distance_blocks(report) + branches +
          fmt::format(
@@ -137,9 +138,9 @@ std::string order_figure(const Json& report, const std::string& file_stem) {
              "set xrange [1:{}]\nset xtics 2\nset xlabel 'order {{/:Italic n}}'\n"
              "set multiplot title {} font ',14'\n\n",
              highest + 1, figure_title(report)) +
-         distance_panel(report, "(a) displacement", "{/:Italic y}", 2, 0.09, 0.49, bottom) +
+         distance_panel(report, "(a) displacement", "{/:Italic y}", 2, 0.09, 0.49, top, bottom) +
          distance_panel(report, "(b) velocity; open marks: no admissible density", "{/:Italic y}'",
-                        3, 0.57, 0.97, bottom) +
+                        3, 0.57, 0.97, top, bottom) +
          (with_branches ? branch_panel(curves) : "") + "unset multiplot\nunset output\n";
 }
 

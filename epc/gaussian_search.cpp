@@ -58,9 +58,10 @@ class Seeker {
          attempt(add_equations(projection_, coefficients_, padded(), options_.tolerance)));
     if (!search_.root) {
       search_.failure = failure();
-    } else if (options_.equation == Equation::kf) {
-      test_disc();
+      return search_;
     }
+    search_.condition = condition();
+    if (options_.equation == Equation::kf) test_disc();
     return search_;
   }
 
@@ -122,6 +123,13 @@ class Seeker {
                                                *search_.disc_sensitivity)
                                  : "it is lost",
         kDiscSensitivityAllowed);
+  }
+
+  double condition() const {
+    const Eigen::VectorXd a = projection_.basis().scaled(search_.root->terms());
+    const Eigen::VectorXd values =
+        projection_.jacobian(coefficients_, a).jacobiSvd().singularValues();
+    return values[0] / values[values.size() - 1];
   }
 
   std::string failure() const {

@@ -14,6 +14,7 @@ namespace fpkcheck::epc {
 struct Search {
   std::optional<Polynomial> root;  ///< Q_n
   double residual = 0;             ///< of the root, or the least one met
+  double condition = 0;            ///< of the Jacobian at the root, in the scaled unknowns
   int iterations = 0;              ///< Newton steps, all attempts together
   std::string failure;             ///< one sentence when no root was found
   Branch branch;                   ///< when it was followed

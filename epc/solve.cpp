@@ -39,6 +39,7 @@ Result solve_gaussian(const problem::Problem& problem, const Options& options) {
   result.summary.branch = search.branch;
   result.summary.disc_sensitivity = search.disc_sensitivity;
   if (search.root) {
+    result.summary.condition = search.condition;
     judge(problem, *search.root, search.previous, result);
   } else {
     result.solution.status = Status::not_converged;

@@ -65,8 +65,7 @@ struct MomentSummary {
   double level;              ///< energy of the confinement or the cut
   double level_deviations;   ///< sqrt(2 level / E[v^2])
   double beyond_level;       ///< estimated probability there, moment::probability_beyond
-  double condition;          ///< of Newton's matrix, moment::condition_of
-  double quadrature_change;  ///< by how much twice the points would change Q_n, standard deviation
+  double quadrature_change;  ///< by how much more points would change Q_n: moment::Root
   int homotopies;            ///< how often damped Newton steps alone were lost
 };
 
@@ -75,8 +74,11 @@ struct MomentSummary {
 struct Summary {
   int order = 0;
   Formulation formulation = Formulation::gaussian;
-  int iterations = 0;              ///< Newton steps, all attempts together
-  double residual = 0;             ///< largest projection (23) relative to c, at the best iterate
+  int iterations = 0;   ///< Newton steps, all attempts together
+  double residual = 0;  ///< largest projection (23) relative to c, at the best iterate
+  /// Of Newton's matrix at the root: gaussian: in the scaled unknowns of Basis; moment:
+  /// moment::condition_of.
+  std::optional<double> condition;
   std::vector<Term> coefficients;  ///< of Q_n in physical monomials, constant left out
   std::optional<SupportSummary> support;
   std::optional<LeadingForm> leading_form;  ///< of Q_n

@@ -59,7 +59,6 @@ void add_moment_fields(const Summary& summary, Json& json) {
                   {"level_deviations", own.level_deviations},
                   {"beyond_level", own.beyond_level},
                   {"polynomial_leading_form", name(*summary.leading_form)}};
-  json["condition"] = own.condition;
   json["quadrature_change"] = own.quadrature_change;
   json["homotopies"] = own.homotopies;
 }
@@ -112,6 +111,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
             {"formulation", name(summary.formulation)},
             {"iterations", summary.iterations},
             {"residual", summary.residual},
+            {"condition", number_or_null(summary.condition)},
             {"coefficients", coefficients(summary.coefficients)},
             {"support", support(summary)},
             {"leading_form", leading_form(summary)}};

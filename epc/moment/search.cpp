@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 // in this order.
 constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
 // Where Q_n falls by this much without ever rising, the level lies there, and it does not matter.
-constexpr double kWholeDepth = 42;
+constexpr double kWholeDepth = 40;
 constexpr double kFarthestDeviations = 16;
 constexpr double kRoughTolerance = 1e-4;
 constexpr double kQuadratureTolerance = 1e-9;
@@ -31,15 +31,18 @@ constexpr int kMostRefinements = 4;
 QuadratureSize rough_quadrature(int order) {
   return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
 }
-// A first try; the wider the domain, the more points.
+// A first try; the wider the domain, the more points, though not in proportion: the farther out the
+// level, the less is there.
 QuadratureSize quadrature(int order, double level_in_temperatures) {
-  const double width = std::sqrt(level_in_temperatures) / kLevelDeviations[0] * std::sqrt(2.0);
+  const double deviations = std::sqrt(2 * level_in_temperatures);
+  const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
   const int y = static_cast<int>((24 + 2 * order) * width);
   const int v = static_cast<int>((32 + 2 * order) * width);
   return {y, v, v};
 }
-QuadratureSize doubled(const QuadratureSize& size) {
-  return {2 * size.y, 2 * size.v, 2 * size.wall};
+// More than twice as many in all.
+QuadratureSize refined(const QuadratureSize& size) {
+  return {size.y * 3 / 2, size.v * 3 / 2, size.wall * 3 / 2};
 }
 
 // A density to start from, and how wide it is.
@@ -78,14 +81,11 @@ class Search {
   }
 
  private:
-  enum class Aim { next_order, answer };
-
-  // Order n, well enough to start the next.
-  bool advance(Guess& guess, int n) {
-    return std::ranges::any_of(kLevelDeviations, [&](double deviations) {
-      return solve(guess, n, level_of(guess, deviations), rough_quadrature(n), Aim::next_order);
-    });
-  }
+  // Equations and where to start from.
+  struct Start {
+    Equations equations;
+    VectorXd a;
+  };
 
   EnergyDomain domain_of(double level) const {
     return {problem_, options_.tail == Tail::confined ? level * Confinement::reach() : level};
@@ -93,9 +93,12 @@ class Search {
   Confinement confinement_of(double level) const {
     return options_.tail == Tail::confined ? Confinement{level} : Confinement{};
   }
+  Equations equations_of(const Basis& basis, double level, const QuadratureSize& size) const {
+    return {problem_, options_.rate_moment, domain_of(level), confinement_of(level), basis, size};
+  }
 
-  // Solves order n from the guess and puts the solution in its place.
-  bool solve(Guess& guess, int n, double level, const QuadratureSize& size, Aim aim) {
+  // The equations of order n in a basis made for the guess, and the guess in it.
+  Start start_of(const Guess& guess, int n, double level, const QuadratureSize& size) const {
     const EnergyDomain domain = domain_of(level);
     const Confinement confinement = confinement_of(level);
     const Points points = domain.rule(size.y, size.v);
@@ -106,87 +109,67 @@ class Search {
     }
     mass = points.weight.array() * (mass.array() - mass.maxCoeff()).exp();
     mass /= mass.sum();
-    const Equations equations(problem_, options_.rate_moment, domain, confinement,
-                              Basis(n, points, mass), size);
-    return solve(guess, equations, equations.fit(exponent, mass), level, size, aim);
+    Equations equations = equations_of(Basis(n, points, mass), level, size);
+    VectorXd a = equations.fit(exponent, mass);
+    return {std::move(equations), std::move(a)};
   }
 
-  bool solve(Guess& guess, const Equations& equations, const VectorXd& start, double level,
-             const QuadratureSize& size, Aim aim) {
-    const bool answer = aim == Aim::answer;
-    const NewtonOptions newton_options{.tolerance = answer ? options_.tolerance : kRoughTolerance,
-                                       .max_iterations = options_.max_iterations,
-                                       .polish = answer};
+  // Newton's method, and where it is lost the homotopy before it.
+  NewtonResult solve(const Start& start, const NewtonOptions& newton_options) {
     const double damping = problem_.system.damping();
-    NewtonResult result = newton(equations, start, damping, newton_options);
+    NewtonResult result = newton(start.equations, start.a, damping, newton_options);
     iterations_ += result.iterations;
-    if (!result.converged) {
-      const HomotopyResult rescue = follow_homotopy(equations, start);
-      ++root_.homotopies;
-      iterations_ += rescue.steps;
-      if (rescue.reached == 1) {
-        result = newton(equations, rescue.a, damping, newton_options);
-        iterations_ += result.iterations;
-      }
+    if (result.converged) return result;
+    const HomotopyResult rescue = follow_homotopy(start.equations, start.a);
+    ++root_.homotopies;
+    iterations_ += rescue.steps;
+    if (rescue.reached == 1) {
+      result = newton(start.equations, rescue.a, damping, newton_options);
+      iterations_ += result.iterations;
     }
     if (!result.converged) {
       root_.newton = result;
       root_.newton.iterations = iterations_;
       root_.failure = fmt::format(
-          "Newton's method was lost at order {} after {} iterations (least residual {:.1e})",
-          equations.basis().order(), result.iterations, result.residual);
-      return false;
+          "Newton's method was lost at order {} after {} iterations (least residual {:.1e}), and a "
+          "homotopy {}",
+          start.equations.basis().order(), result.iterations, result.residual,
+          rescue.reached == 1
+              ? std::string("led to no root")
+              : fmt::format("got {:.0f} % of the way", 100 * std::max(0.0, rescue.reached)));
     }
-    const auto density = equations.density(result.a);
-    guess.q = equations.basis().polynomial(result.a);
-    guess.temperature = density.mass.dot(equations.points().v.cwiseAbs2());
-    if (answer) accept(guess, equations, result, density, level, size);
-    return true;
+    return result;
   }
 
-  void accept(const Guess& guess, const Equations& equations, const NewtonResult& result,
-              const Equations::Density& density, double level, const QuadratureSize& size) {
-    root_.newton = result;
-    root_.newton.iterations = iterations_;
-    root_.failure.clear();
-    root_.q = guess.q;
-    root_.temperature = guess.temperature;
-    root_.level = level;
-    root_.support = domain_of(level).level();
-    root_.quadrature = size;
-    // The constant of Q_n differs between the basis and the monomials.
-    const auto& [y, v, weight] = equations.points();
-    const double constant =
-        guess.q(y[0], v[0]) - equations.basis().values(y.head(1), v.head(1)).row(0).dot(result.a);
-    root_.log_normalisation = density.log_normalisation + constant;
-    root_.peak = density.peak + constant;
-    root_.edge_density = std::exp(largest_on_contour(root_.q, problem_, root_.support) -
-                                  root_.peak + confinement_of(level)(root_.support));
+  static Guess guess_of(const Equations& equations, const VectorXd& a) {
+    return {equations.basis().polynomial(a),
+            equations.density(a).mass.dot(equations.points().v.cwiseAbs2())};
+  }
 
-    // On twice as many points: is it still a root?
-    const Equations fine(problem_, options_.rate_moment, domain_of(level), confinement_of(level),
-                         equations.basis(), doubled(size));
-    const MatrixXd jacobian = equations.jacobian(density);
-    const MatrixXd covariance = equations.covariance(density);
-    const VectorXd step = jacobian.partialPivLu().solve(fine.residual(fine.density(result.a)));
-    root_.quadrature_change = length(step, covariance);
-    root_.condition = condition_of(jacobian, covariance);
+  // Order n from the guess, well enough to start the next, in its place.
+  bool advance(Guess& guess, int n) {
+    return std::ranges::any_of(kLevelDeviations, [&](double deviations) {
+      const Start start = start_of(guess, n, level_of(guess, deviations), rough_quadrature(n));
+      const NewtonResult result =
+          solve(start, {.tolerance = kRoughTolerance, .max_iterations = options_.max_iterations});
+      if (result.converged) guess = guess_of(start.equations, result.a);
+      return result.converged;
+    });
   }
 
   // The order asked for, to the tolerance: the level as far out as Q_n falls, else the first at
   // which the density has decayed at the edge.
-  void finish(const Guess& start) {
-    const double farthest = level_of(start, kFarthestDeviations);
+  void finish(const Guess& guess) {
+    const double farthest = level_of(guess, kFarthestDeviations);
     const Fall fall =
-        fall_of(start.q, problem_, level_of(start, kLevelDeviations[0]), farthest, kWholeDepth);
+        fall_of(guess.q, problem_, level_of(guess, kLevelDeviations[0]), farthest, kWholeDepth);
     std::vector<double> levels;
     if (fall.reached) levels.push_back(*fall.reached);
     for (const double deviations : kLevelDeviations) {
-      levels.push_back(level_of(start, deviations));
+      levels.push_back(level_of(guess, deviations));
     }
     std::optional<Root> best;
     for (const double level : levels) {
-      Guess guess = start;
       if (!refine(guess, level)) continue;
       if (!best || root_.edge_density < best->edge_density) best = root_;
       if (best->edge_density < options_.edge_allowed) break;
@@ -198,15 +181,49 @@ class Search {
   }
 
   // The answer at a level, on as many points as it takes.
-  bool refine(Guess& guess, double level) {
+  bool refine(const Guess& guess, double level) {
     QuadratureSize size = quadrature(options_.order, level / guess.temperature);
-    bool solved = solve(guess, options_.order, level, size, Aim::answer);
-    for (int i = 0; solved && i < kMostRefinements; ++i) {
-      if (root_.quadrature_change < kQuadratureTolerance) break;
-      size = {size.y * 3 / 2, size.v * 3 / 2, size.wall * 3 / 2};
-      solved = solve(guess, options_.order, level, size, Aim::answer);
+    Start start = start_of(guess, options_.order, level, size);
+    for (int i = 0;; ++i) {
+      const NewtonResult result = solve(start, {.tolerance = options_.tolerance,
+                                                .max_iterations = options_.max_iterations,
+                                                .polish = true});
+      if (!result.converged) return false;
+      const QuadratureSize finer = refined(size);
+      Equations fine = equations_of(start.equations.basis(), level, finer);
+      accept(start.equations, fine, result, level);
+      root_.quadrature = size;
+      if (root_.quadrature_change < kQuadratureTolerance || i == kMostRefinements) return true;
+      start = {std::move(fine), result.a};
+      size = finer;
     }
-    return solved;
+  }
+
+  void accept(const Equations& equations, const Equations& fine, const NewtonResult& result,
+              double level) {
+    const auto density = equations.density(result.a);
+    const Guess found = guess_of(equations, result.a);
+    root_.newton = result;
+    root_.newton.iterations = iterations_;
+    root_.failure.clear();
+    root_.q = found.q;
+    root_.temperature = found.temperature;
+    root_.level = level;
+    root_.support = domain_of(level).level();
+    // The constant of Q_n differs between the basis and the monomials.
+    const auto& [y, v, weight] = equations.points();
+    const double constant =
+        found.q(y[0], v[0]) - equations.basis().values(y.head(1), v.head(1)).row(0).dot(result.a);
+    root_.log_normalisation = density.log_normalisation + constant;
+    root_.peak = density.peak + constant;
+    root_.edge_density = std::exp(largest_on_contour(root_.q, problem_, root_.support) -
+                                  root_.peak + confinement_of(level)(root_.support));
+    const MatrixXd jacobian = equations.jacobian(density);
+    const MatrixXd covariance = equations.covariance(density);
+    // On more points, is it still a root?
+    const VectorXd step = jacobian.partialPivLu().solve(fine.residual(fine.density(result.a)));
+    root_.quadrature_change = length(step, covariance);
+    root_.condition = condition_of(jacobian, covariance);
   }
 
   const problem::Problem& problem_;

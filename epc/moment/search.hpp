@@ -32,8 +32,8 @@ struct Root {
   double support = 0;            ///< energy up to which the density is used
   double edge_density = 0;       ///< largest there, relative to the peak
   QuadratureSize quadrature{};
-  /// By how much the points matter: the standard deviation of the change of Q_n that a step on
-  /// twice as many points each way would make.
+  /// By how much the points matter: the standard deviation of the change of Q_n that a Newton step
+  /// on more than twice as many points would make.
   double quadrature_change = 0;
   NewtonResult newton;  ///< at the order asked for, or the one that failed; iterations in all
   double condition = 0;

@@ -95,6 +95,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                                 .impact_energy_flux = transform::impact_flux(density, 3)});
   solution.density = density;
   const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
+  summary.condition = root.condition;
   summary.coefficients = root.q.terms();
   summary.leading_form = leading_form(root.q, sigma, Plane::half);
   summary.support = support_of(problem, root, sigma);
@@ -103,12 +104,11 @@ Result solve(const problem::Problem& problem, const Options& options) {
                     .level_deviations = std::sqrt(2 * root.level / root.temperature),
                     .beyond_level = probability_beyond(root.q, problem, root.level,
                                                        root.temperature, root.log_normalisation),
-                    .condition = root.condition,
                     .quadrature_change = root.quadrature_change,
                     .homotopies = root.homotopies};
   if (!(root.quadrature_change < kQuadratureAllowed)) {
     solution.reason = fmt::format(
-        "twice the points of the quadrature would change Q_n by {:.1e} of a unit (allowed {:.0e}): "
+        "more points of the quadrature would change Q_n by {:.1e} of a unit (allowed {:.0e}): "
         "the density has features that {} x {} points miss",
         root.quadrature_change, kQuadratureAllowed, root.quadrature.y, root.quadrature.v);
     return result;
