@@ -5,8 +5,8 @@
 
 namespace fpkcheck::compare {
 
-/// How a solution is drawn. Colours are those of Okabe and Ito, which stay apart for colour-blind
-/// readers.
+/// How a solution is drawn. Hues are those of Okabe and Ito, which stay apart for colour-blind
+/// readers; the closures of one formulation share a hue.
 struct CurveStyle {
   std::string colour;  ///< "#RRGGBB"
   std::string dash;    ///< a dash type of gnuplot
@@ -16,7 +16,7 @@ struct CurveStyle {
 };
 
 /// Finite differences are solid, the trusted one broad and beneath all others; closures are dashed
-/// by their order, in another colour for each formulation, and above them; the simulation is points
+/// by their order, darker with it, and above them; the simulation is points
 /// on top.
 /// @param solution one element of "solutions" in summary.json
 CurveStyle curve_style(const nlohmann::ordered_json& solution);
