@@ -39,10 +39,11 @@ std::vector<Column> columns(const Json& report) {
                           {"", "n", false, kAlwaysShown},
                           {"", "status", true, kAlwaysShown},
                           {"", "steps", false, 3},
-                          {"", "condition", false, 1},
+                          {"", "cond.", false, 1},
                           {"", "residual", false, 4},
                           {"", "Q_n", true, 2},
                           {"", "edge", false, 2},
+                          {"", "to n-2", false, 1},
                           {"L1 to fd-kf", "p(y)", false, kAlwaysShown},
                           {"L1 to fd-kf", "p(y')", false, kAlwaysShown},
                           {"tail", "p(y)", false, 5},
@@ -57,6 +58,7 @@ std::vector<Column> columns(const Json& report) {
                                  number_text(row, "residual", "{:.0e}"),
                                  leading_form_text(row),
                                  edge_text(row),
+                                 number_text(row, "distance_to_previous", "{:.4f}"),
                                  number_text(row, "l1_y", "{:.5f}"),
                                  number_text(row, "l1_ydot", "{:.5f}"),
                                  number_text(row, "tail_y", "{:.2f}"),
@@ -142,10 +144,10 @@ std::string convergence_sentence(const std::string& formulation,
 }
 
 constexpr const char* kLegend =
-    "steps: of Newton's method, all orders and attempts together. condition: of Newton's matrix in "
+    "steps: of Newton's method, all orders and attempts together. cond.: condition of Newton's matrix in "
     "scaled functions. residual: largest equation relative to the damping c. Q_n: falls in every "
     "direction in the end, or rises in some. edge: largest density on the edge of the support "
-    "relative to the peak. L1: integral of |p - reference|. tail: mean |log10 p - log10 reference| "
+    "relative to the peak. to n-2: L1 distance of both marginals to those of order n-2, together. L1: integral of |p - reference|. tail: mean |log10 p - log10 reference| "
     "over reference densities 1e-5 .. 1e-4. ms: wall-clock time.";
 
 }  // namespace

@@ -82,8 +82,9 @@ struct Summary {
   std::vector<Term> coefficients;  ///< of Q_n in physical monomials, constant left out
   std::optional<SupportSummary> support;
   std::optional<LeadingForm> leading_form;  ///< of Q_n
-  /// Of gaussian: how far the marginals are from those of the root of order n-2, the sum of the
-  /// L1 distances of p(y) and p(y'). Absent for n = 2 and when there is no such root.
+  /// How far the marginals are from those of the root of order n-2: the sum of the L1 distances of
+  /// p(y) and p(y'). A measure of the error at n-2, so rather more than that at n. Absent for n = 2
+  /// and when there is no such root.
   std::optional<double> distance_to_previous;
   /// Of gaussian with `kf`: relative change of the scaled coefficients when the disc of
   /// JumpRemainder is a deviation smaller.

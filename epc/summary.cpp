@@ -99,7 +99,6 @@ Json number_or_null(const std::optional<double>& number) {
 
 void add_gaussian_fields(const Summary& summary, Json& json) {
   if (summary.formulation != Formulation::gaussian) return;
-  json["distance_to_previous"] = number_or_null(summary.distance_to_previous);
   json["disc_sensitivity"] = number_or_null(summary.disc_sensitivity);
   json["branch"] = branch(summary.branch);
 }
@@ -114,7 +113,8 @@ nlohmann::ordered_json to_json(const Summary& summary) {
             {"condition", number_or_null(summary.condition)},
             {"coefficients", coefficients(summary.coefficients)},
             {"support", support(summary)},
-            {"leading_form", leading_form(summary)}};
+            {"leading_form", leading_form(summary)},
+            {"distance_to_previous", number_or_null(summary.distance_to_previous)}};
   add_gaussian_fields(summary, json);
   add_moment_fields(summary, json);
   return json;

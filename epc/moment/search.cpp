@@ -45,23 +45,18 @@ QuadratureSize refined(const QuadratureSize& size) {
   return {size.y * 3 / 2, size.v * 3 / 2, size.wall * 3 / 2};
 }
 
-// A density to start from, and how wide it is.
-struct Guess {
-  Polynomial q;
-  double temperature;  // E[v^2]
-};
-
-double level_of(const Guess& guess, double deviations) {
-  return guess.temperature * deviations * deviations / 2;
+double level_of(const Shape& shape, double deviations) {
+  return shape.temperature * deviations * deviations / 2;
 }
 
-Guess linearised(const problem::Problem& problem) {
+// The Gaussian to start from.
+Shape linearised(const problem::Problem& problem) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double centre = problem::static_deflection(problem);
-  return {Polynomial(
+  return {.q = Polynomial(
               {{1, 0, centre / (s1 * s1)}, {2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}}),
-          s2 * s2};
+          .temperature = s2 * s2};
 }
 
 class Search {
@@ -70,8 +65,9 @@ class Search {
       : problem_(problem), options_(options) {}
 
   Root run() {
-    Guess guess = linearised(problem_);
+    Shape guess = linearised(problem_);
     for (int n = 2; n <= options_.order; n += 2) {
+      if (n == options_.order && n > 2) root_.previous = guess;
       if (!advance(guess, n)) return root_;
       // At strong impact losses the linearised deviations are far too large.
       if (n == 2 && !advance(guess, n)) return root_;
@@ -98,7 +94,7 @@ class Search {
   }
 
   // The equations of order n in a basis made for the guess, and the guess in it.
-  Start start_of(const Guess& guess, int n, double level, const QuadratureSize& size) const {
+  Start start_of(const Shape& guess, int n, double level, const QuadratureSize& size) const {
     const EnergyDomain domain = domain_of(level);
     const Confinement confinement = confinement_of(level);
     const Points points = domain.rule(size.y, size.v);
@@ -141,25 +137,36 @@ class Search {
     return result;
   }
 
-  static Guess guess_of(const Equations& equations, const VectorXd& a) {
-    return {equations.basis().polynomial(a),
-            equations.density(a).mass.dot(equations.points().v.cwiseAbs2())};
+  Shape shape_of(const Equations& equations, const VectorXd& a, double level) const {
+    const auto density = equations.density(a);
+    const auto& [y, v, weight] = equations.points();
+    Shape shape{.q = equations.basis().polynomial(a),
+                .temperature = density.mass.dot(v.cwiseAbs2()),
+                .level = level,
+                .support = domain_of(level).level()};
+    // The constant of Q_n differs between the basis and the monomials.
+    const double constant =
+        shape.q(y[0], v[0]) - equations.basis().values(y.head(1), v.head(1)).row(0).dot(a);
+    shape.log_normalisation = density.log_normalisation + constant;
+    shape.peak = density.peak + constant;
+    return shape;
   }
 
   // Order n from the guess, well enough to start the next, in its place.
-  bool advance(Guess& guess, int n) {
+  bool advance(Shape& guess, int n) {
     return std::ranges::any_of(kLevelDeviations, [&](double deviations) {
-      const Start start = start_of(guess, n, level_of(guess, deviations), rough_quadrature(n));
+      const double level = level_of(guess, deviations);
+      const Start start = start_of(guess, n, level, rough_quadrature(n));
       const NewtonResult result =
           solve(start, {.tolerance = kRoughTolerance, .max_iterations = options_.max_iterations});
-      if (result.converged) guess = guess_of(start.equations, result.a);
+      if (result.converged) guess = shape_of(start.equations, result.a, level);
       return result.converged;
     });
   }
 
   // The order asked for, to the tolerance: the level as far out as Q_n falls, else the first at
   // which the density has decayed at the edge.
-  void finish(const Guess& guess) {
+  void finish(const Shape& guess) {
     const double farthest = level_of(guess, kFarthestDeviations);
     const Fall fall =
         fall_of(guess.q, problem_, level_of(guess, kLevelDeviations[0]), farthest, kWholeDepth);
@@ -181,7 +188,7 @@ class Search {
   }
 
   // The answer at a level, on as many points as it takes.
-  bool refine(const Guess& guess, double level) {
+  bool refine(const Shape& guess, double level) {
     QuadratureSize size = quadrature(options_.order, level / guess.temperature);
     Start start = start_of(guess, options_.order, level, size);
     for (int i = 0;; ++i) {
@@ -201,23 +208,14 @@ class Search {
 
   void accept(const Equations& equations, const Equations& fine, const NewtonResult& result,
               double level) {
-    const auto density = equations.density(result.a);
-    const Guess found = guess_of(equations, result.a);
     root_.newton = result;
     root_.newton.iterations = iterations_;
     root_.failure.clear();
-    root_.q = found.q;
-    root_.temperature = found.temperature;
-    root_.level = level;
-    root_.support = domain_of(level).level();
-    // The constant of Q_n differs between the basis and the monomials.
-    const auto& [y, v, weight] = equations.points();
-    const double constant =
-        found.q(y[0], v[0]) - equations.basis().values(y.head(1), v.head(1)).row(0).dot(result.a);
-    root_.log_normalisation = density.log_normalisation + constant;
-    root_.peak = density.peak + constant;
-    root_.edge_density = std::exp(largest_on_contour(root_.q, problem_, root_.support) -
-                                  root_.peak + confinement_of(level)(root_.support));
+    root_.shape = shape_of(equations, result.a, level);
+    const Shape& shape = root_.shape;
+    root_.edge_density = std::exp(largest_on_contour(shape.q, problem_, shape.support) -
+                                  shape.peak + confinement_of(level)(shape.support));
+    const auto density = equations.density(result.a);
     const MatrixXd jacobian = equations.jacobian(density);
     const MatrixXd covariance = equations.covariance(density);
     // On more points, is it still a root?

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,15 +23,21 @@ struct SearchOptions {
   double edge_allowed = 1e-6;
 };
 
-/// What was found.
-struct Root {
+/// A density C exp(Q_n + confinement).
+struct Shape {
   Polynomial q{{}};              ///< Q_n in physical monomials, without its constant
   double log_normalisation = 0;  ///< ln of the integral of exp(Q_n + confinement)
   double peak = 0;               ///< largest exponent
   double temperature = 0;        ///< E[v^2]
-  double level = 0;              ///< of the confinement or the cut
+  double level = 0;              ///< energy of the confinement or the cut
   double support = 0;            ///< energy up to which the density is used
-  double edge_density = 0;       ///< largest there, relative to the peak
+};
+
+/// What was found.
+struct Root {
+  Shape shape;
+  std::optional<Shape> previous;  ///< of order n - 2, to a rough tolerance; none for n = 2
+  double edge_density = 0;        ///< largest on the edge of the support, relative to the peak
   QuadratureSize quadrature{};
   /// By how much the points matter: the standard deviation of the change of Q_n that a Newton step
   /// on more than twice as many points would make.

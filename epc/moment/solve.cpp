@@ -9,6 +9,7 @@
 
 #include "epc/moment/search.hpp"
 #include "epc/moment/tail.hpp"
+#include "epc/panel_marginals.hpp"
 #include "problem/energy_balance.hpp"
 
 namespace fpkcheck::epc::moment {
@@ -27,31 +28,32 @@ std::vector<double> rate_moments(const problem::Problem& problem, const Options&
   return moments;
 }
 
-transform::SmoothDensity density_of(const problem::Problem& problem, const Root& root, Tail tail) {
-  const EnergyDomain domain(problem, root.support);
-  const Confinement confinement = tail == Tail::confined ? Confinement{root.level} : Confinement{};
-  return {
-      .value =
-          [domain, confinement, q = root.q, constant = root.log_normalisation](double y, double v) {
-            if (!domain.contains(y, v)) return 0.0;
-            return std::exp(q(y, v) + confinement(domain.energy(y, v)) - constant);
-          },
-      .y_max = domain.y_max(),
-      .v_max = domain.v_max()};
+transform::SmoothDensity density_of(const problem::Problem& problem, const Shape& shape,
+                                    Tail tail) {
+  const EnergyDomain domain(problem, shape.support);
+  const Confinement confinement = tail == Tail::confined ? Confinement{shape.level} : Confinement{};
+  return {.value =
+              [domain, confinement, q = shape.q, constant = shape.log_normalisation](double y,
+                                                                                     double v) {
+                if (!domain.contains(y, v)) return 0.0;
+                return std::exp(q(y, v) + confinement(domain.energy(y, v)) - constant);
+              },
+          .y_max = domain.y_max(),
+          .v_max = domain.v_max()};
 }
 
 // What the density's own deviations make of the support.
 SupportSummary support_of(const problem::Problem& problem, const Root& root,
                           const Deviations& sigma) {
-  const EnergyDomain domain(problem, root.support);
+  const EnergyDomain domain(problem, root.shape.support);
   const auto [least, greatest] = radii(domain, sigma);
   return {.least_radius = least,
           .greatest_radius = greatest,
           .y_max = domain.y_max(),
           .v_max = domain.v_max(),
           .edge_density = root.edge_density,
-          .cut_off = probability_beyond(root.q, problem, root.support, root.temperature,
-                                        root.log_normalisation)};
+          .cut_off = probability_beyond(root.shape.q, problem, root.shape.support,
+                                        root.shape.temperature, root.shape.log_normalisation)};
 }
 
 std::string objection(const Root& root, const LeadingForm& form) {
@@ -85,9 +87,16 @@ Result solve(const problem::Problem& problem, const Options& options) {
   solution.reason = root.failure;
   if (!root.failure.empty()) return result;
 
-  const transform::SmoothDensity density = density_of(problem, root, options.tail);
-  solution.mass = transform::expectation(density, [](double, double) { return 1.0; });
-  solution.moments = transform::moments(density);
+  const Shape& shape = root.shape;
+  const transform::SmoothDensity density = density_of(problem, shape, options.tail);
+  const PanelMarginals marginals = panel_marginals(density, density.y_max, density.v_max);
+  solution.mass = marginals.mass;
+  solution.moments = marginals.moments;
+  if (root.previous) {
+    const auto before = density_of(problem, *root.previous, options.tail);
+    summary.distance_to_previous =
+        distance(marginals, panel_marginals(before, density.y_max, density.v_max));
+  }
   solution.energy_residual =
       problem::energy_residual(problem, problem::Impact::map,
                                {.mean_velocity = solution.moments.v1,
@@ -96,14 +105,14 @@ Result solve(const problem::Problem& problem, const Options& options) {
   solution.density = density;
   const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
   summary.condition = root.condition;
-  summary.coefficients = root.q.terms();
-  summary.leading_form = leading_form(root.q, sigma, Plane::half);
+  summary.coefficients = shape.q.terms();
+  summary.leading_form = leading_form(shape.q, sigma, Plane::half);
   summary.support = support_of(problem, root, sigma);
   summary.moment = {.tail = options.tail,
-                    .level = root.level,
-                    .level_deviations = std::sqrt(2 * root.level / root.temperature),
-                    .beyond_level = probability_beyond(root.q, problem, root.level,
-                                                       root.temperature, root.log_normalisation),
+                    .level = shape.level,
+                    .level_deviations = std::sqrt(2 * shape.level / shape.temperature),
+                    .beyond_level = probability_beyond(shape.q, problem, shape.level,
+                                                       shape.temperature, shape.log_normalisation),
                     .quadrature_change = root.quadrature_change,
                     .homotopies = root.homotopies};
   if (!(root.quadrature_change < kQuadratureAllowed)) {

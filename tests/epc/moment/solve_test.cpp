@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <vector>
 
 #include "paper_cases.hpp"
 #include "problem/exact.hpp"
@@ -157,6 +158,38 @@ TEST(Moment, FortyRandomProblemsConvergeAtEveryOrder) {
   }
 }
 
+// What a user without another method has to go by: the distance to order n - 2 is about the error
+// of that order, here against n = 12, which is nearer to the truth by a factor.
+TEST(Moment, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
+  const auto p = paper_case(1);
+  const auto fine = solve(p, of_order(12)).solution;
+  const auto edges = [](double from, double to) {
+    std::vector<double> result;
+    for (int i = 0; i <= 200; ++i) result.push_back(from + (to - from) * i / 200);
+    return result;
+  };
+  const auto l1 = [&](const transform::Solution& a) {
+    double sum = 0;
+    for (const auto variable : {transform::Variable::y, transform::Variable::ydot}) {
+      const auto bins = variable == transform::Variable::y ? edges(0, 4) : edges(-4, 4);
+      const auto pa = transform::marginal(a, variable, bins);
+      const auto pb = transform::marginal(fine, variable, bins);
+      for (std::size_t b = 0; b < pa.size(); ++b) {
+        sum += std::abs(pa.density[b] - pb.density[b]) * pa.width(b);
+      }
+    }
+    return sum;
+  };
+  EXPECT_FALSE(solve(p, of_order(2)).summary.distance_to_previous.has_value());
+  for (const int order : {4, 6, 8}) {
+    const double before = l1(solve(p, of_order(order - 2)).solution);
+    const auto here = solve(p, of_order(order));
+    EXPECT_GT(*here.summary.distance_to_previous, 0.5 * before) << order;
+    EXPECT_LT(*here.summary.distance_to_previous, 1.5 * before) << order;
+    EXPECT_LT(l1(here.solution), *here.summary.distance_to_previous) << order;
+  }
+}
+
 TEST(Moment, SaysWhenACutDensityHasNotDecayedAtItsEdge) {
   auto options = of_order(4);
   options.tail = moment::Tail::cut;
@@ -189,6 +222,15 @@ TEST(Moment, TheConfinementGivesWayToAFallingExponent) {
   EXPECT_TRUE(summary.leading_form->negative);
   EXPECT_GT(summary.moment->level_deviations, 9);
   EXPECT_LT(summary.moment->beyond_level, 1e-15);
+}
+
+// Strong losses, and impulses that press the particle to the wall.
+TEST(Moment, AHomotopyRescuesWhereNewtonIsLost) {
+  const auto p = make_problem(
+      {.cubic = 1.19, .restitution = 0.40, .rate = 2.66, .intensity = 0.22, .mean = -0.264});
+  const auto [solution, summary] = solve(p, of_order(6));
+  EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_GT(summary.moment->homotopies, 0);
 }
 
 TEST(Moment, ReportsTheOrderAtWhichItIsLost) {
