@@ -120,9 +120,12 @@ Method mcs_method(const mcs::Options& options) {
             mcs::Options on_axes = options;
             on_axes.y_edges = axes.y_edges;
             on_axes.v_edges = axes.v_edges;
-            on_axes.progress = progress;
-            auto [solution, summary] = mcs::simulate(problem, on_axes);
-            return Entry{std::move(solution), mcs::to_json(options), mcs::to_json(summary)};
+            on_axes.progress = [&](const mcs::Progress& at) {
+              if (progress) progress(at.fraction);
+            };
+            mcs::Result result = mcs::simulate(problem, on_axes);
+            return Entry{std::move(result.solution), mcs::to_json(options),
+                         mcs::to_json(result.summary)};
           }};
 }
 

@@ -5,26 +5,50 @@
 #include <numbers>
 
 namespace fpkcheck::mcs {
+namespace {
 
-MarginalEstimate estimate_marginal(const std::vector<StreamRecord>& records, const Plan& plan,
-                                   const StreamWeights& weights, transform::Variable variable,
-                                   double effective_samples) {
-  const bool of_y = variable == transform::Variable::y;
-  const auto& edges = (of_y ? plan.y_bins : plan.v_bins).edges();
-  std::vector<std::vector<std::uint64_t>> counts;  // with the outer bins, shape (streams, n + 2)
-  for (const StreamRecord& record : records) {
-    counts.push_back(of_y ? record.histogram.row_counts() : record.histogram.column_counts());
+const BinFinder& bins_of(const Simulation& simulation, transform::Variable variable) {
+  const Plan& plan = simulation.plan();
+  return variable == transform::Variable::y ? plan.y_bins : plan.v_bins;
+}
+
+std::vector<std::vector<double>> sums_of(const Simulation& simulation,
+                                         transform::Variable variable) {
+  std::vector<std::vector<double>> sums;  // with the outer bins, shape (streams, n + 2)
+  for (const Stream& stream : simulation.streams()) {
+    const Histogram& histogram = stream.record.histogram;
+    sums.push_back(variable == transform::Variable::y ? histogram.row_sums()
+                                                      : histogram.column_sums());
   }
+  return sums;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> cumulative(const Simulation& simulation,
+                                            transform::Variable variable) {
+  auto sums = sums_of(simulation, variable);
+  for (auto& stream : sums) {
+    double below = 0;
+    for (double& sum : stream) sum = below += sum / simulation.stream_samples();
+    stream.pop_back();
+  }
+  return sums;
+}
+
+MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
+                                   transform::Variable variable, double effective_samples) {
+  const auto& edges = bins_of(simulation, variable).edges();
+  const auto sums = sums_of(simulation, variable);
   MarginalEstimate result;
   auto& [marginal, sampling_l1] = result;
   marginal.edges = edges;
-  std::vector<double> densities(records.size());
+  std::vector<double> densities(sums.size());
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     const double width = marginal.width(b);
-    const double unit = 1 / (static_cast<double>(plan.samples_per_stream) * width);
-    std::ranges::transform(counts, densities.begin(), [&](const auto& stream_counts) {
-      return static_cast<double>(stream_counts[b + 1]) * unit;
-    });
+    const double unit = 1 / (simulation.stream_samples() * width);
+    std::ranges::transform(sums, densities.begin(),
+                           [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate(densities);
     const double density = std::max(mean, 0.0);  // see estimate_joint_density
     const double half_width = weights.interval_factor() * error;
@@ -37,25 +61,27 @@ MarginalEstimate estimate_marginal(const std::vector<StreamRecord>& records, con
   return result;
 }
 
-transform::GridDensity estimate_joint_density(const std::vector<StreamRecord>& records,
-                                              const Plan& plan, const StreamWeights& weights) {
-  transform::GridDensity density{plan.y_bins.edges(), plan.v_bins.edges(), {}};
-  density.averages.resize(density.ny() * density.nv());
-  for (std::size_t s = 0; s < records.size(); ++s) {
-    const double per_sample = weights[s] / static_cast<double>(plan.samples_per_stream);
-    for (std::size_t i = 0; i < density.ny(); ++i) {
-      const double per_row = per_sample / (density.y_edges[i + 1] - density.y_edges[i]);
-      for (std::size_t j = 0; j < density.nv(); ++j) {
-        const double per_cell = per_row / (density.v_edges[j + 1] - density.v_edges[j]);
-        density.averages[i * density.nv() + j] +=
-            per_cell * static_cast<double>(records[s].histogram.count(i + 1, j + 1));
-      }
+JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights) {
+  const Plan& plan = simulation.plan();
+  JointEstimate joint{{plan.y_bins.edges(), plan.v_bins.edges(), {}}, {}};
+  transform::GridDensity& density = joint.density;
+  std::vector<double> values(simulation.streams().size());
+  for (std::size_t i = 0; i < density.ny(); ++i) {
+    const double dy = density.y_edges[i + 1] - density.y_edges[i];
+    for (std::size_t j = 0; j < density.nv(); ++j) {
+      const double dv = density.v_edges[j + 1] - density.v_edges[j];
+      const double unit = 1 / (simulation.stream_samples() * dy * dv);
+      std::ranges::transform(
+          simulation.streams(), values.begin(),
+          [&](const Stream& stream) { return stream.record.histogram(i + 1, j + 1) * unit; });
+      const auto [mean, error] = weights.estimate(values);
+      // In short runs a cell in the far tails may have been visited by a stream of negative weight
+      // only.
+      density.averages.push_back(std::max(mean, 0.0));
+      joint.standard_errors.push_back(error);
     }
   }
-  // In short runs a cell in the far tails may have been visited by a stream of negative weight
-  // only.
-  for (double& average : density.averages) average = std::max(average, 0.0);
-  return density;
+  return joint;
 }
 
 }  // namespace fpkcheck::mcs

@@ -1,30 +1,32 @@
 #pragma once
 
-#include <vector>
-
-#include "mcs/plan.hpp"
-#include "mcs/stream.hpp"
+#include "mcs/simulation.hpp"
 #include "mcs/stream_weights.hpp"
 #include "transform/marginal.hpp"
 
 namespace fpkcheck::mcs {
 
-/// A marginal on the bins of the plan with 95 % intervals, and its sampling error.
+/// Probabilities below the edges of the bins of a variable, of each stream.
+/// @return shape (streams, edges)
+std::vector<std::vector<double>> cumulative(const Simulation& simulation,
+                                            transform::Variable variable);
+
+/// A marginal with what chance does to it.
 struct MarginalEstimate {
   transform::Marginal marginal;
-  /// Expected L1 distance to the exact marginal: sum over bins of sqrt(2/pi) * standard error *
-  /// width.
-  double sampling_l1 = 0;
+  double sampling_l1 = 0;  ///< expected L1 distance to the exact one
 };
 
-/// The marginal of y or y' from the streams' histograms; samples count whatever the other variable.
-/// @param effective_samples bounds the density in bins that no sample has fallen into
-MarginalEstimate estimate_marginal(const std::vector<StreamRecord>& records, const Plan& plan,
-                                   const StreamWeights& weights, transform::Variable variable,
-                                   double effective_samples);
+/// A marginal by its bins, from all samples of its variable, with pointwise 95 % intervals.
+/// @param effective_samples to bound the density of a bin that no sample fell into
+MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
+                                   transform::Variable variable, double effective_samples);
 
-/// The joint density over the cells of the histogram, normalised by all samples.
-transform::GridDensity estimate_joint_density(const std::vector<StreamRecord>& records,
-                                              const Plan& plan, const StreamWeights& weights);
+/// The joint histogram as a density, and the standard error of each of its averages.
+struct JointEstimate {
+  transform::GridDensity density;
+  std::vector<double> standard_errors;  ///< row-major, as the averages
+};
+JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights);
 
 }  // namespace fpkcheck::mcs

@@ -18,7 +18,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr double kStep = 0.8;  // radians, as in simulate()
+constexpr double kStep = 0.9;  // radians, as in simulate()
 // Sums are made within shares of the ensemble and then over the shares in their order, so that
 // nothing depends on the number of threads.
 constexpr std::uint32_t kShares = 64;
@@ -60,9 +60,10 @@ struct Sums {
 };
 
 /// The Gaussian of (z, z') folded by paper (5): y = |z|, y' = z' sgn z.
-State folded_start(const EnsembleOptions& options, ImpulseSource& source) {
-  const double z = options.start_displacement * source.standard_normal();
-  const double z_dot = options.start_velocity * source.standard_normal();
+State folded_start(const EnsembleOptions& options, const ImpulseSource& source) {
+  const auto normals = source.standard_normals();
+  const double z = options.start_displacement * normals[0];
+  const double z_dot = options.start_velocity * normals[1];
   return {std::abs(z), std::copysign(1.0, z) * z_dot};
 }
 

@@ -14,48 +14,64 @@ class BinFinder {
 
   /// 0 below the first edge, 1 .. n for the half-open bins, n + 1 from the last edge on.
   std::size_t operator()(double x) const {
-    const double cell = std::clamp((x - edges_.front()) * cells_per_length_, 0.0, last_cell_);
-    std::size_t bin = first_bin_[static_cast<std::size_t>(cell)];
-    while (bin > 0 && x < edges_[bin - 1]) --bin;
-    while (bin < edges_.size() && x >= edges_[bin]) ++bin;
+    std::size_t bin = first_bin_[static_cast<std::size_t>(cell(x))];
+    while (x < fenced_[bin]) --bin;
+    while (x >= fenced_[bin + 1]) ++bin;
     return bin;
   }
+
+  /// The edges are evenly spaced but for rounding.
+  bool even() const { return even_; }
+  double first_edge() const { return first_edge_; }
+  double bins_per_length() const { return bins_per_length_; }
 
   std::size_t bins() const { return edges_.size() - 1; }
   const std::vector<double>& edges() const { return edges_; }
 
  private:
+  /// Which of the evenly spaced cells x is in, roughly.
+  double cell(double x) const {
+    const double from_first = (x - first_edge_) * 2 * bins_per_length_;
+    return std::clamp(from_first, 0.0, last_cell_);
+  }
+
   std::vector<double> edges_;
+  std::vector<double> fenced_;            // the edges between two guards
   std::vector<std::uint32_t> first_bin_;  // bin of the lower end of each of evenly spaced cells
-  double cells_per_length_;
+  double first_edge_;
+  double bins_per_length_;
   double last_cell_;
+  bool even_;
 };
 
-/// Counts of (y, y') over rectilinear cells, and around them a frame for what falls outside, so
-/// that nothing is lost. Row-major, shape (ny + 2, nv + 2).
+/// Weights of samples of (y, y') over rectilinear cells, and around them a frame for what falls
+/// outside, so that nothing is lost. Row-major, shape (ny + 2, nv + 2).
 class Histogram {
  public:
   Histogram(const BinFinder& y, const BinFinder& v)
-      : y_(&y), v_(&v), columns_(v.bins() + 2), counts_((y.bins() + 2) * columns_) {}
+      : columns_(v.bins() + 2), weights_((y.bins() + 2) * columns_) {}
 
-  void add(double y, double v) { ++counts_[(*y_)(y)*columns_ + (*v_)(v)]; }
+  void add(std::size_t row, std::size_t column, double weight) {
+    weights_[row * columns_ + column] += weight;
+  }
 
   /// Row and column 0 and the last ones are the frame.
-  std::uint64_t count(std::size_t row, std::size_t column) const {
-    return counts_[row * columns_ + column];
+  double operator()(std::size_t row, std::size_t column) const {
+    return weights_[row * columns_ + column];
   }
-  std::size_t rows() const { return y_->bins() + 2; }
+  std::size_t rows() const { return weights_.size() / columns_; }
   std::size_t columns() const { return columns_; }
 
-  /// Counts of y whatever y', shape (ny + 2), and of y' whatever y, shape (nv + 2).
-  std::vector<std::uint64_t> row_counts() const;
-  std::vector<std::uint64_t> column_counts() const;
+  /// Sums of y whatever y', shape (ny + 2), and of y' whatever y, shape (nv + 2).
+  std::vector<double> row_sums() const;
+  std::vector<double> column_sums() const;
+
+  std::vector<double>& weights() { return weights_; }
+  const std::vector<double>& weights() const { return weights_; }
 
  private:
-  const BinFinder* y_;
-  const BinFinder* v_;
   std::size_t columns_;
-  std::vector<std::uint64_t> counts_;
+  std::vector<double> weights_;
 };
 
 }  // namespace fpkcheck::mcs

@@ -1,62 +1,87 @@
 #pragma once
 
-#include <boost/random/bernoulli_distribution.hpp>
-#include <boost/random/exponential_distribution.hpp>
-#include <boost/random/laplace_distribution.hpp>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/normal_distribution.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
+#include <array>
 #include <cstdint>
-#include <variant>
 
 #include "problem/impulse_train.hpp"
 
 namespace fpkcheck::mcs {
 
-/// mean - deviation or mean + deviation, by the toss of a coin.
-struct TwoPointDistribution {
-  double mean;
-  double deviation;
-  boost::random::bernoulli_distribution<double> coin{0.5};
-
-  template <class Engine>
-  double operator()(Engine& engine) {
-    return coin(engine) ? mean + deviation : mean - deviation;
-  }
+/// A term of paper (3): how long after the one before it comes, and its amplitude Y.
+struct Impulse {
+  double waiting;
+  double amplitude;
 };
 
-/// Random numbers of one stream. Boost.Random's generators and ziggurat distributions give the same
-/// numbers on every platform, which the standard library's distributions do not.
+/// Impulses that stand for the excitation.
+struct Excitation {
+  enum class Arrivals {
+    poisson,  ///< waiting times exponential with mean `interval`
+    even      ///< waiting times `interval`, the first one a random part of it
+  };
+  enum class Law { gaussian, laplace, two_point, uniform };
+
+  Arrivals arrivals;
+  double interval;
+  Law law;
+  double mean;   ///< of the amplitude
+  double width;  ///< deviation (gaussian, two_point), scale (laplace) or half width (uniform)
+
+  /// What the impulses bring on the average: lambda E[Y^2] / 2, as E[y'] = 0. (With a mean, even
+  /// kicks bring it but for terms of second order in the interval.)
+  double power;
+};
+
+/// The impulses of the problem, paper (3).
+Excitation poisson_excitation(const problem::ImpulseTrain& impulses);
+
+/// Gaussian white noise of the same mean and intensity, lumped into kicks at even times:
+/// amplitudes N(lambda E[Y] h, lambda E[Y^2] h).
+Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval);
+
+/// Numbers in (0, 1) for a block of impulses, made of the 128 bits of one counter each: of 53, 43
+/// and 32 bits. The second one decides how far out an amplitude may lie: 7.8 deviations or 30
+/// scales.
+struct Uniforms;
+
+/// The impulses of one stream: impulse n is a function of (seed, stream, n) alone. Made in blocks,
+/// in lanes.
 class ImpulseSource {
  public:
-  /// Streams of one seed, and of different seeds, are set apart by a seed sequence over all three
-  /// 32-bit words of (seed, stream).
-  ImpulseSource(const problem::ImpulseTrain& impulses, std::uint64_t seed, std::uint32_t stream);
+  static constexpr int kBlock = 16;
 
-  /// Time from one impulse to the next: exponential with the mean 1/lambda.
-  double waiting_time() { return waiting_(engine_); }
+  ImpulseSource(const Excitation& excitation, std::uint64_t seed, std::uint32_t stream)
+      : excitation_(excitation), seed_(seed), stream_(stream) {}
+  ImpulseSource(const problem::ImpulseTrain& impulses, std::uint64_t seed, std::uint32_t stream)
+      : ImpulseSource(poisson_excitation(impulses), seed, stream) {}
 
-  /// An amplitude Y of the impulse law.
-  double amplitude() {
-    return std::visit([this](auto& law) { return law(engine_); }, amplitude_);
+  Impulse next() {
+    const auto place = static_cast<std::size_t>(number_ % kBlock);
+    if (place == 0) make_block();
+    ++number_;
+    return {waiting_[place], amplitude_[place]};
   }
 
-  /// A standard normal number, for the initial state.
-  double standard_normal() { return normal_(engine_); }
+  /// How many have been given out.
+  std::uint64_t number() const { return number_; }
+  /// Continues as if `number` had been given out.
+  void continue_from(std::uint64_t number);
+
+  /// Two independent standard normal numbers, for the initial state: always the same ones.
+  std::array<double, 2> standard_normals() const;
 
  private:
-  using Amplitude = std::variant<boost::random::normal_distribution<double>,
-                                 boost::random::laplace_distribution<double>, TwoPointDistribution,
-                                 boost::random::uniform_real_distribution<double>>;
-  static Amplitude sampler(const problem::GaussianLaw& law);
-  static Amplitude sampler(const problem::LaplaceLaw& law);
-  static Amplitude sampler(const problem::TwoPointLaw& law);
-  static Amplitude sampler(const problem::UniformLaw& law);
+  void make_block();
 
-  boost::random::mt19937_64 engine_;
-  boost::random::exponential_distribution<double> waiting_;
-  boost::random::normal_distribution<double> normal_;
-  Amplitude amplitude_;
+  Excitation excitation_;
+  std::uint64_t seed_;
+  std::uint32_t stream_;
+  std::uint64_t number_ = 0;
+  std::array<double, kBlock> waiting_{}, amplitude_{};
+};
+
+struct Uniforms {
+  std::array<double, ImpulseSource::kBlock> first, second, third;
 };
 
 }  // namespace fpkcheck::mcs

@@ -17,14 +17,22 @@ namespace {
 constexpr int kFewestStreams = 8;
 constexpr int kMostStreams = 4096;
 constexpr int kMostThreads = 1024;
-constexpr double kLongestStep = 1;  // the series of order Flight::kOrder loses its accuracy beyond
+constexpr double kLongestStep = 1.2;  // the series of order Flight::kOrder loses its accuracy beyond
+constexpr double kLongestWhiteStep = 0.5;
 
 constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;    // standard deviations
-constexpr double kAutomaticTime = 1.2e6;  // slowest decay times: L1 noise of p(y), p(y') about 6e-4
-constexpr double kAutomaticStep = 0.8;    // radians: dissipation right to 1e-6
+constexpr double kAutomaticTime = 1.6e6;  // slowest decay times: L1 noise of p(y), p(y') about 6e-4
+constexpr double kTailsShare = 1.0 / 8;   // of it: the branches take several times as long
+constexpr double kAutomaticStep = 0.9;    // radians: errors below those of RK4 with step 0.05
+constexpr double kAutomaticWhiteStep = 0.05;
 constexpr double kBurnIn = 20;            // slowest decay times: exp(-20) of the start is left
-constexpr double kSamplesPerPeriod = 50;  // the bins are narrow: with 25 they are a sixth noisier
+constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less noisy, and dearer
+// Progress and interruptions come by rounds: a fortieth of the automatic time, a tenth of a second
+// or so, or an eighth of what was asked for if that is less.
+constexpr double kAutomaticRounds = 40;
+constexpr double kFewestRounds = 8;
+constexpr double kMostAutomaticTimes = 1e4;  // where samples or an error are asked for
 
 void validate_edges(const std::vector<double>& edges, std::string_view key) {
   if (edges.empty()) return;
@@ -73,6 +81,21 @@ void validate(const Options& options) {
     throw InputError(fmt::format("mcs.step = {} (must be in (0, {}] radians; use 0 for automatic)",
                                  options.step, kLongestStep));
   }
+  if (!(options.white_step >= 0 && options.white_step <= kLongestWhiteStep)) {
+    throw InputError(
+        fmt::format("mcs.white_step = {} (must be in (0, {}] radians; use 0 for automatic)",
+                    options.white_step, kLongestWhiteStep));
+  }
+  if (!std::isfinite(options.samples) || options.samples < 0) {
+    throw InputError(fmt::format("mcs.samples = {} (must be a positive number; use 0 for as many "
+                                 "as the time gives)",
+                                 options.samples));
+  }
+  if (!(options.target_error >= 0 && options.target_error < 1)) {
+    throw InputError(fmt::format("mcs.target_error = {} (must be above 0 and below 1; use 0 for "
+                                 "what the time gives)",
+                                 options.target_error));
+  }
   validate_edges(options.y_edges, "y_edges");
   validate_edges(options.v_edges, "v_edges");
   if (!options.y_edges.empty() && options.y_edges.front() != 0) {
@@ -86,9 +109,15 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double decay = problem::slowest_decay(linear);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
-  const double time = options.time > 0 ? options.time : kAutomaticTime / decay;
+  const double automatic = kAutomaticTime * (options.tails ? kTailsShare : 1) / decay;
+  const bool open_ended = options.samples > 0 || options.target_error > 0;
+  const double time = options.time > 0 ? options.time
+                                       : automatic * (open_ended ? kMostAutomaticTimes : 1);
   const double interval = 2 * std::numbers::pi / std::sqrt(linear.stiffness) / kSamplesPerPeriod;
-  const double samples = std::ceil(time / options.streams / interval);
+  const double round_time = std::min(automatic / kAutomaticRounds, time / kFewestRounds);
+  const double rounds = std::ceil(time / round_time * (1 - 1e-12));
+  const double samples = std::ceil(time / rounds / options.streams / interval * (1 - 1e-12));
+  const double kicks = options.white_step > 0 ? options.white_step : kAutomaticWhiteStep;
   const int threads = options.threads > 0 ? options.threads : available_threads();
   return {.streams = options.streams,
           .threads = std::min(threads, options.streams),
@@ -96,9 +125,13 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
           .step = options.step > 0 ? options.step : kAutomaticStep,
           .burn_in = kBurnIn / decay,
           .sampling_interval = interval,
-          .samples_per_stream = static_cast<std::uint64_t>(samples),
+          .samples_per_round = static_cast<std::uint64_t>(samples),
+          .rounds = static_cast<std::uint64_t>(rounds),
           .displacement_deviation = s1,
           .velocity_deviation = s2,
+          .excitation = options.equation == Equation::white
+                            ? white_excitation(problem.impulses, kicks / std::sqrt(linear.stiffness))
+                            : poisson_excitation(problem.impulses),
           .y_bins =
               bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
           .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};

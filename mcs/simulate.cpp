@@ -3,109 +3,213 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "mcs/checkpoint.hpp"
+#include "mcs/crossings.hpp"
 #include "mcs/density_estimate.hpp"
 #include "mcs/plan.hpp"
-#include "mcs/run_streams.hpp"
+#include "mcs/quantiles.hpp"
+#include "mcs/simulation.hpp"
 #include "mcs/stream_weights.hpp"
+#include "mcs/tails.hpp"
 #include "problem/energy_balance.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-using Records = std::vector<StreamRecord>;
+using Clock = std::chrono::steady_clock;
 
-void estimate_moments(const Records& records, const StreamWeights& weights, Result& result) {
-  using transform::Moments;
-  for (const auto member :
-       {&Moments::y1, &Moments::y2, &Moments::y4, &Moments::v1, &Moments::v2, &Moments::v4}) {
-    const auto moment =
-        weights.estimate(each(records, [&](const auto& r) { return r.moments.*member; }));
-    result.solution.moments.*member = moment.mean;
-    result.summary.standard_errors.moments.*member = moment.standard_error;
-  }
+/// The mean of y^p y'^q in a stream.
+double moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
+  const auto place = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
+  return record.powers[static_cast<std::size_t>(place)] / simulation.stream_samples();
 }
 
-void estimate_energy_residual(const problem::Problem& problem, const Records& records,
-                              const StreamWeights& weights, Result& result) {
+std::vector<double> moments(const Simulation& simulation, int p, int q) {
+  return each(simulation.streams(),
+              [&](const StreamRecord& record) { return moment(simulation, record, p, q); });
+}
+
+/// Power that the impulses of each stream happened to bring beyond its expectation.
+std::vector<double> excess_powers(const Simulation& simulation) {
+  // Impulses come independently of the motion before them, so that their work sum (v Y + Y^2/2) has
+  // the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt; and E[v] = 0, since int v dt is the
+  // change of y, which impacts leave alone.
+  const double expected = simulation.plan().excitation.power;
+  return each(simulation.streams(), [&](const StreamRecord& record) {
+    return record.work / simulation.stream_time() - expected;
+  });
+}
+
+double square(double x) { return x * x; }
+
+/// Var(x) / SE^2 of x = y^p y'^q: how many independent draws tell as much of its mean.
+double effective_samples(const Simulation& simulation, int p, int q) {
+  const auto [mean, error] = plain_estimate(moments(simulation, p, q));
+  const double second = plain_estimate(moments(simulation, 2 * p, 2 * q)).mean;
+  return (second - mean * mean) / square(error);
+}
+
+/// Options::target_error, as far as it has come.
+double current_error(const Simulation& simulation) {
+  const StreamWeights weights(excess_powers(simulation));
+  double error = 0;
+  for (const auto& [p, q] : {std::pair{2, 0}, std::pair{0, 2}}) {
+    const Estimate e = weights.estimate(moments(simulation, p, q));
+    error = std::max(error, e.standard_error / e.mean);
+  }
+  for (const auto variable : {transform::Variable::y, transform::Variable::ydot}) {
+    error = std::max(error, estimate_marginal(simulation, weights, variable, 1).sampling_l1);
+  }
+  return error;
+}
+
+/// Goes on until what was asked for is reached.
+/// @return why it was not, in one sentence; empty when it was
+std::string run(Simulation& simulation, const std::string& fingerprint, const Options& options,
+                bool& interrupted) {
+  constexpr std::chrono::seconds kBetweenCheckpoints(30);
+  auto written = Clock::now();
+  const Plan& plan = simulation.plan();
+  const bool asks_for_error = options.target_error > 0;
+  const bool asks_for_samples = options.samples > 0;
+  std::string unreached;
+  for (;;) {
+    if (simulation.rounds() >= plan.rounds) {
+      if (asks_for_error || asks_for_samples) {
+        unreached = "the time ended before the samples or the error asked for (give more --time)";
+      }
+      break;
+    }
+    simulation.round();
+    double fraction =
+        static_cast<double>(simulation.rounds()) / static_cast<double>(plan.rounds);
+    const double error = asks_for_error || options.progress ? current_error(simulation) : 0;
+    const double samples = asks_for_samples ? effective_samples(simulation, 0, 2) : 0;
+    if (asks_for_error) fraction = std::max(fraction, square(options.target_error / error));
+    if (asks_for_samples) fraction = std::max(fraction, samples / options.samples);
+    const bool reached = (asks_for_error || asks_for_samples) &&
+                         (!asks_for_error || error <= options.target_error) &&
+                         (!asks_for_samples || samples >= options.samples);
+    if (options.progress) options.progress({.fraction = std::min(fraction, 1.0), .error = error});
+    if (reached) break;
+    if (simulation.rounds() < plan.rounds && options.stop && options.stop()) {
+      interrupted = true;
+      break;
+    }
+    if (!options.checkpoint.empty() && Clock::now() - written > kBetweenCheckpoints) {
+      write_checkpoint(options.checkpoint, fingerprint, simulation);
+      written = Clock::now();
+    }
+  }
+  if (!options.checkpoint.empty()) write_checkpoint(options.checkpoint, fingerprint, simulation);
+  return unreached;
+}
+
+void estimate_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
+  using transform::Moments;
+  auto& [solution, joint_errors, summary] = result;
+  for (const auto& [p, q] : kPowers) {
+    summary.joint_moments.push_back(weights.estimate(moments(simulation, p, q)));
+  }
+  const auto set = [&](double Moments::*member, int p, int q) {
+    const Estimate e = weights.estimate(moments(simulation, p, q));
+    solution.moments.*member = e.mean;
+    summary.standard_errors.moments.*member = e.standard_error;
+  };
+  set(&Moments::y1, 1, 0);
+  set(&Moments::y2, 2, 0);
+  set(&Moments::y4, 4, 0);
+  set(&Moments::v1, 0, 1);
+  set(&Moments::v2, 0, 2);
+  set(&Moments::v4, 0, 4);
+}
+
+void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
+                      const StreamWeights& weights, Result& result) {
+  result.summary.impact_rate = weights.estimate(
+      each(simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
   // Linear in the averages: the average of the streams' own residuals.
-  const auto residual = weights.estimate(each(records, [&](const auto& r) {
-    return problem::energy_residual(problem, problem::Impact::exact,
-                                    {.mean_velocity = r.moments.v1,
-                                     .mean_square_velocity = r.moments.v2,
-                                     .impact_energy_flux = r.impact_energy_flux});
+  const auto residual = weights.estimate(each(simulation.streams(), [&](const auto& r) {
+    return problem::energy_residual(
+        problem, problem::Impact::exact,
+        {.mean_velocity = moment(simulation, r, 0, 1),
+         .mean_square_velocity = moment(simulation, r, 0, 2),
+         .impact_energy_flux = r.impact_energy / simulation.stream_time()});
   }));
   result.solution.energy_residual = residual.mean;
   result.summary.standard_errors.energy_residual = residual.standard_error;
 }
 
 /// Whether the impulses followed their law, before the weights set it right.
-void estimate_excess_power(const problem::Problem& problem, const Records& records,
-                           Summary& summary) {
-  const double input = problem.impulses.intensity() / 2;
-  const auto excess =
-      plain_estimate(each(records, [&](const auto& r) { return r.excess_power / input; }));
-  summary.excess_power = excess.mean;
-  summary.excess_power_error = excess.standard_error;
+void estimate_excess_power(const Simulation& simulation, Summary& summary) {
+  const auto excess = plain_estimate(excess_powers(simulation));
+  const double input = simulation.plan().excitation.power;
+  summary.excess_power = excess.mean / input;
+  summary.excess_power_error = excess.standard_error / input;
 }
 
 /// What the samples are worth without the weights, and what the weights add.
-void estimate_efficiency(const Records& records, Result& result) {
-  const auto plain_variance = [&](auto member) {
-    const double error = plain_estimate(each(records, [&](const auto& r) {
-                           return r.moments.*member;
-                         })).standard_error;
-    return error * error;
+void estimate_efficiency(const Simulation& simulation, Summary& summary) {
+  const auto reduction = [&](int p, int q, double error) {
+    return square(plain_estimate(moments(simulation, p, q)).standard_error / error);
   };
-  const auto variance = [&](auto member) {
-    const double error = result.summary.standard_errors.moments.*member;
-    return error * error;
-  };
-  constexpr auto y2 = &transform::Moments::y2, v2 = &transform::Moments::v2;
-  const auto& m = result.solution.moments;
-  result.summary.effective_samples = (m.v4 - m.v2 * m.v2) / plain_variance(v2);
-  result.summary.variance_reduction_y2 = plain_variance(y2) / variance(y2);
-  result.summary.variance_reduction_v2 = plain_variance(v2) / variance(v2);
+  const auto& errors = summary.standard_errors.moments;
+  summary.effective_samples = effective_samples(simulation, 0, 2);
+  summary.effective_samples_y2 = effective_samples(simulation, 2, 0);
+  summary.variance_reduction_y2 = reduction(2, 0, errors.y2);
+  summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
-void estimate_densities(const Records& records, const Plan& plan, const StreamWeights& weights,
+void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
                         Result& result) {
-  auto& [solution, summary] = result;
+  auto& [solution, joint_errors, summary] = result;
   const auto marginal = [&](transform::Variable variable) {
-    auto estimate = estimate_marginal(records, plan, weights, variable, summary.effective_samples);
+    auto estimate = estimate_marginal(simulation, weights, variable, summary.effective_samples);
     solution.estimated_marginals.emplace_back(variable, std::move(estimate.marginal));
     return estimate.sampling_l1;
   };
   summary.sampling_l1_y = marginal(transform::Variable::y);
   summary.sampling_l1_ydot = marginal(transform::Variable::ydot);
-  auto joint = estimate_joint_density(records, plan, weights);
-  solution.mass = transform::mass(joint);
-  solution.density = std::move(joint);
+  auto joint = estimate_joint_density(simulation, weights);
+  solution.mass = transform::mass(joint.density);
+  solution.density = std::move(joint.density);
+  joint_errors = std::move(joint.standard_errors);
   summary.outside = std::max(0.0, 1 - solution.mass);
+  summary.y_quantiles = estimate_quantiles(simulation, weights, transform::Variable::y);
+  summary.v_quantiles = estimate_quantiles(simulation, weights, transform::Variable::ydot);
+  summary.crossings = estimate_crossings(simulation, weights);
+  summary.peaks = estimate_peaks(simulation, weights);
 }
 
-void describe(const Records& records, const Plan& plan, Summary& summary) {
-  summary.time = plan.stream_time() * plan.streams;
-  summary.samples = plan.samples_per_stream * static_cast<std::uint64_t>(plan.streams);
+void describe(const Simulation& simulation, Summary& summary) {
+  const Plan& plan = simulation.plan();
+  summary.time = simulation.stream_time() * plan.streams;
+  summary.samples = simulation.rounds() * plan.samples_per_round *
+                    static_cast<std::uint64_t>(plan.streams);
   summary.sampling_interval = plan.sampling_interval;
   summary.seed = plan.seed;
   summary.threads = plan.threads;
   summary.streams = plan.streams;
   summary.step = plan.step;
-  summary.burn_in = plan.burn_in;
-  std::uint64_t impacts = 0;
-  for (const StreamRecord& record : records) {
-    impacts += record.impacts;
-    summary.impulses += record.impulses;
+  if (plan.excitation.arrivals == Excitation::Arrivals::even) {
+    summary.kick_interval = plan.excitation.interval;
   }
-  summary.impact_rate = static_cast<double>(impacts) / summary.time;
+  summary.burn_in = plan.burn_in;
+  summary.rounds = simulation.rounds();
+  for (const Stream& stream : simulation.streams()) {
+    summary.impulses += stream.record.impulses;
+    summary.flights += stream.record.flights;
+  }
 }
 
-void judge(transform::Solution& solution) {
+void judge(transform::Solution& solution, const std::string& unreached) {
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
-  solution.status = transform::Status::ok;
+  solution.status = unreached.empty() ? transform::Status::ok : transform::Status::not_converged;
+  solution.reason = unreached;
   if (!finite || !(solution.mass > 0)) {
     solution.status = transform::Status::failed;
     solution.reason =
@@ -117,25 +221,36 @@ void judge(transform::Solution& solution) {
 }  // namespace
 
 Result simulate(const problem::Problem& problem, const Options& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   const Plan plan = make_plan(problem, options);
-  const Records records = run_streams(problem, plan, options.progress);
-  const StreamWeights weights(each(records, [](const auto& r) { return r.excess_power; }));
-
+  std::optional<Splitting> splitting;
+  if (options.tails) splitting = plan_splitting(problem, plan);
+  Simulation simulation(problem, plan, splitting ? &*splitting : nullptr);
+  const std::string identity =
+      fingerprint(problem, plan, splitting ? &*splitting : nullptr);
+  if (options.resume.empty()) {
+    simulation.burn_in();
+  } else {
+    read_checkpoint(options.resume, identity, simulation);
+  }
   Result result;
+  const std::string unreached = run(simulation, identity, options, result.summary.interrupted);
+
+  const StreamWeights weights(excess_powers(simulation));
   transform::Solution& solution = result.solution;
-  solution.id = solution.method = "mcs";
-  solution.equation = "kf";
+  solution.method = "mcs";
+  solution.equation = options.equation == Equation::white ? "white" : "kf";
+  solution.id = options.equation == Equation::white ? "mcs-white" : "mcs";
   solution.impact = problem::Impact::exact;
-  estimate_moments(records, weights, result);
-  estimate_energy_residual(problem, records, weights, result);
-  estimate_excess_power(problem, records, result.summary);
-  estimate_efficiency(records, result);
-  estimate_densities(records, plan, weights, result);
-  describe(records, plan, result.summary);
-  judge(solution);
-  solution.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  estimate_moments(simulation, weights, result);
+  estimate_impacts(problem, simulation, weights, result);
+  estimate_excess_power(simulation, result.summary);
+  estimate_efficiency(simulation, result.summary);
+  estimate_densities(simulation, weights, result);
+  describe(simulation, result.summary);
+  if (splitting) result.summary.thresholds = splitting->thresholds();
+  judge(solution, unreached);
+  solution.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return result;
 }
 

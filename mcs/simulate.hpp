@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
+#include "mcs/estimate.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
@@ -12,11 +14,30 @@
 /// no density equation, nothing shared with the other solvers.
 namespace fpkcheck::mcs {
 
+/// What drives the oscillator.
+enum class Equation {
+  kf,    ///< the impulses themselves, paper (3)
+  white  ///< Gaussian white noise of the same mean and intensity
+};
+
+/// How far a simulation has come.
+struct Progress {
+  double fraction;  ///< of the way to what was asked for, estimated
+  double error;     ///< so far: see Options::target_error
+};
+
 /// How to simulate. Zero or empty means automatic.
 struct Options {
-  /// Simulated time over all streams; automatic: 1.2e6 decay times of the slowest mode
-  /// of equivalent linearisation (2/c_eq below critical damping).
+  Equation equation = Equation::kf;
+  /// Simulated time over all streams; automatic: 1.6e6 decay times of the slowest mode
+  /// of equivalent linearisation (2/c_eq below critical damping), an eighth of it with `tails`, and
+  /// no end where `samples` or `target_error` is given.
   double time = 0;
+  /// Effective samples of y'^2 to be reached (Summary::effective_samples).
+  double samples = 0;
+  /// Error to be reached: the largest of the relative standard errors of E[y^2] and E[y'^2] and
+  /// the expected L1 distances of the marginals by chance.
+  double target_error = 0;
   std::uint64_t seed = 1;
   /// Automatic: one per processor. The results do not depend on it.
   int threads = 0;
@@ -26,12 +47,25 @@ struct Options {
   /// sigma_1 and +-7 sigma_2 of the equivalent linearisation.
   std::vector<double> y_edges;
   std::vector<double> v_edges;
-  /// Longest Taylor step, in radians of the fastest motion that the energy allows; at most 1.
-  /// Automatic: 0.8.
+  /// Longest Taylor step, in radians of the fastest motion that the energy allows; at most 1.2.
+  /// Automatic: 0.9.
   double step = 0;
-  /// Told the fraction done: by the working threads, but never by two at once. It may throw to stop
-  /// the simulation; what it throws leaves simulate().
-  std::function<void(double fraction)> progress;
+  /// Time between the kicks that stand for white noise, in radians of equivalent linearisation; at
+  /// most 0.5. Automatic: 0.05.
+  double white_step = 0;
+  /// Splits trajectories that reach high energies (Splitting), to resolve densities down to 1e-8 of
+  /// their peak and beyond.
+  bool tails = false;
+  /// File to write the state to twice a minute and in the end; empty for none.
+  std::string checkpoint;
+  /// File of a checkpoint to go on from; empty for none. The result is the same, bit for bit, as
+  /// without the interruption.
+  std::string resume;
+  /// Told how far it has come, after every round. It may throw to stop the simulation; what it
+  /// throws leaves simulate().
+  std::function<void(const Progress&)> progress;
+  /// Asked after every round; true ends the simulation, and what was reached is the result.
+  std::function<bool()> stop;
 };
 
 /// @throws InputError on one line: the option, its value and what is allowed
@@ -51,6 +85,7 @@ struct Summary {
   /// Var(y'^2) / SE^2 with the plain standard error, that without weights: how many independent
   /// draws of the stationary density tell as much of E[y'^2].
   double effective_samples = 0;
+  double effective_samples_y2 = 0;  ///< the same of E[y^2]
   /// What the weights gain: plain variance of the estimate over the variance reached.
   double variance_reduction_y2 = 1;
   double variance_reduction_v2 = 1;
@@ -69,26 +104,38 @@ struct Summary {
   int threads = 0;
   int streams = 0;
   double step = 0;         ///< radians, Options::step
+  double kick_interval = 0;  ///< white noise: time between kicks
   double burn_in = 0;      ///< of each stream
-  double impact_rate = 0;  ///< impacts per unit time
+  Estimate impact_rate;    ///< impacts per unit time, int |v| p(0, v) dv over v < 0
   std::uint64_t impulses = 0;
+  std::uint64_t flights = 0;  ///< Taylor polynomials
+  std::uint64_t rounds = 0;
+  bool interrupted = false;  ///< by Options::stop
+  /// E[y^p y'^q], p + q <= 4, in the order of kPowers.
+  std::vector<Estimate> joint_moments;
+  std::vector<Quantile> y_quantiles, v_quantiles;
+  std::vector<LevelRate> crossings, peaks;
+  std::vector<double> thresholds;  ///< energies of the splitting
 };
 
 /// A simulated density and how it came about.
 struct Result {
-  /// Method "mcs", equation "kf", the joint histogram as a GridDensity, and the marginals of y and
+  /// Method "mcs", equation "kf" or "white" (id "mcs", "mcs-white"), the joint histogram as a GridDensity, and the marginals of y and
   /// y' on the same edges with 95 % intervals. Normalised by all samples: `mass` is 1 minus what
   /// fell outside the histogram. Moments come from the samples, not from the histogram.
   transform::Solution solution;
+  /// Standard errors of the joint histogram's averages, row-major.
+  std::vector<double> joint_standard_errors;
   Summary summary;
 };
 
 /// Simulates `options.streams` independent realisations, each from the equivalent-linearisation
 /// Gaussian folded to y >= 0 and past a burn-in of 20 decay times of
 /// the slowest mode, and averages over them with the weights
-/// of StreamWeights. The same seed gives the same result, bit for bit, for any number of threads
-/// (on processors and with compilers that round alike).
-/// @throws InputError as validate()
+/// of StreamWeights. The same seed gives the same result, bit for bit, for any number of threads,
+/// of lanes and of interruptions. A simulation that ends before what was asked for is reached has
+/// the status not_converged.
+/// @throws InputError as validate(), and for checkpoints that cannot be read or written
 Result simulate(const problem::Problem& problem, const Options& options);
 
 /// The members that summary.json has for the method "mcs", in the contract's names.

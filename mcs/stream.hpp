@@ -1,27 +1,61 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "mcs/histogram.hpp"
-#include "mcs/plan.hpp"
-#include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "mcs/impulse_source.hpp"
 
 namespace fpkcheck::mcs {
 
-/// What one stream saw after its burn-in: averages over its own time.
+/// The powers y^p y'^q, 1 <= p + q <= 4, whose means are estimated.
+inline constexpr std::array<std::pair<int, int>, 14> kPowers{
+    {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}, {4, 0}, {3, 1}, {2, 2},
+     {1, 3}, {0, 4}}};
+
+/// What one stream has seen: sums over samples and events, each with the weight of its branch
+/// (1 without splitting).
 struct StreamRecord {
   Histogram histogram;
-  transform::Moments moments;     ///< over the samples
-  double impact_energy_flux = 0;  ///< (sum of v^2 over impacts) / time = int |v|^3 p(0, v) dv
-  /// Power that the impulses happened to bring, less its expectation: mean zero.
-  double excess_power = 0;
-  std::uint64_t impacts = 0;
+  std::vector<double> peaks;    ///< maxima of y by the bins of y, with the outer bins
+  std::vector<double> troughs;  ///< minima of y above the wall, likewise
+  std::array<double, kPowers.size()> powers{};
+  double samples = 0;
+  double impacts = 0;
+  double impact_energy = 0;  ///< sum of v^2 over impacts
+  double work = 0;           ///< of the impulses, sum of (v + Y)^2/2 - v^2/2; whole stream only
   std::uint64_t impulses = 0;
+  std::uint64_t flights = 0;
+  /// Energies right after impulses, by the bins of the splitting; empty without.
+  std::vector<double> energies{};
+
+  StreamRecord(const BinFinder& y, const BinFinder& v)
+      : histogram(y, v), peaks(y.bins() + 2), troughs(y.bins() + 2) {}
 };
 
-/// Simulates stream `index` of the plan. Depends on nothing but its arguments.
-/// @param plan must outlive the record, whose histogram refers to its bins
-StreamRecord run_stream(const problem::Problem& problem, const Plan& plan, std::uint32_t index);
+/// A trajectory somewhere on its way.
+struct Branch {
+  double y;
+  double v;
+  double until_impulse;
+  double amplitude;  ///< of that impulse
+  double until_sample;
+  double remaining;  ///< time
+  int level = 0;     ///< of the splitting
+  int floor = 0;     ///< the branch ends where its level falls below
+};
+
+/// One realisation with its random numbers and what it has seen.
+struct Stream {
+  Branch branch;
+  ImpulseSource source;
+  StreamRecord record;
+  std::vector<Branch> waiting{};  ///< branches to be followed, the stream itself first
+
+  /// The stream itself moves, not one of its branches.
+  bool whole() const { return waiting.empty(); }
+};
 
 }  // namespace fpkcheck::mcs

@@ -3,13 +3,9 @@
 #include <span>
 #include <vector>
 
-namespace fpkcheck::mcs {
+#include "mcs/estimate.hpp"
 
-/// A mean and its standard error.
-struct Estimate {
-  double mean;
-  double standard_error;
-};
+namespace fpkcheck::mcs {
 
 /// Weights of the streams' averages: the control-variate estimate (Lavenberg & Welch, Management
 /// Science 27, 1981) written as a weighted mean.

@@ -16,7 +16,8 @@ struct NoWitness {
 };
 
 /// One realisation of paper (1)-(2) itself, on y >= 0 and event by event: flights end exactly at
-/// impacts, at impulses and at the end of the time asked for.
+/// impacts, at impulses and at the end of the time asked for. What advance() does in lanes, written
+/// plainly, for ensembles and for the tests.
 class Trajectory {
  public:
   /// @param step longest flight, in radians of the local frequency, below pi (Flight::reach)
@@ -24,7 +25,7 @@ class Trajectory {
       : system_(&system),
         source_(source),
         state_(start),
-        until_impulse_(source_.waiting_time()),
+        next_(source_.next()),
         step_(step) {}
 
   const State& state() const { return state_; }
@@ -38,18 +39,18 @@ class Trajectory {
     while (duration > 0) {
       if (state_.y <= 0 && state_.v < 0) rebound(witness);
       const Flight flight(*system_, state_);
-      double span = std::min({flight.reach(step_), until_impulse_, duration});
+      double span = std::min({flight.reach(step_), next_.waiting, duration});
       State end = flight.at(span);
       const bool impact = end.y < 0 && state_.y > 0;
       if (impact) {
-        span = flight.impact_time(span);
+        span = flight.impact_time(span, end, true);
         end = {0, flight.at(span).v};
       }
       witness.flight(flight, span);
       duration -= span;
-      until_impulse_ -= span;
+      next_.waiting -= span;
       state_ = {std::max(end.y, 0.0), end.v};
-      if (until_impulse_ <= 0) receive_impulse(witness);
+      if (next_.waiting <= 0) receive_impulse(witness);
     }
   }
 
@@ -63,16 +64,15 @@ class Trajectory {
 
   template <class Witness>
   void receive_impulse(Witness& witness) {
-    const double amplitude = source_.amplitude();
-    witness.impulse(state_.v, amplitude);
-    state_.v += amplitude;
-    until_impulse_ = source_.waiting_time();
+    witness.impulse(state_.v, next_.amplitude);
+    state_.v += next_.amplitude;
+    next_ = source_.next();
   }
 
   const problem::System* system_;
   ImpulseSource source_;
   State state_;
-  double until_impulse_;
+  Impulse next_;  // and how long until then
   double step_;
 };
 

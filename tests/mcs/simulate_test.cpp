@@ -192,7 +192,7 @@ TEST(Simulate, FillsInTheSolutionAndTheSummaryUnderTheContractsNames) {
   EXPECT_EQ(json["sampling_l1"]["ydot"], result.summary.sampling_l1_ydot);
   // One impulse per unit time; two impacts per period of about 6.
   EXPECT_NEAR(static_cast<double>(result.summary.impulses), 1e4, 4e2);
-  EXPECT_NEAR(result.summary.impact_rate, 0.33, 0.02);
+  EXPECT_NEAR(result.summary.impact_rate.mean, 0.33, 0.02);
   EXPECT_NEAR(result.summary.time, 1e4, 20);
 }
 
