@@ -17,8 +17,9 @@ void ProgressLine::show(const compare::RunProgress& progress) {
   const std::string part = progress.fraction > 0 && progress.fraction < 1
                                ? fmt::format(" {:3.0f} %", 100 * progress.fraction)
                                : "";
-  fmt::print(stderr, "\r\033[K[{}/{}] {:.0f} s  {} {}{}", progress.done, progress.total,
-             elapsed.count(), progress.case_name, progress.method, part);
+  fmt::print(stderr, "\r\033[K[{}/{}] {:.0f} s  {} {}{}{}{}", progress.done, progress.total,
+             elapsed.count(), progress.case_name, progress.method, part,
+             progress.note.empty() ? "" : "  ", progress.note);
   std::fflush(stderr);
   shown_ = true;
 }

@@ -73,7 +73,11 @@ Method method_of(const std::string& id, const mcs::Options& simulation) {
       if (id == fd_fpk::id(options)) return fd_method(options);
     }
   }
-  if (id == "mcs") return mcs_method(simulation);
+  for (const auto equation : {mcs::Equation::kf, mcs::Equation::white}) {
+    mcs::Options options = simulation;
+    options.equation = equation;
+    if (id == mcs::id(options)) return mcs_method(options);
+  }
   throw InputError(
       fmt::format("--methods: '{}' is no method (use epc, fd, mcs, or ids such as epc-gaussian-n6, "
                   "epc-moment-n8, fd-kf)",
@@ -113,7 +117,7 @@ Method fd_method(const fd_fpk::Options& options) {
 
 Method mcs_method(const mcs::Options& options) {
   mcs::validate(options);
-  return {.id = "mcs",
+  return {.id = mcs::id(options),
           .parallel = true,
           .solve = [options](const problem::Problem& problem, const ComparisonAxes& axes,
                              const Fraction& progress) {
@@ -121,11 +125,10 @@ Method mcs_method(const mcs::Options& options) {
             on_axes.y_edges = axes.y_edges;
             on_axes.v_edges = axes.v_edges;
             on_axes.progress = [&](const mcs::Progress& at) {
-              if (progress) progress(at.fraction);
+              if (progress) progress(at.fraction, fmt::format("error {:.1e}", at.error));
             };
-            mcs::Result result = mcs::simulate(problem, on_axes);
-            return Entry{std::move(result.solution), mcs::to_json(options),
-                         mcs::to_json(result.summary)};
+            auto [solution, summary] = mcs::simulate(problem, on_axes);
+            return Entry{std::move(solution), mcs::to_json(options), mcs::to_json(summary)};
           }};
 }
 

@@ -12,8 +12,9 @@
 
 namespace fpkcheck::compare {
 
-/// Told the fraction of a method's work that is done, 0 .. 1.
-using Fraction = std::function<void(double)>;
+/// Told the fraction of a method's work that is done, 0 .. 1, and what else there is to say of it
+/// (may be empty).
+using Fraction = std::function<void(double, const std::string& note)>;
 
 /// One way to solve a problem, ready to run: the only place where the comparison meets a solver.
 struct Method {

@@ -27,12 +27,14 @@ class Run {
 
   void solve(const Task& task) {
     const Method& method = methods_[task.method];
-    tell(task, 0);
+    tell(task, 0, "");
     entries_[task.problem][task.method] =
         method.solve(problems_[task.problem], axes_[task.problem],
-                     [this, &task](double fraction) { tell(task, std::min(fraction, 0.999)); });
+                     [this, &task](double fraction, const std::string& note) {
+                       tell(task, std::min(fraction, 0.999), note);
+                     });
     ++done_;
-    tell(task, 1);
+    tell(task, 1, "");
   }
 
   // Runs the tasks on several threads; rethrows the first exception when all have ended.
@@ -70,14 +72,15 @@ class Run {
   }
 
  private:
-  void tell(const Task& task, double fraction) {
+  void tell(const Task& task, double fraction, const std::string& note) {
     if (!listener_) return;
     const std::lock_guard lock(listener_mutex_);
     listener_({.done = done_,
                .total = problems_.size() * methods_.size(),
                .case_name = problems_[task.problem].name,
                .method = methods_[task.method].id,
-               .fraction = fraction});
+               .fraction = fraction,
+               .note = note});
   }
 
   const std::vector<problem::Problem>& problems_;

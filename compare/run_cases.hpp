@@ -16,6 +16,7 @@ struct RunProgress {
   std::string case_name;
   std::string method;
   double fraction;  ///< of this method's work: 1 when it has just finished
+  std::string note = {};  ///< what else the method has to say; may be empty
 };
 
 /// Told of progress; called from several threads, never two at once.

@@ -30,10 +30,8 @@ void receive_impulse(const Motion& motion, Stream& stream) {
     const auto turned = [&](double from, double to) { return from > 0 && to < 0; };
     if (turned(before, b.v)) stream.record.peaks[(*motion.y_bins)(b.y)] += counted;
     if (turned(b.v, before) && b.y > 0) stream.record.troughs[(*motion.y_bins)(b.y)] += counted;
-    if (stream.whole()) {
-      ++stream.record.impulses;
-      stream.record.work += b.amplitude * (before + b.amplitude / 2);
-    }
+    if (stream.whole()) ++stream.record.impulses;
+    stream.record.work += counted * (b.amplitude * (before + b.amplitude / 2));
   }
   const Impulse next = stream.source.next();
   b.until_impulse = next.waiting;

@@ -110,7 +110,7 @@ std::string run(Simulation& simulation, const std::string& fingerprint, const Op
 
 void estimate_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
   using transform::Moments;
-  auto& [solution, joint_errors, summary] = result;
+  auto& [solution, summary] = result;
   for (const auto& [p, q] : kPowers) {
     summary.joint_moments.push_back(weights.estimate(moments(simulation, p, q)));
   }
@@ -165,7 +165,7 @@ void estimate_efficiency(const Simulation& simulation, Summary& summary) {
 
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
                         Result& result) {
-  auto& [solution, joint_errors, summary] = result;
+  auto& [solution, summary] = result;
   const auto marginal = [&](transform::Variable variable) {
     auto estimate = estimate_marginal(simulation, weights, variable, summary.effective_samples);
     solution.estimated_marginals.emplace_back(variable, std::move(estimate.marginal));
@@ -176,7 +176,7 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   auto joint = estimate_joint_density(simulation, weights);
   solution.mass = transform::mass(joint.density);
   solution.density = std::move(joint.density);
-  joint_errors = std::move(joint.standard_errors);
+  summary.joint_standard_errors = std::move(joint.standard_errors);
   summary.outside = std::max(0.0, 1 - solution.mass);
   summary.y_quantiles = estimate_quantiles(simulation, weights, transform::Variable::y);
   summary.v_quantiles = estimate_quantiles(simulation, weights, transform::Variable::ydot);
@@ -220,6 +220,10 @@ void judge(transform::Solution& solution, const std::string& unreached) {
 
 }  // namespace
 
+std::string id(const Options& options) {
+  return options.equation == Equation::white ? "mcs-white" : "mcs";
+}
+
 Result simulate(const problem::Problem& problem, const Options& options) {
   const auto begin = Clock::now();
   const Plan plan = make_plan(problem, options);
@@ -240,7 +244,7 @@ Result simulate(const problem::Problem& problem, const Options& options) {
   transform::Solution& solution = result.solution;
   solution.method = "mcs";
   solution.equation = options.equation == Equation::white ? "white" : "kf";
-  solution.id = options.equation == Equation::white ? "mcs-white" : "mcs";
+  solution.id = id(options);
   solution.impact = problem::Impact::exact;
   estimate_moments(simulation, weights, result);
   estimate_impacts(problem, simulation, weights, result);

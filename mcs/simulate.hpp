@@ -30,7 +30,7 @@ struct Progress {
 struct Options {
   Equation equation = Equation::kf;
   /// Simulated time over all streams; automatic: 1.6e6 decay times of the slowest mode
-  /// of equivalent linearisation (2/c_eq below critical damping), an eighth of it with `tails`, and
+  /// of equivalent linearisation (2/c_eq below critical damping), 1/32 of it with `tails`, and
   /// no end where `samples` or `target_error` is given.
   double time = 0;
   /// Effective samples of y'^2 to be reached (Summary::effective_samples).
@@ -70,6 +70,9 @@ struct Options {
 
 /// @throws InputError on one line: the option, its value and what is allowed
 void validate(const Options& options);
+
+/// The id of the solution that the options lead to: "mcs" or "mcs-white".
+std::string id(const Options& options);
 
 /// Standard errors, in the units of what they belong to.
 struct StandardErrors {
@@ -116,6 +119,8 @@ struct Summary {
   std::vector<Quantile> y_quantiles, v_quantiles;
   std::vector<LevelRate> crossings, peaks;
   std::vector<double> thresholds;  ///< energies of the splitting
+  /// Standard errors of the joint histogram's averages, row-major.
+  std::vector<double> joint_standard_errors;
 };
 
 /// A simulated density and how it came about.
@@ -124,8 +129,6 @@ struct Result {
   /// y' on the same edges with 95 % intervals. Normalised by all samples: `mass` is 1 minus what
   /// fell outside the histogram. Moments come from the samples, not from the histogram.
   transform::Solution solution;
-  /// Standard errors of the joint histogram's averages, row-major.
-  std::vector<double> joint_standard_errors;
   Summary summary;
 };
 

@@ -26,6 +26,10 @@ State by_short_flights(const problem::System& system, State state, double t) {
   return state;
 }
 
+double impact_time(const Flight& flight, double end) {
+  return flight.impact_time(end, flight.at(end), true);
+}
+
 TEST(Flight, FollowsTheExactLinearMotion) {
   for (const double damping : {0.1, 1.5}) {
     const auto system =
@@ -33,11 +37,11 @@ TEST(Flight, FollowsTheExactLinearMotion) {
     const State start{1.3, -0.7};
     const Flight flight(system, start);
     const double t = flight.reach(0.7);
-    // The first term left out, 0.7^11 / 11!, is 5e-10 of the amplitude; of v it is 11/0.7 times
+    // The first term left out, 0.7^13 / 13!, is 2e-12 of the amplitude; of v it is 13/0.7 times
     // that.
     for (const double s : {t / 3, t}) {
-      EXPECT_NEAR(flight.at(s).y, exact_linear(system, start, s).y, 2e-9);
-      EXPECT_NEAR(flight.at(s).v, exact_linear(system, start, s).v, 2e-8);
+      EXPECT_NEAR(flight.at(s).y, exact_linear(system, start, s).y, 1e-11);
+      EXPECT_NEAR(flight.at(s).v, exact_linear(system, start, s).v, 1e-10);
     }
   }
 }
@@ -69,8 +73,8 @@ TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
       const Flight flight(system, start);
       const double t = flight.reach(0.7);
       const State end = flight.at(t), exact = by_short_flights(system, start, t);
-      EXPECT_NEAR(end.v, exact.v, 2e-5 * v) << v << " " << angle;
-      EXPECT_NEAR(end.y, exact.y, 2e-5 * std::sqrt(v)) << v << " " << angle;
+      EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << v << " " << angle;
+      EXPECT_NEAR(end.y, exact.y, 2e-6 * std::sqrt(v)) << v << " " << angle;
     }
   }
 }
@@ -83,9 +87,9 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
     const State start{std::sin(w * before),
                       -0.05 * std::sin(w * before) - w * std::cos(w * before)};
     const Flight flight(system, start);
-    const double time = flight.impact_time(flight.reach(0.7));
-    // 0.6 is at the far end, where the series errs by 1e-10.
-    EXPECT_NEAR(time, before, before > 0.5 ? 1e-9 : 1e-14);
+    const double time = impact_time(flight, flight.reach(0.7));
+    // 0.6 is at the far end, where the series errs by 1e-12.
+    EXPECT_NEAR(time, before, before > 0.5 ? 1e-11 : 1e-14);
     EXPECT_NEAR(flight.at(time).y, 0.0, 1e-15);
   }
 }
@@ -95,7 +99,34 @@ TEST(Flight, FindsAGrazingImpact) {
   const Flight flight(system, {1e-12, -1e-9});
   const double end = flight.reach(0.7);
   ASSERT_LT(flight.at(end).y, 0.0);
-  EXPECT_NEAR(flight.impact_time(end), 1e-3, 1e-6);
+  EXPECT_NEAR(impact_time(flight, end), 1e-3, 1e-6);
+}
+
+TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
+  const auto system = tests::paper_case(4).system;
+  for (const double y : {1e-9, 1e-6, 1e-3, 0.1, 0.5}) {
+    for (const double v : {-1e-9, -1e-6, -1e-3, -0.1, -1.0, -5.0, 1e-6, 0.02}) {
+      const Flight flight(system, {y, v});
+      const double end = flight.reach(1.2);
+      if (flight.at(end).y >= 0) continue;
+      const double time = impact_time(flight, end);
+      EXPECT_LT(std::abs(flight.at(time).y), 1e-15 + 1e-14 * y) << y << " " << v;
+    }
+  }
+}
+
+TEST(Flight, FindsTheHighestPoint) {
+  const auto system = tests::make_problem({.damping = 0.2, .cubic = 0}).system;
+  // cos and sin of the damped motion from (y, 0) run backwards: the top lies `before` ahead.
+  for (const double before : {0.5, 0.1, 1e-3}) {
+    const Flight back(system, {0.8, 0});
+    const State start = back.at(-before);
+    const Flight flight(system, start);
+    const double end = flight.reach(0.9);
+    const double top = flight.peak_time(end, flight.at(end));
+    EXPECT_NEAR(top, before, 1e-4);
+    EXPECT_NEAR(flight.at(top).y, 0.8, 1e-8);
+  }
 }
 
 TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {

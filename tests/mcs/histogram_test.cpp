@@ -35,21 +35,29 @@ TEST(BinFinder, PutsWhatIsFarAwayIntoTheOuterBins) {
   EXPECT_EQ(bin(-1e300), 0u);
   EXPECT_EQ(bin(1e300), 3u);
   EXPECT_EQ(bin(std::numeric_limits<double>::infinity()), 3u);
+  EXPECT_EQ(bin(-std::numeric_limits<double>::infinity()), 0u);
+  EXPECT_LE(bin(std::numeric_limits<double>::quiet_NaN()), 3u);
+}
+
+TEST(BinFinder, KnowsEvenEdges) {
+  EXPECT_TRUE(BinFinder({0, 0.1, 0.2, 0.3}).even());
+  EXPECT_FALSE(BinFinder({0, 0.1, 0.2, 0.31}).even());
 }
 
 TEST(Histogram, LosesNothing) {
   const BinFinder y({0, 1, 2}), v({-1, 0, 1});
   Histogram histogram(y, v);
-  histogram.add(0.5, 0.5);
-  histogram.add(1.5, -0.5);
-  histogram.add(0.5, 7);
-  histogram.add(9, -7);
-  EXPECT_EQ(histogram.count(1, 2), 1u);
-  EXPECT_EQ(histogram.count(2, 1), 1u);
-  EXPECT_EQ(histogram.count(1, 3), 1u);
-  EXPECT_EQ(histogram.count(3, 0), 1u);
-  EXPECT_EQ(histogram.row_counts(), (std::vector<std::uint64_t>{0, 2, 1, 1}));
-  EXPECT_EQ(histogram.column_counts(), (std::vector<std::uint64_t>{1, 1, 1, 1}));
+  const auto add = [&](double at_y, double at_v) { histogram.add(y(at_y), v(at_v), 0.5); };
+  add(0.5, 0.5);
+  add(1.5, -0.5);
+  add(0.5, 7);
+  add(9, -7);
+  EXPECT_EQ(histogram(1, 2), 0.5);
+  EXPECT_EQ(histogram(2, 1), 0.5);
+  EXPECT_EQ(histogram(1, 3), 0.5);
+  EXPECT_EQ(histogram(3, 0), 0.5);
+  EXPECT_EQ(histogram.row_sums(), (std::vector<double>{0, 1, 0.5, 0.5}));
+  EXPECT_EQ(histogram.column_sums(), (std::vector<double>{0.5, 0.5, 0.5, 0.5}));
 }
 
 }  // namespace

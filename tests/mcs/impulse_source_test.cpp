@@ -1,3 +1,5 @@
+#pragma GCC diagnostic ignored "-Wpsabi"  // packs are inlined, never passed
+
 #include "mcs/impulse_source.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +11,8 @@
 #include <complex>
 #include <functional>
 
+#include "mcs/counter_random.hpp"
+#include "mcs/elementary.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::mcs {
@@ -36,11 +40,11 @@ TEST(ImpulseSource, DrawsWaitingTimesOfThePoissonProcess) {
   const auto problem = tests::make_problem({.rate = 2.5});
   ImpulseSource source(problem.impulses, 1, 0);
   const auto moment = [&](int order) {
-    return [&source, order] { return std::pow(source.waiting_time(), order); };
+    return [&source, order] { return std::pow(source.next().waiting, order); };
   };
   expect_mean(moment(1), 1 / 2.5, "E[t]");
   expect_mean(moment(2), 2 / (2.5 * 2.5), "E[t^2]");
-  expect_mean([&] { return source.waiting_time() > 1 ? 1.0 : 0.0; }, std::exp(-2.5), "P(t > 1)");
+  expect_mean([&] { return source.next().waiting > 1 ? 1.0 : 0.0; }, std::exp(-2.5), "P(t > 1)");
 }
 
 TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
@@ -50,7 +54,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
       const auto problem = tests::make_problem({.mean = mean, .law = law});
       ImpulseSource source(problem.impulses, 2, 0);
       for (const int order : {1, 2, 3, 4, 6}) {
-        expect_mean([&] { return std::pow(source.amplitude(), order); },
+        expect_mean([&] { return std::pow(source.next().amplitude, order); },
                     problem.impulses.law().moment(order), "moment of Y");
       }
     }
@@ -67,8 +71,8 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
     for (const double wave : {1.0, 4.0, 20.0}) {
       const double u = wave / law.deviation();
       const std::complex<double> exact = law.characteristic_function(u);
-      expect_mean([&] { return std::cos(u * source.amplitude()); }, exact.real(), "E[cos(u Y)]");
-      expect_mean([&] { return std::sin(u * source.amplitude()); }, exact.imag(), "E[sin(u Y)]");
+      expect_mean([&] { return std::cos(u * source.next().amplitude); }, exact.real(), "E[cos(u Y)]");
+      expect_mean([&] { return std::sin(u * source.next().amplitude); }, exact.imag(), "E[sin(u Y)]");
     }
   }
 }
@@ -76,7 +80,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
 TEST(ImpulseSource, StreamsAndSeedsDoNotShareNumbers) {
   const auto problem = tests::make_problem();
   const auto first = [&](std::uint64_t seed, std::uint32_t stream) {
-    return ImpulseSource(problem.impulses, seed, stream).waiting_time();
+    return ImpulseSource(problem.impulses, seed, stream).next().waiting;
   };
   EXPECT_EQ(first(1, 0), first(1, 0));
   EXPECT_NE(first(1, 0), first(1, 1));
@@ -85,10 +89,77 @@ TEST(ImpulseSource, StreamsAndSeedsDoNotShareNumbers) {
   EXPECT_NE(first(1, 0), first(1 + (std::uint64_t{1} << 32), 0));
 }
 
-TEST(ImpulseSource, StreamsAreUncorrelated) {
+TEST(ImpulseSource, StreamsAndTheNumbersOfOneImpulseAreUncorrelated) {
   const auto problem = tests::make_problem();
   ImpulseSource a(problem.impulses, 1, 0), b(problem.impulses, 1, 1);
-  expect_mean([&] { return a.standard_normal() * b.standard_normal(); }, 0, "E[a b]");
+  expect_mean([&] { return a.next().amplitude * b.next().amplitude; }, 0, "E[a b]");
+  expect_mean(
+      [&] {
+        const Impulse impulse = a.next();
+        return (impulse.waiting - 1) * impulse.amplitude * impulse.amplitude;
+      },
+      0, "E[(t - 1) Y^2]");
+}
+
+TEST(ImpulseSource, GoesOnFromAnyNumber) {
+  const auto problem = tests::make_problem({.law = "laplace"});
+  ImpulseSource whole(problem.impulses, 9, 4);
+  for (int n = 0; n < 50; ++n) {
+    ImpulseSource resumed(problem.impulses, 9, 4);
+    resumed.continue_from(whole.number());
+    EXPECT_EQ(resumed.number(), whole.number());
+    const Impulse expected = whole.next(), found = resumed.next();
+    EXPECT_EQ(found.waiting, expected.waiting) << n;
+    EXPECT_EQ(found.amplitude, expected.amplitude) << n;
+  }
+}
+
+TEST(ImpulseSource, StartsAreStandardNormal) {
+  const auto problem = tests::make_problem();
+  std::uint32_t stream = 0;
+  const auto moment = [&](std::size_t which, int order) {
+    return [&, which, order] {
+      return std::pow(ImpulseSource(problem.impulses, 4, stream++).standard_normals()[which], order);
+    };
+  };
+  for (const std::size_t which : {0u, 1u}) {
+    expect_mean(moment(which, 1), 0, "E[n]");
+    expect_mean(moment(which, 2), 1, "E[n^2]");
+    expect_mean(moment(which, 4), 3, "E[n^4]");
+  }
+}
+
+TEST(ImpulseSource, KicksThatStandForWhiteNoiseComeEvenlyWithItsMeanAndIntensity) {
+  const auto problem = tests::make_problem({.rate = 2, .intensity = 0.3, .mean = 0.1});
+  const double h = 0.05;
+  ImpulseSource source(white_excitation(problem.impulses, h), 1, 0);
+  const double first = source.next().waiting;
+  EXPECT_GT(first, 0);
+  EXPECT_LT(first, h);
+  EXPECT_EQ(source.next().waiting, h);
+  const double mean = 2 * 0.1 * h;
+  expect_mean([&] { return source.next().amplitude; }, mean, "E[Y]");
+  expect_mean([&] { return std::pow(source.next().amplitude - mean, 2); }, 0.3 * h, "Var Y");
+  expect_mean([&] { return std::pow(source.next().amplitude - mean, 4); }, 3 * 0.09 * h * h, "fourth");
+}
+
+// The known answers of Philox4x32-10 that come with Random123.
+TEST(RandomBits, AreThoseOfPhilox) {
+  const auto bits = random_bits(0xffffffffffffffffull, 0xffffffffu,
+                                static_cast<Purpose>(0xffffffffu), 0xffffffffffffffffull);
+  EXPECT_EQ(bits, (std::array<std::uint32_t, 4>{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(random_bits(0, 0, Purpose::impulses, 0),
+            (std::array<std::uint32_t, 4>{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+}
+
+TEST(Elementary, LogarithmAndSineAreThoseOfTheLibrary) {
+  using Wide = LanesOf<8>::Real;
+  for (int n = 0; n < 100000; ++n) {
+    const double x = std::exp2(-52.0 * n / 100000) * (1 - 0.3 * (n % 7) / 7);
+    EXPECT_NEAR(lane(logarithm(all_lanes<Wide>(x)), 3), std::log(x), 4e-16 * -std::log(x)) << x;
+    const double t = 2.0 * n / 100000 - 1;
+    EXPECT_NEAR(lane(sine_of_quarter_turns(all_lanes<Wide>(t)), 5), std::sin(M_PI_2 * t), 5e-16);
+  }
 }
 
 }  // namespace

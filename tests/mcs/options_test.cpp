@@ -35,8 +35,13 @@ TEST(Options, OutOfRangeAreRefusedByName) {
   expect_refused([](auto& o) { o.streams = 7; }, "streams");
   expect_refused([](auto& o) { o.streams = 1000000; }, "streams");
   expect_refused([](auto& o) { o.step = -0.1; }, "step");
-  expect_refused([](auto& o) { o.step = 1.1; }, "step");
+  expect_refused([](auto& o) { o.step = 1.3; }, "step");
   expect_refused([&](auto& o) { o.step = nan; }, "step");
+  expect_refused([](auto& o) { o.samples = -1; }, "samples");
+  expect_refused([&](auto& o) { o.samples = nan; }, "samples");
+  expect_refused([](auto& o) { o.target_error = 1; }, "target_error");
+  expect_refused([&](auto& o) { o.target_error = nan; }, "target_error");
+  expect_refused([](auto& o) { o.white_step = 0.6; }, "white_step");
   expect_refused([](auto& o) { o.y_edges = {0}; }, "y_edges");
   expect_refused([](auto& o) { o.y_edges = {0, 1, 1}; }, "y_edges");
   expect_refused([](auto& o) { o.y_edges = {0.1, 1}; }, "y_edges");
@@ -52,7 +57,8 @@ TEST(Options, LeftOutAreChosenFromTheEquivalentLinearisation) {
   const auto problem = tests::paper_case(4);
   const auto linear = problem::equivalent_linearisation(problem);
   const Plan plan = make_plan(problem, {});
-  EXPECT_NEAR(plan.stream_time() * plan.streams * problem::slowest_decay(linear), 1.2e6, 2e3);
+  const double time = plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
+  EXPECT_NEAR(time * problem::slowest_decay(linear), 1.6e6, 4e3);
   EXPECT_NEAR(plan.burn_in * problem::slowest_decay(linear), 20, 1e-12);
   EXPECT_EQ(plan.y_bins.bins(), 140u);
   EXPECT_EQ(plan.v_bins.bins(), 140u);

@@ -193,27 +193,65 @@ TEST(Simulate, FillsInTheSolutionAndTheSummaryUnderTheContractsNames) {
   // One impulse per unit time; two impacts per period of about 6.
   EXPECT_NEAR(static_cast<double>(result.summary.impulses), 1e4, 4e2);
   EXPECT_NEAR(result.summary.impact_rate.mean, 0.33, 0.02);
-  EXPECT_NEAR(result.summary.time, 1e4, 20);
+  EXPECT_NEAR(result.summary.time, 1e4, 300);  // whole samples of each stream
 }
 
 TEST(Simulate, ReportsProgressToTheEndAndCanBeStoppedByIt) {
   Options options;
   options.time = 1e4;
   options.streams = 12;
-  std::vector<double> fractions;
-  options.progress = [&](double fraction) { fractions.push_back(fraction); };
-  simulate(tests::paper_case(1), options);
-  ASSERT_EQ(fractions.size(), 12u);
+  std::vector<double> fractions, errors;
+  options.progress = [&](const Progress& at) {
+    fractions.push_back(at.fraction);
+    errors.push_back(at.error);
+  };
+  const Result result = simulate(tests::paper_case(1), options);
+  ASSERT_EQ(fractions.size(), result.summary.rounds);
   EXPECT_TRUE(std::ranges::is_sorted(fractions));
   EXPECT_EQ(fractions.back(), 1.0);
+  EXPECT_NEAR(errors.back(),
+              std::max(result.summary.sampling_l1_y, result.summary.sampling_l1_ydot), 1e-12);
+  EXPECT_GT(errors.front(), errors.back());
 
   int calls = 0;
-  options.progress = [&](double) {
+  options.progress = [&](const Progress&) {
     ++calls;
     throw std::runtime_error("enough");
   };
   EXPECT_THROW(simulate(tests::paper_case(1), options), std::runtime_error);
   EXPECT_EQ(calls, 1);
+}
+
+TEST(Simulate, EndsEarlyWhenAskedToAndReportsWhatWasReached) {
+  Options options;
+  options.time = 1e4;
+  int asked = 0;
+  options.stop = [&] { return ++asked == 3; };
+  const Result result = simulate(tests::paper_case(1), options);
+  EXPECT_TRUE(result.summary.interrupted);
+  EXPECT_EQ(result.summary.rounds, 3u);
+  EXPECT_NEAR(result.summary.time, 3 * 1e4 / 8, 100);
+  EXPECT_EQ(result.solution.status, transform::Status::ok);
+  EXPECT_NEAR(result.solution.mass, 1, 1e-3);
+}
+
+TEST(Simulate, GoesOnUntilTheSamplesOrTheErrorAskedForAreReached) {
+  Options options;
+  options.samples = 3e4;
+  const Result by_samples = simulate(tests::paper_case(1), options);
+  EXPECT_EQ(by_samples.solution.status, transform::Status::ok);
+  EXPECT_GE(by_samples.summary.effective_samples, 3e4);
+  options.samples = 0;
+  options.target_error = 4e-3;
+  const Result by_error = simulate(tests::paper_case(1), options);
+  EXPECT_EQ(by_error.solution.status, transform::Status::ok);
+  EXPECT_LE(by_error.summary.sampling_l1_y, 4e-3);
+  EXPECT_LE(by_error.summary.sampling_l1_ydot, 4e-3);
+  options.time = 1e4;
+  const Result too_short = simulate(tests::paper_case(1), options);
+  EXPECT_EQ(too_short.solution.status, transform::Status::not_converged);
+  EXPECT_FALSE(too_short.solution.reason.empty());
+  EXPECT_NEAR(too_short.summary.time, 1e4, 300);
 }
 
 }  // namespace
