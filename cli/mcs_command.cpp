@@ -70,9 +70,8 @@ boost::program_options::options_description own_options(mcs::Options& options) {
           "go on until E[y'^2] is known as well as from N independent samples")(
           "target-error", po::value(&options.target_error)->value_name("E"),
           "go on until the relative standard errors of E[y^2] and E[y'^2] and the expected L1 "
-          "errors of the densities are below E")(
-          "tails", po::bool_switch(&options.tails),
-          "importance splitting: resolve the far tails")(
+          "errors of the densities are below E")("tails", po::bool_switch(&options.tails),
+                                                 "importance splitting: resolve the far tails")(
           "streams", po::value(&options.streams)->value_name("N")->default_value(options.streams),
           "independent streams")(
           "step", po::value(&options.step)->value_name("RAD"),
@@ -95,7 +94,8 @@ int mcs_command(const std::vector<std::string>& arguments, const std::string& co
   own.add(simulation_options(options));
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
   if (common.cases.size() > 1 && !(options.checkpoint.empty() && options.resume.empty())) {
-    throw InputError("--checkpoint and --resume with several cases (a file holds one: name one case)");
+    throw InputError(
+        "--checkpoint and --resume with several cases (a file holds one: name one case)");
   }
   const InterruptionGuard guard;
   options.stop = [] { return interrupted != 0; };

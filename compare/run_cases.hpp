@@ -15,7 +15,7 @@ struct RunProgress {
   std::size_t total;  ///< solutions asked for
   std::string case_name;
   std::string method;
-  double fraction;  ///< of this method's work: 1 when it has just finished
+  double fraction;        ///< of this method's work: 1 when it has just finished
   std::string note = {};  ///< what else the method has to say; may be empty
 };
 

@@ -127,7 +127,7 @@ struct Lanes {
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Real& counted) {
     const Real x = at.y, u = at.v;
     const Real xx = x * x, xu = x * u, uu = u * u;
-    const Real terms[] = {x,      u,      xx,     xu,      uu,      x * xx, xx * u,
+    const Real terms[] = {x,      u,      xx,      xu,      uu,      x * xx,  xx * u,
                           x * uu, u * uu, xx * xx, xx * xu, xx * uu, xu * uu, uu * uu};
 #pragma GCC unroll 16
     for (std::size_t p = 0; p < kPowers.size(); ++p) {

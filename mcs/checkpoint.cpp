@@ -55,9 +55,10 @@ void write_checkpoint(const std::string& path, const std::string& fingerprint,
     out.write(reinterpret_cast<const char*>(&sum), sizeof sum);
     out.flush();
     if (!out) {
-      throw InputError(fmt::format("cannot write the checkpoint {} (is there such a directory, "
-                                   "writable and with space?)",
-                                   beside));
+      throw InputError(
+          fmt::format("cannot write the checkpoint {} (is there such a directory, "
+                      "writable and with space?)",
+                      beside));
     }
   }
   std::error_code error;
@@ -81,14 +82,16 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   const std::string_view contents(text.data(), size);
   if (sum != checksum(contents)) {
     throw InputError(fmt::format(
-        "the checkpoint {} is damaged (its checksum is wrong): start again without --resume", path));
+        "the checkpoint {} is damaged (its checksum is wrong): start again without --resume",
+        path));
   }
   const std::string_view rest = contents.substr(kFirstLine.size());
   const std::size_t end = rest.find('\n');
   if (rest.substr(0, end) != fingerprint) {
-    throw InputError(fmt::format("the checkpoint {} belongs to another simulation (give the case, "
-                                 "seed and options that it was made with)",
-                                 path));
+    throw InputError(
+        fmt::format("the checkpoint {} belongs to another simulation (give the case, "
+                    "seed and options that it was made with)",
+                    path));
   }
   std::istringstream in{std::string(rest.substr(end + 1))};
   try {

@@ -16,9 +16,9 @@ enum class Purpose : std::uint32_t { impulses, start };
 inline std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t stream,
                                                 Purpose purpose, std::uint64_t number) {
   const r123::Philox4x32 philox;
-  const r123::Philox4x32::ctr_type counter{
-      {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32), stream,
-       static_cast<std::uint32_t>(purpose)}};
+  const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(number),
+                                            static_cast<std::uint32_t>(number >> 32), stream,
+                                            static_cast<std::uint32_t>(purpose)}};
   const r123::Philox4x32::key_type key{
       {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
   const auto bits = philox(counter, key);

@@ -35,9 +35,8 @@ std::vector<LevelRate> estimate_crossings(const Simulation& simulation,
 }
 
 std::vector<LevelRate> estimate_peaks(const Simulation& simulation, const StreamWeights& weights) {
-  return rates(simulation, weights, 0, [](const StreamRecord& record, std::size_t k) {
-    return above(record.peaks, k);
-  });
+  return rates(simulation, weights, 0,
+               [](const StreamRecord& record, std::size_t k) { return above(record.peaks, k); });
 }
 
 }  // namespace fpkcheck::mcs

@@ -71,9 +71,9 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
     for (std::size_t j = 0; j < density.nv(); ++j) {
       const double dv = density.v_edges[j + 1] - density.v_edges[j];
       const double unit = 1 / (simulation.stream_samples() * dy * dv);
-      std::ranges::transform(
-          simulation.streams(), values.begin(),
-          [&](const Stream& stream) { return stream.record.histogram(i + 1, j + 1) * unit; });
+      std::ranges::transform(simulation.streams(), values.begin(), [&](const Stream& stream) {
+        return stream.record.histogram(i + 1, j + 1) * unit;
+      });
       const auto [mean, error] = weights.estimate(values);
       // In short runs a cell in the far tails may have been visited by a stream of negative weight
       // only.

@@ -46,8 +46,8 @@ class BasicFlight {
       for (int i = 1; i < n; ++i) cube = cube + square[i] * a_[n - i];
       if (n > 0) cube = cube + square[0] * a_[n];
       cube = cube + square[n] * a_[0];
-      a_[n + 2] = (k * a_[n] + mu * cube + (c * (n + 1)) * a_[n + 1]) *
-                  (-1.0 / ((n + 1) * (n + 2)));
+      a_[n + 2] =
+          (k * a_[n] + mu * cube + (c * (n + 1)) * a_[n + 1]) * (-1.0 / ((n + 1) * (n + 2)));
     }
     // The tangent stiffness k + 3 mu y^2 at the largest excursion: mu y^4 / 4 <= E, and the energy
     // E does not grow. (The series of a cubic oscillator converges only up to a pole, which this
@@ -133,8 +133,7 @@ class BasicFlight {
     const Real drop = a_[0] - at_end.y;  // > 0
     const Real u = a_[0] / drop;
     const Real u1 = 1.0 - u;
-    const Real s = end * u * u * (3.0 - 2.0 * u) +
-                   u * u1 * drop * (u / at_end.v - u1 / a_[1]);
+    const Real s = end * u * u * (3.0 - 2.0 * u) + u * u1 * drop * (u / at_end.v - u1 / a_[1]);
     using Mask = decltype(s > 0.0);
     const Mask inside = (s > 0.0) & (s < end);
     return select(inside, s, end * u);

@@ -33,13 +33,13 @@ FPKCHECK_INLINE Wide standard_amplitude(Excitation::Law law, const Wide& u, cons
 
 /// Waiting times and amplitudes of a block of impulses.
 FPKCHECK_INLINE void impulses_in_lanes(const Excitation& excitation, const Uniforms& u,
-                                   double* waiting, double* amplitude) {
+                                       double* waiting, double* amplitude) {
   for (int k = 0; k < ImpulseSource::kBlock; k += kWide) {
     const bool poisson = excitation.arrivals == Excitation::Arrivals::poisson;
     const Wide wait = poisson ? -logarithm(load<Wide>(&u.first[k])) * excitation.interval
                               : all_lanes<Wide>(excitation.interval);
-    const Wide standard = standard_amplitude(excitation.law, load<Wide>(&u.second[k]),
-                                             load<Wide>(&u.third[k]));
+    const Wide standard =
+        standard_amplitude(excitation.law, load<Wide>(&u.second[k]), load<Wide>(&u.third[k]));
     store<Wide>(wait, waiting + k);
     store<Wide>(excitation.mean + excitation.width * standard, amplitude + k);
   }

@@ -17,7 +17,8 @@ namespace {
 constexpr int kFewestStreams = 8;
 constexpr int kMostStreams = 4096;
 constexpr int kMostThreads = 1024;
-constexpr double kLongestStep = 1.2;  // the series of order Flight::kOrder loses its accuracy beyond
+constexpr double kLongestStep =
+    1.2;  // the series of order Flight::kOrder loses its accuracy beyond
 constexpr double kLongestWhiteStep = 0.5;
 
 constexpr int kAutomaticBins = 140;
@@ -87,14 +88,16 @@ void validate(const Options& options) {
                     options.white_step, kLongestWhiteStep));
   }
   if (!std::isfinite(options.samples) || options.samples < 0) {
-    throw InputError(fmt::format("mcs.samples = {} (must be a positive number; use 0 for as many "
-                                 "as the time gives)",
-                                 options.samples));
+    throw InputError(
+        fmt::format("mcs.samples = {} (must be a positive number; use 0 for as many "
+                    "as the time gives)",
+                    options.samples));
   }
   if (!(options.target_error >= 0 && options.target_error < 1)) {
-    throw InputError(fmt::format("mcs.target_error = {} (must be above 0 and below 1; use 0 for "
-                                 "what the time gives)",
-                                 options.target_error));
+    throw InputError(
+        fmt::format("mcs.target_error = {} (must be above 0 and below 1; use 0 for "
+                    "what the time gives)",
+                    options.target_error));
   }
   validate_edges(options.y_edges, "y_edges");
   validate_edges(options.v_edges, "v_edges");
@@ -111,30 +114,31 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double automatic = kAutomaticTime * (options.tails ? kTailsShare : 1) / decay;
   const bool open_ended = options.samples > 0 || options.target_error > 0;
-  const double time = options.time > 0 ? options.time
-                                       : automatic * (open_ended ? kMostAutomaticTimes : 1);
+  const double time =
+      options.time > 0 ? options.time : automatic * (open_ended ? kMostAutomaticTimes : 1);
   const double interval = 2 * std::numbers::pi / std::sqrt(linear.stiffness) / kSamplesPerPeriod;
   const double round_time = std::min(automatic / kAutomaticRounds, time / kFewestRounds);
   const double rounds = std::ceil(time / round_time * (1 - 1e-12));
   const double samples = std::ceil(time / rounds / options.streams / interval * (1 - 1e-12));
   const double kicks = options.white_step > 0 ? options.white_step : kAutomaticWhiteStep;
   const int threads = options.threads > 0 ? options.threads : available_threads();
-  return {.streams = options.streams,
-          .threads = std::min(threads, options.streams),
-          .seed = options.seed,
-          .step = options.step > 0 ? options.step : kAutomaticStep,
-          .burn_in = kBurnIn / decay,
-          .sampling_interval = interval,
-          .samples_per_round = static_cast<std::uint64_t>(samples),
-          .rounds = static_cast<std::uint64_t>(rounds),
-          .displacement_deviation = s1,
-          .velocity_deviation = s2,
-          .excitation = options.equation == Equation::white
-                            ? white_excitation(problem.impulses, kicks / std::sqrt(linear.stiffness))
-                            : poisson_excitation(problem.impulses),
-          .y_bins =
-              bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
-          .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};
+  return {
+      .streams = options.streams,
+      .threads = std::min(threads, options.streams),
+      .seed = options.seed,
+      .step = options.step > 0 ? options.step : kAutomaticStep,
+      .burn_in = kBurnIn / decay,
+      .sampling_interval = interval,
+      .samples_per_round = static_cast<std::uint64_t>(samples),
+      .rounds = static_cast<std::uint64_t>(rounds),
+      .displacement_deviation = s1,
+      .velocity_deviation = s2,
+      .excitation = options.equation == Equation::white
+                        ? white_excitation(problem.impulses, kicks / std::sqrt(linear.stiffness))
+                        : poisson_excitation(problem.impulses),
+      .y_bins =
+          bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
+      .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};
 }
 
 }  // namespace fpkcheck::mcs

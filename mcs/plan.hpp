@@ -20,7 +20,7 @@ struct Plan {
   double sampling_interval;
   /// The simulation goes on in rounds of as many samples of each stream.
   std::uint64_t samples_per_round;
-  std::uint64_t rounds;          ///< at most
+  std::uint64_t rounds;           ///< at most
   double displacement_deviation;  ///< sigma_1 of the Gaussian to start from
   double velocity_deviation;      ///< sigma_2
   Excitation excitation;

@@ -10,7 +10,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::array kProbabilities{1e-4, 1e-3, 0.01, 0.05, 0.25, 0.5,
+constexpr std::array kProbabilities{1e-4, 1e-3, 0.01, 0.05,  0.25,  0.5,
                                     0.75, 0.95, 0.99, 0.999, 0.9999};
 
 /// A distribution function that increases between edges.
@@ -39,7 +39,8 @@ class Distribution {
 
  private:
   double cubic(std::ptrdiff_t first, double x) const {
-    const auto end = std::min<std::ptrdiff_t>(first + 4, static_cast<std::ptrdiff_t>(edges_.size()));
+    const auto end =
+        std::min<std::ptrdiff_t>(first + 4, static_cast<std::ptrdiff_t>(edges_.size()));
     double sum = 0;
     for (auto a = first; a < end; ++a) {
       double weight = 1;
@@ -57,8 +58,7 @@ class Distribution {
 
 }  // namespace
 
-std::vector<Quantile> estimate_quantiles(const Simulation& simulation,
-                                         const StreamWeights& weights,
+std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
                                          transform::Variable variable) {
   const auto& edges = variable == transform::Variable::y ? simulation.plan().y_bins.edges()
                                                          : simulation.plan().v_bins.edges();
@@ -75,14 +75,13 @@ std::vector<Quantile> estimate_quantiles(const Simulation& simulation,
   for (const double p : kProbabilities) {
     if (!distribution.reaches(p)) continue;
     const double value = distribution.inverse(p);
-    const auto k = std::clamp<std::ptrdiff_t>(
-        std::ranges::upper_bound(edges, value) - edges.begin(), 1,
-        static_cast<std::ptrdiff_t>(edges.size()) - 1);
+    const auto k =
+        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, value) - edges.begin(), 1,
+                                   static_cast<std::ptrdiff_t>(edges.size()) - 1);
     const double share = (value - edges[k - 1]) / (edges[k] - edges[k - 1]);
     const double half = weights.interval_factor() * ((1 - share) * error[k - 1] + share * error[k]);
     if (!distribution.reaches(p - half) || !distribution.reaches(p + half)) continue;
-    quantiles.push_back(
-        {p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
+    quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
   }
   return quantiles;
 }

@@ -84,8 +84,7 @@ std::string run(Simulation& simulation, const std::string& fingerprint, const Op
       break;
     }
     simulation.round();
-    double fraction =
-        static_cast<double>(simulation.rounds()) / static_cast<double>(plan.rounds);
+    double fraction = static_cast<double>(simulation.rounds()) / static_cast<double>(plan.rounds);
     const double error = asks_for_error || options.progress ? current_error(simulation) : 0;
     const double samples = asks_for_samples ? effective_samples(simulation, 0, 2) : 0;
     if (asks_for_error) fraction = std::max(fraction, square(options.target_error / error));
@@ -129,8 +128,8 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
 
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
                       const StreamWeights& weights, Result& result) {
-  result.summary.impact_rate = weights.estimate(
-      each(simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
+  result.summary.impact_rate = weights.estimate(each(
+      simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
   // Linear in the averages: the average of the streams' own residuals.
   const auto residual = weights.estimate(each(simulation.streams(), [&](const auto& r) {
     return problem::energy_residual(
@@ -187,8 +186,8 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
 void describe(const Simulation& simulation, Summary& summary) {
   const Plan& plan = simulation.plan();
   summary.time = simulation.stream_time() * plan.streams;
-  summary.samples = simulation.rounds() * plan.samples_per_round *
-                    static_cast<std::uint64_t>(plan.streams);
+  summary.samples =
+      simulation.rounds() * plan.samples_per_round * static_cast<std::uint64_t>(plan.streams);
   summary.sampling_interval = plan.sampling_interval;
   summary.seed = plan.seed;
   summary.threads = plan.threads;
@@ -230,8 +229,7 @@ Result simulate(const problem::Problem& problem, const Options& options) {
   std::optional<Splitting> splitting;
   if (options.tails) splitting = plan_splitting(problem, plan);
   Simulation simulation(problem, plan, splitting ? &*splitting : nullptr);
-  const std::string identity =
-      fingerprint(problem, plan, splitting ? &*splitting : nullptr);
+  const std::string identity = fingerprint(problem, plan, splitting ? &*splitting : nullptr);
   if (options.resume.empty()) {
     simulation.burn_in();
   } else {

@@ -45,8 +45,8 @@ struct Options {
   int streams = 128;
   /// Bin edges of the histogram, increasing, y_edges from 0. Automatic: 140 bins each over 0 .. 7
   /// sigma_1 and +-7 sigma_2 of the equivalent linearisation.
-  std::vector<double> y_edges;
-  std::vector<double> v_edges;
+  std::vector<double> y_edges{};
+  std::vector<double> v_edges{};
   /// Longest Taylor step, in radians of the fastest motion that the energy allows; at most 1.2.
   /// Automatic: 0.9.
   double step = 0;
@@ -57,15 +57,15 @@ struct Options {
   /// their peak and beyond.
   bool tails = false;
   /// File to write the state to twice a minute and in the end; empty for none.
-  std::string checkpoint;
+  std::string checkpoint{};
   /// File of a checkpoint to go on from; empty for none. The result is the same, bit for bit, as
   /// without the interruption.
-  std::string resume;
+  std::string resume{};
   /// Told how far it has come, after every round. It may throw to stop the simulation; what it
   /// throws leaves simulate().
-  std::function<void(const Progress&)> progress;
+  std::function<void(const Progress&)> progress{};
   /// Asked after every round; true ends the simulation, and what was reached is the result.
-  std::function<bool()> stop;
+  std::function<bool()> stop{};
 };
 
 /// @throws InputError on one line: the option, its value and what is allowed
@@ -106,10 +106,10 @@ struct Summary {
   std::uint64_t seed = 0;
   int threads = 0;
   int streams = 0;
-  double step = 0;         ///< radians, Options::step
+  double step = 0;           ///< radians, Options::step
   double kick_interval = 0;  ///< white noise: time between kicks
-  double burn_in = 0;      ///< of each stream
-  Estimate impact_rate;    ///< impacts per unit time, int |v| p(0, v) dv over v < 0
+  double burn_in = 0;        ///< of each stream
+  Estimate impact_rate;      ///< impacts per unit time, int |v| p(0, v) dv over v < 0
   std::uint64_t impulses = 0;
   std::uint64_t flights = 0;  ///< Taylor polynomials
   std::uint64_t rounds = 0;
@@ -125,9 +125,10 @@ struct Summary {
 
 /// A simulated density and how it came about.
 struct Result {
-  /// Method "mcs", equation "kf" or "white" (id "mcs", "mcs-white"), the joint histogram as a GridDensity, and the marginals of y and
-  /// y' on the same edges with 95 % intervals. Normalised by all samples: `mass` is 1 minus what
-  /// fell outside the histogram. Moments come from the samples, not from the histogram.
+  /// Method "mcs", equation "kf" or "white" (id "mcs", "mcs-white"), the joint histogram as a
+  /// GridDensity, and the marginals of y and y' on the same edges with 95 % intervals. Normalised
+  /// by all samples: `mass` is 1 minus what fell outside the histogram. Moments come from the
+  /// samples, not from the histogram.
   transform::Solution solution;
   Summary summary;
 };

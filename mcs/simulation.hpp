@@ -28,7 +28,8 @@ class Simulation {
   std::uint64_t rounds() const { return rounds_; }
   /// Measured time of one stream.
   double stream_time() const { return static_cast<double>(rounds_) * plan_->round_time(); }
-  /// Samples that a stream is expected to have: its weights sum up to it, exactly without splitting.
+  /// Samples that a stream is expected to have: its weights sum up to it, exactly without
+  /// splitting.
   double stream_samples() const {
     return static_cast<double>(rounds_) * static_cast<double>(plan_->samples_per_round);
   }

@@ -45,7 +45,8 @@ void Splitting::split(Stream& stream, int from, bool at_impulse) const {
     for (std::size_t n = 0; n < branches * (kCopies - 1); ++n) {
       Branch copy = origin;
       const Impulse next = stream.source.next();
-      if (at_impulse) copy.until_impulse = next.waiting;  // else they share the time, not what comes
+      if (at_impulse)
+        copy.until_impulse = next.waiting;  // else they share the time, not what comes
       copy.amplitude = next.amplitude;
       copy.floor = i + 1;
       stream.waiting.push_back(copy);
@@ -86,8 +87,8 @@ std::vector<double> thresholds_from(const BinFinder& bins, const std::vector<dou
   for (const double weight : energies) total += weight;
   std::vector<double> thresholds;
   double above = total, next = total / Splitting::kCopies;
-  for (std::size_t b = 0; b + 1 < energies.size() && next >= std::max(fewest_visits, rarest * total);
-       ++b) {
+  for (std::size_t b = 0;
+       b + 1 < energies.size() && next >= std::max(fewest_visits, rarest * total); ++b) {
     above -= energies[b];
     if (above > next) continue;
     thresholds.push_back(bins.edges()[b]);

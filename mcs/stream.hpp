@@ -11,9 +11,20 @@
 namespace fpkcheck::mcs {
 
 /// The powers y^p y'^q, 1 <= p + q <= 4, whose means are estimated.
-inline constexpr std::array<std::pair<int, int>, 14> kPowers{
-    {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}, {4, 0}, {3, 1}, {2, 2},
-     {1, 3}, {0, 4}}};
+inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
+                                                              {0, 1},
+                                                              {2, 0},
+                                                              {1, 1},
+                                                              {0, 2},
+                                                              {3, 0},
+                                                              {2, 1},
+                                                              {1, 2},
+                                                              {0, 3},
+                                                              {4, 0},
+                                                              {3, 1},
+                                                              {2, 2},
+                                                              {1, 3},
+                                                              {0, 4}}};
 
 /// What one stream has seen: sums over samples and events, each with the weight of its branch
 /// (1 without splitting).
@@ -24,8 +35,8 @@ struct StreamRecord {
   std::array<double, kPowers.size()> powers{};
   double samples = 0;
   double impacts = 0;
-  double impact_energy = 0;  ///< sum of v^2 over impacts
-  double work = 0;           ///< of the impulses, sum of (v + Y)^2/2 - v^2/2
+  double impact_energy = 0;    ///< sum of v^2 over impacts
+  double work = 0;             ///< of the impulses, sum of (v + Y)^2/2 - v^2/2
   std::uint64_t impulses = 0;  ///< of the stream itself, without its branches
   std::uint64_t flights = 0;
   /// Energies right after impulses, by the bins of the splitting; empty without.

@@ -34,9 +34,8 @@ Json quantiles(const std::vector<Quantile>& quantiles) {
 Json rates(const std::vector<LevelRate>& rates) {
   Json list = Json::array();
   for (const LevelRate& r : rates) {
-    list.push_back({{"level", r.level},
-                    {"rate", r.rate.mean},
-                    {"standard_error", r.rate.standard_error}});
+    list.push_back(
+        {{"level", r.level}, {"rate", r.rate.mean}, {"standard_error", r.rate.standard_error}});
   }
   return list;
 }
@@ -75,8 +74,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
           {"flights", summary.flights},
           {"rounds", summary.rounds},
           {"interrupted", summary.interrupted},
-          {"kick_interval",
-           summary.kick_interval > 0 ? Json(summary.kick_interval) : Json()},
+          {"kick_interval", summary.kick_interval > 0 ? Json(summary.kick_interval) : Json()},
           {"joint_moments", joint_moments(summary.joint_moments)},
           {"quantiles",
            {{"y", quantiles(summary.y_quantiles)}, {"ydot", quantiles(summary.v_quantiles)}}},

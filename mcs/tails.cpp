@@ -12,14 +12,13 @@ namespace {
 constexpr double kRarest = 1e-10;
 constexpr double kFewestVisits = 1000;  // of branches, to set a threshold
 constexpr int kMostPilots = 30;
-constexpr double kPilotTime = 2;       // burn-ins
+constexpr double kPilotTime = 0.5;      // burn-ins
 constexpr double kLargestEnergy = 1e4;  // in units of sigma_2^2
 
 }  // namespace
 
 Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
-  const double largest =
-      kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
+  const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   Plan pilot = plan;
   pilot.seed = ~plan.seed;  // numbers that no simulation of this seed uses
   pilot.samples_per_round =

@@ -22,11 +22,7 @@ class Trajectory {
  public:
   /// @param step longest flight, in radians of the local frequency, below pi (Flight::reach)
   Trajectory(const problem::System& system, ImpulseSource source, const State& start, double step)
-      : system_(&system),
-        source_(source),
-        state_(start),
-        next_(source_.next()),
-        step_(step) {}
+      : system_(&system), source_(source), state_(start), next_(source_.next()), step_(step) {}
 
   const State& state() const { return state_; }
 

@@ -53,7 +53,7 @@ TEST(Methods, SolutionsCarryTheIdThatTheMethodPromised) {
        select_methods("epc-gaussian-n2,epc-gaussian-white-n4,epc-moment-n4,epc-moment-cut-n2,"
                       "fd-white,mcs",
                       brief)) {
-    const Entry entry = method.solve(problem, axes, [](double) {});
+    const Entry entry = method.solve(problem, axes, [](double, const std::string&) {});
     EXPECT_EQ(entry.solution.id, method.id);
     EXPECT_TRUE(entry.solution.density.has_value()) << method.id;
     EXPECT_TRUE(entry.details.is_object());

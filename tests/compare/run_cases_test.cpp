@@ -28,7 +28,7 @@ struct Probe {
                    now > seen && !most_at_once.compare_exchange_weak(seen, now);) {
               }
               std::this_thread::sleep_for(std::chrono::milliseconds(20));
-              if (progress) progress(0.5);
+              if (progress) progress(0.5, "");
               --running;
               Entry entry;
               entry.solution.id = id;

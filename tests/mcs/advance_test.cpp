@@ -133,7 +133,8 @@ TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
   group.advance(3000, available_lanes().back());
   for (const Stream& stream : group.streams) {
     EXPECT_GT(total(stream.record.troughs), 10);
-    EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts, 1);
+    EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts,
+                1);
     EXPECT_EQ(total(stream.record.histogram.weights()), stream.record.samples);
     EXPECT_EQ(stream.record.samples, 12000);
   }

@@ -71,8 +71,10 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
     for (const double wave : {1.0, 4.0, 20.0}) {
       const double u = wave / law.deviation();
       const std::complex<double> exact = law.characteristic_function(u);
-      expect_mean([&] { return std::cos(u * source.next().amplitude); }, exact.real(), "E[cos(u Y)]");
-      expect_mean([&] { return std::sin(u * source.next().amplitude); }, exact.imag(), "E[sin(u Y)]");
+      expect_mean([&] { return std::cos(u * source.next().amplitude); }, exact.real(),
+                  "E[cos(u Y)]");
+      expect_mean([&] { return std::sin(u * source.next().amplitude); }, exact.imag(),
+                  "E[sin(u Y)]");
     }
   }
 }
@@ -119,7 +121,8 @@ TEST(ImpulseSource, StartsAreStandardNormal) {
   std::uint32_t stream = 0;
   const auto moment = [&](std::size_t which, int order) {
     return [&, which, order] {
-      return std::pow(ImpulseSource(problem.impulses, 4, stream++).standard_normals()[which], order);
+      return std::pow(ImpulseSource(problem.impulses, 4, stream++).standard_normals()[which],
+                      order);
     };
   };
   for (const std::size_t which : {0u, 1u}) {
@@ -140,7 +143,8 @@ TEST(ImpulseSource, KicksThatStandForWhiteNoiseComeEvenlyWithItsMeanAndIntensity
   const double mean = 2 * 0.1 * h;
   expect_mean([&] { return source.next().amplitude; }, mean, "E[Y]");
   expect_mean([&] { return std::pow(source.next().amplitude - mean, 2); }, 0.3 * h, "Var Y");
-  expect_mean([&] { return std::pow(source.next().amplitude - mean, 4); }, 3 * 0.09 * h * h, "fourth");
+  expect_mean([&] { return std::pow(source.next().amplitude - mean, 4); }, 3 * 0.09 * h * h,
+              "fourth");
 }
 
 // The known answers of Philox4x32-10 that come with Random123.

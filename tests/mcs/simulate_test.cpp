@@ -139,32 +139,6 @@ TEST(Simulate, SamplingErrorForetellsTheDistanceOfTwoRuns) {
   EXPECT_NEAR(v / (std::sqrt(2) * a.summary.sampling_l1_ydot), 1.0, 0.4);
 }
 
-TEST(Simulate, IntervalsCoverTheTruthAsOftenAsTheyClaim) {
-  const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
-  constexpr int kRuns = 100;
-  int v2_covered = 0;
-  double bins = 0, bins_covered = 0;
-  const Result reference = tests::simulate(problem, 2e6, 999);
-  const auto& truth = estimated(reference, Variable::ydot);
-  for (int run = 0; run < kRuns; ++run) {
-    Options options;
-    options.time = 1e4;
-    options.streams = 16;
-    options.seed = 1000 + run;
-    const Result result = simulate(problem, options);
-    const double error = result.solution.moments.v2 - problem::exact::mean_square_velocity(problem);
-    v2_covered += std::abs(error) < 2.160 * result.summary.standard_errors.moments.v2;
-    const auto& estimate = estimated(result, Variable::ydot);
-    for (std::size_t b = 0; b < estimate.size(); ++b) {
-      if (truth.density[b] < 0.02) continue;  // where every stream has seen the bin
-      ++bins;
-      bins_covered += truth.density[b] > estimate.lower[b] && truth.density[b] < estimate.upper[b];
-    }
-  }
-  EXPECT_NEAR(v2_covered, 0.95 * kRuns, 4 * std::sqrt(0.95 * 0.05 * kRuns));
-  EXPECT_NEAR(bins_covered / bins, 0.95, 0.02);
-}
-
 TEST(Simulate, AnEmptyBinHasAnUpperEnd) {
   const Result result = tests::simulate(tests::paper_case(1), 1e4);
   const auto& v = estimated(result, Variable::ydot);

@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "mcs/advance.hpp"
+#include "mcs/flight.hpp"
+#include "problem/case_file.hpp"
+
+// Trajectories of the paper's cases per second: the simulation against a plain loop of the
+// classical Runge-Kutta method with step 0.05, side by side on the same threads, and what either
+// errs per unit time.
+//
+//   fpkcheck_trajectories [THREADS] [TIME OF EACH THREAD]
+namespace fpkcheck::benchmarks {
+namespace {
+
+constexpr double kRungeKuttaStep = 0.05;
+constexpr double kStep = 0.9;  // of the simulation, radians
+constexpr int kStreams = 8;    // of a thread
+
+using mcs::State;
+
+State slope(const problem::System& s, const State& x) {
+  return {x.v, -(s.damping() * x.v + s.restoring_force(x.y))};
+}
+
+State runge_kutta(const problem::System& s, const State& x, double h) {
+  const State a = slope(s, x);
+  const State b = slope(s, {x.y + h / 2 * a.y, x.v + h / 2 * a.v});
+  const State c = slope(s, {x.y + h / 2 * b.y, x.v + h / 2 * b.v});
+  const State d = slope(s, {x.y + h * c.y, x.v + h * c.v});
+  return {x.y + h / 6 * (a.y + 2 * b.y + 2 * c.y + d.y),
+          x.v + h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
+}
+
+/// As one would write it: whole steps, cut at impulses and impacts.
+/// @return the mean of v^2 over the steps
+double runge_kutta_loop(const problem::Problem& problem, double time, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::exponential_distribution<double> waiting(problem.impulses.arrival_rate());
+  std::normal_distribution<double> amplitude(problem.impulses.law().mean(),
+                                             problem.impulses.law().deviation());
+  State x{0.5, 0};
+  double until_impulse = waiting(engine), sum = 0;
+  for (double t = 0; t < time;) {
+    double h = std::min(kRungeKuttaStep, until_impulse);
+    State end = runge_kutta(problem.system, x, h);
+    if (end.y < 0) {
+      // Newton's method for the length of the step that ends at the wall.
+      h *= x.y / (x.y - end.y);
+      for (int iteration = 0; iteration < 4; ++iteration) {
+        end = runge_kutta(problem.system, x, h);
+        if (std::abs(end.y) < 1e-10) break;
+        h -= end.y / end.v;
+      }
+      end = {0, end.v < 0 ? -problem.system.restitution() * end.v : end.v};
+    }
+    sum += h * end.v * end.v;
+    x = end;
+    t += h;
+    until_impulse -= h;
+    if (until_impulse <= 0) {
+      x.v += amplitude(engine);
+      if (x.y <= 0 && x.v < 0) x.v *= -problem.system.restitution();
+      until_impulse = waiting(engine);
+    }
+  }
+  return sum / time;
+}
+
+std::vector<double> even(double from, double to) {
+  std::vector<double> edges;
+  for (int k = 0; k <= 140; ++k) edges.push_back(from + (to - from) * k / 140);
+  return edges;
+}
+
+struct Lanes {
+  double flights;
+  double mean_square;
+};
+
+Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
+                 const mcs::LaneSet& lanes, bool records) {
+  const mcs::BinFinder y(even(0, 5)), v(even(-5, 5));
+  const mcs::Motion motion{.system = problem.system,
+                           .step = kStep,
+                           .sampling_interval = 0.23,  // 25 samples a period
+                           .y_bins = &y,
+                           .v_bins = &v,
+                           .records = records};
+  std::deque<mcs::Stream> streams;
+  std::vector<mcs::Stream*> pointers;
+  for (unsigned s = 0; s < kStreams; ++s) {
+    mcs::ImpulseSource source(problem.impulses, seed, s);
+    const mcs::Impulse first = source.next();
+    streams.push_back({.branch = {.y = 0.5,
+                                  .v = 0,
+                                  .until_impulse = first.waiting,
+                                  .amplitude = first.amplitude,
+                                  .until_sample = 0.1,
+                                  .remaining = 0},
+                       .source = source,
+                       .record = mcs::StreamRecord(y, v)});
+    pointers.push_back(&streams.back());
+  }
+  mcs::advance(motion, pointers, time / kStreams, lanes);
+  Lanes result{0, 0};
+  double samples = 0;
+  for (const mcs::Stream& stream : streams) {
+    result.flights += static_cast<double>(stream.record.flights);
+    result.mean_square += stream.record.powers[4];
+    samples += stream.record.samples;
+  }
+  result.mean_square /= samples;
+  return result;
+}
+
+/// Simulated time per second on all threads: the best of three.
+double speed(int threads, double time, const std::function<void(unsigned)>& work) {
+  double best = 0;
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const auto begin = std::chrono::steady_clock::now();
+    {
+      std::vector<std::jthread> others;
+      for (int t = 0; t < threads; ++t) {
+        others.emplace_back([&work, t] { work(static_cast<unsigned>(t)); });
+      }
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    best = std::max(best, threads * time / elapsed.count());
+  }
+  return best;
+}
+
+/// Root mean square and largest error of a step from stationary states, relative to the amplitude
+/// sqrt(2 E), per unit time.
+template <class Advance>
+std::pair<double, double> error_per_time(const problem::System& system, const State& deviation,
+                                         const Advance& advance) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  double squares = 0, largest = 0;
+  constexpr int kStates = 20000;
+  for (int n = 0; n < kStates; ++n) {
+    const State start{std::abs(deviation.y * normal(engine)), deviation.v * normal(engine)};
+    const auto [end, time] = advance(start);
+    State exact = start;
+    constexpr int kParts = 64;
+    for (int p = 0; p < kParts; ++p) exact = mcs::Flight(system, exact).at(time / kParts);
+    const double energy = start.v * start.v / 2 + system.stiffness() * start.y * start.y / 2 +
+                          system.cubic() * std::pow(start.y, 4) / 4;
+    const double error =
+        std::hypot(end.y - exact.y, end.v - exact.v) / std::sqrt(2 * energy) / time;
+    squares += error * error;
+    largest = std::max(largest, error);
+  }
+  return {std::sqrt(squares / kStates), largest};
+}
+
+void errors(const char* name, const problem::System& system, const State& deviation) {
+  const auto [rms, largest] = error_per_time(system, deviation, [&](const State& x) {
+    return std::pair{runge_kutta(system, x, kRungeKuttaStep), kRungeKuttaStep};
+  });
+  // Of the longest flights; impulses and impacts cut most of them short.
+  const auto [rms_lanes, largest_lanes] = error_per_time(system, deviation, [&](const State& x) {
+    const mcs::Flight flight(system, x);
+    const double time = flight.reach(kStep);
+    return std::pair{flight.at(time), time};
+  });
+  fmt::print(
+      "{}: error per unit time, rms (largest): RK4 {:.1e} ({:.1e}), longest flights {:.1e} "
+      "({:.1e})\n",
+      name, rms, largest, rms_lanes, largest_lanes);
+}
+
+const char* name(mcs::InstructionSet set) {
+  switch (set) {
+    case mcs::InstructionSet::avx512:
+      return "AVX-512";
+    case mcs::InstructionSet::avx2:
+      return "AVX2";
+    case mcs::InstructionSet::baseline:
+      break;
+  }
+  return "baseline";
+}
+
+}  // namespace
+}  // namespace fpkcheck::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace fpkcheck;
+  using namespace fpkcheck::benchmarks;
+  const int threads = argc > 1 ? std::stoi(argv[1]) : 2;
+  const double time = argc > 2 ? std::stod(argv[2]) : 4e6;
+  for (int number = 1; number <= 4; ++number) {
+    const auto problem = problem::load_case("case" + std::to_string(number));
+    const double y[] = {0.63, 1.6, 0.5, 1.06}, v[] = {0.66, 2.08, 0.66, 2.1};
+    errors(problem.name.c_str(), problem.system, {y[number - 1], v[number - 1]});
+  }
+  const auto problem = problem::load_case("case1");
+  std::vector<double> found(static_cast<std::size_t>(threads));
+  const double plain = speed(
+      threads, time / 10, [&](unsigned t) { found[t] = runge_kutta_loop(problem, time / 10, t); });
+  fmt::print("case1, {} threads; steps: simulated time / 0.05\n", threads);
+  fmt::print("scalar RK4 loop                   {:.2e} steps/s   E[v^2] {:.4f}\n",
+             plain / kRungeKuttaStep, found[0]);
+  for (const auto& lanes : mcs::available_lanes()) {
+    for (const bool records : {false, true}) {
+      std::vector<Lanes> seen(static_cast<std::size_t>(threads));
+      const double rate = speed(threads, time, [&](unsigned t) {
+        seen[t] = lanes_loop(problem, time, t, lanes, records);
+      });
+      fmt::print("{:8} {} lanes, {:16} {:.2e} steps/s, {:5.2f} of RK4", name(lanes.instructions),
+                 lanes.width, records ? "with histogram" : "motion alone", rate / kRungeKuttaStep,
+                 rate / plain);
+      if (records) {
+        fmt::print("   E[v^2] {:.4f}, {:.2e} flights/s", seen[0].mean_square,
+                   rate * seen[0].flights / time);
+      }
+      fmt::print("\n");
+    }
+  }
+}

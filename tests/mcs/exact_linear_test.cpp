@@ -1,0 +1,215 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "mcs/simulate.hpp"
+#include "mcs/stream.hpp"
+#include "paper_cases.hpp"
+#include "problem/exact.hpp"
+#include "problem/exact_linear_density.hpp"
+#include "statistics.hpp"
+
+// Everything that is estimated, against the exact stationary density of the linear oscillator with
+// r = 1 under impulses.
+namespace fpkcheck::mcs {
+namespace {
+
+namespace exact = problem::exact;
+
+problem::Problem linear() { return tests::make_problem({.cubic = 0, .restitution = 1}); }
+
+std::vector<double> even(double from, double to, int bins) {
+  std::vector<double> edges;
+  for (int k = 0; k <= bins; ++k) edges.push_back(from + (to - from) * k / bins);
+  return edges;
+}
+
+// Sum of averages times the exact integral of x^order over their bins.
+double moment(const std::vector<double>& edges, const std::vector<double>& averages, int order) {
+  double sum = 0;
+  for (std::size_t b = 0; b < averages.size(); ++b) {
+    sum += averages[b] * (std::pow(edges[b + 1], order + 1) - std::pow(edges[b], order + 1)) /
+           (order + 1);
+  }
+  return sum;
+}
+
+/// E[y^p y'^q] in the order of kPowers. Even total orders are those of (z, z'), from the cumulants;
+/// odd ones come from the marginals, and from d/dt E[y^n] = 0 and d/dt E[y y'] = 0, which make
+/// E[y^2 v] = 0 and E[v^3] = 2c (E[y v^2] - E[y] E[v^2]).
+std::vector<double> exact_moments() {
+  const auto problem = linear();
+  const exact::LinearDensity density(problem);
+  const auto y = even(0, 6, 1500), v = even(-6, 6, 1500);
+  const auto p_y = density.displacement_averages(y), p_v = density.velocity_averages(v);
+  const auto kappa = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
+  const double zz = kappa(2, 0), vv = kappa(0, 2), zv = kappa(1, 1);
+  const double y1 = moment(y, p_y, 1), v3 = moment(v, p_v, 3);
+  const double yvv = v3 / (2 * problem.system.damping()) + y1 * vv;
+  return {y1,
+          0,
+          zz,
+          zv,
+          vv,
+          moment(y, p_y, 3),
+          0,
+          yvv,
+          v3,
+          kappa(4, 0) + 3 * zz * zz,
+          kappa(3, 1) + 3 * zz * zv,
+          kappa(2, 2) + zz * vv + 2 * zv * zv,
+          kappa(1, 3) + 3 * vv * zv,
+          kappa(0, 4) + 3 * vv * vv};
+}
+
+TEST(ExactLinear, AllMomentsToOrderFourAreWithinFourStandardErrorsForTwentySeeds) {
+  const auto truth = exact_moments();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto summary = tests::simulate(linear(), 1e5, seed).summary;
+    for (std::size_t n = 0; n < kPowers.size(); ++n) {
+      const auto [mean, error] = summary.joint_moments[n];
+      EXPECT_NEAR(mean, truth[n], 4 * error)
+          << "y^" << kPowers[n].first << " v^" << kPowers[n].second << ", seed " << seed << ": "
+          << (mean - truth[n]) / error;
+    }
+  }
+}
+
+struct Coverage {
+  double covered = 0, all = 0;
+  void add(bool inside) {
+    covered += inside;
+    ++all;
+  }
+  double share() const { return covered / all; }
+};
+
+// The errors of bins, moments and quantiles of one run are correlated; over the runs they average.
+TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
+  const auto problem = linear();
+  const auto truth = exact_moments();
+  const exact::LinearDensity density(problem);
+  Options options{
+      .time = 1e4, .streams = 24, .y_edges = even(0, 3, 30), .v_edges = even(-3, 3, 40)};
+  const auto p_y = density.displacement_averages(options.y_edges);
+  const auto p_v = density.velocity_averages(options.v_edges);
+  const auto p = density.joint_averages(options.y_edges, options.v_edges);
+  Coverage of_moments, of_y, of_v, of_cells, of_quantiles;
+  for (int run = 0; run < 100; ++run) {
+    options.seed = 1000 + run;
+    const Result result = simulate(problem, options);
+    constexpr double kStudent = 2.0796;  // 21 degrees of freedom
+    for (std::size_t n = 0; n < kPowers.size(); ++n) {
+      const auto [mean, error] = result.summary.joint_moments[n];
+      of_moments.add(std::abs(mean - truth[n]) < kStudent * error);
+    }
+    for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
+      const bool is_y = variable == transform::Variable::y;
+      const auto& averages = is_y ? p_y : p_v;
+      for (std::size_t b = 0; b < averages.size(); ++b) {
+        if (averages[b] < 0.02) continue;  // where every stream has seen the bin
+        (is_y ? of_y : of_v)
+            .add(averages[b] > estimate.lower[b] && averages[b] < estimate.upper[b]);
+      }
+    }
+    const auto& joint = std::get<transform::GridDensity>(*result.solution.density);
+    for (std::size_t cell = 0; cell < p.size(); ++cell) {
+      if (p[cell] < 0.05) continue;
+      of_cells.add(std::abs(joint.averages[cell] - p[cell]) <
+                   kStudent * result.summary.joint_standard_errors[cell]);
+    }
+    double below = 0;
+    std::size_t bin = 0;
+    for (const Quantile& q : result.summary.y_quantiles) {
+      if (q.probability < 0.05 || q.probability > 0.99) continue;
+      // Where the exact distribution function reaches the probability, straight within a bin.
+      while (below + p_y[bin] * 0.1 < q.probability) below += p_y[bin++] * 0.1;
+      const double share = (q.probability - below) / (p_y[bin] * 0.1);
+      const double exact_value = options.y_edges[bin] + 0.1 * share;
+      EXPECT_NEAR(q.value, exact_value, 0.1);
+      of_quantiles.add(exact_value > q.lower - 1e-3 && exact_value < q.upper + 1e-3);
+    }
+  }
+  for (const auto& coverage : {of_moments, of_y, of_v, of_cells, of_quantiles}) {
+    EXPECT_GT(coverage.all, 500);
+    EXPECT_GT(coverage.share(), 0.90);
+    EXPECT_LT(coverage.share(), 0.99);
+  }
+}
+
+// With the same impulses the motions of both steps come together again in these cases; in case 4
+// they do not (neighbouring motions part), and nothing could be seen.
+TEST(ExactLinear, HalvingTheStepMovesMomentsByLessThanATenthOfTheirError) {
+  for (const auto& problem : {linear(), tests::paper_case(1), tests::paper_case(2)}) {
+    Options options{.time = 1e5, .seed = 3};
+    const Result coarse = simulate(problem, options);
+    options.step = coarse.summary.step / 2;
+    const Result fine = simulate(problem, options);
+    EXPECT_GT(fine.summary.flights, coarse.summary.flights);
+    for (std::size_t n = 0; n < kPowers.size(); ++n) {
+      const auto &a = coarse.summary.joint_moments[n], &b = fine.summary.joint_moments[n];
+      EXPECT_NEAR(a.mean, b.mean, 0.01 * b.standard_error) << n;
+    }
+  }
+}
+
+// Rice's formula: int v p(a, v) dv over v > 0.
+TEST(ExactLinear, LevelsAreCrossedUpwardsAtRicesRate) {
+  const auto problem = linear();
+  const exact::LinearDensity density(problem);
+  const auto summary = tests::simulate(problem, 3e5).summary;
+  const auto v = even(0, 6, 600);
+  int compared = 0;
+  for (const LevelRate& crossing : summary.crossings) {
+    if (crossing.rate.mean < 1e-4) continue;
+    const double a = crossing.level, narrow = 1e-3;
+    const std::vector<double> strip{a - narrow, a + narrow};
+    const auto p = density.joint_averages(strip, v);
+    const double rice = moment(v, p, 1);
+    tests::expect_near(crossing.rate.mean, rice, crossing.rate.standard_error, "rate", 1e-6);
+    ++compared;
+  }
+  EXPECT_GT(compared, 4);
+  const auto wall = density.joint_averages(std::vector<double>{0, 1e-3}, v);
+  // What hits the wall leaves it with the same speed.
+  tests::expect_near(summary.impact_rate.mean, moment(v, wall, 1),
+                     summary.impact_rate.standard_error, "impacts", 2e-6);
+  // Every crossing of the first level is followed by a peak above it.
+  EXPECT_GE(summary.peaks[1].rate.mean, summary.crossings[0].rate.mean);
+  EXPECT_GE(summary.peaks[0].rate.mean, summary.peaks[1].rate.mean);
+}
+
+TEST(ExactLinear, SplittingResolvesTheTailsDownTo1eMinus8OfThePeak) {
+  const auto problem = linear();
+  const exact::LinearDensity density(problem);
+  Options options{.time = 6e4, .seed = 5, .tails = true};
+  const Result result = simulate(problem, options);
+  EXPECT_GT(result.summary.thresholds.size(), 10u);
+  for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
+    const auto truth = variable == transform::Variable::y
+                           ? density.displacement_averages(estimate.edges)
+                           : density.velocity_averages(estimate.edges);
+    const double peak = *std::ranges::max_element(truth);
+    Coverage covered;
+    int far = 0;
+    for (std::size_t b = 0; b < truth.size(); ++b) {
+      if (truth[b] < 1e-8 * peak) continue;
+      covered.add(truth[b] > estimate.lower[b] && truth[b] < estimate.upper[b]);
+      const double half = (estimate.upper[b] - estimate.lower[b]) / 2;
+      EXPECT_NEAR(estimate.density[b], truth[b], 2.5 * half) << b;
+      EXPECT_LT(half, 0.5 * truth[b]) << b;
+      far += truth[b] < 1e-6 * peak;
+    }
+    EXPECT_GT(far, 5);
+    EXPECT_GT(covered.share(), 0.85);
+  }
+  const auto truth = exact_moments();
+  for (std::size_t n = 0; n < kPowers.size(); ++n) {
+    const auto [mean, error] = result.summary.joint_moments[n];
+    EXPECT_NEAR(mean, truth[n], 4 * error) << n;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mcs/simulate.hpp"
+#include "paper_cases.hpp"
+#include "problem/exact.hpp"
+#include "statistics.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+Result under_white_noise(const problem::Problem& problem, double time, double step = 0) {
+  return simulate(problem, {.equation = Equation::white, .time = time, .white_step = step});
+}
+
+TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
+  for (const double mean : {0.0, 0.15}) {
+    SCOPED_TRACE(mean);
+    const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .mean = mean});
+    const Result result = under_white_noise(problem, 2e5);
+    EXPECT_EQ(result.solution.id, "mcs-white");
+    EXPECT_EQ(result.solution.equation, "white");
+    const problem::exact::WhiteNoiseDensity exact(problem);
+    double distances[2] = {0, 0};
+    for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
+      const bool is_y = variable == transform::Variable::y;
+      for (std::size_t b = 0; b < estimate.size(); ++b) {
+        const double x = estimate.centre(b);
+        const double p = is_y ? exact.displacement_marginal(x) : exact.velocity_marginal(x);
+        distances[is_y ? 0 : 1] += std::abs(estimate.density[b] - p) * estimate.width(b);
+      }
+    }
+    EXPECT_LT(distances[0], 1.5 * result.summary.sampling_l1_y);
+    EXPECT_LT(distances[1], 1.5 * result.summary.sampling_l1_ydot);
+    tests::expect_near(result.solution.energy_residual, 0,
+                       result.summary.standard_errors.energy_residual, "balance of power");
+  }
+}
+
+// With losses the kicks decide how near the wall the oscillator can rest: an error of first order.
+TEST(WhiteNoise, WithLossesHasAnErrorOfTheFirstOrderInTheStep) {
+  const auto problem = tests::make_problem({.restitution = 0.5});
+  const auto v2 = [&](double step) {
+    const Result result = under_white_noise(problem, 1e6, step);
+    return Estimate{result.solution.moments.v2, result.summary.standard_errors.moments.v2};
+  };
+  const Estimate coarse = v2(0.4), middle = v2(0.2), fine = v2(0.1);
+  const double first = middle.mean - coarse.mean, second = fine.mean - middle.mean;
+  const double error = std::hypot(coarse.standard_error, middle.standard_error);
+  EXPECT_GT(first, 3 * error);
+  EXPECT_NEAR(second, first / 2, 4 * error);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs
