@@ -118,8 +118,10 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
       options.time > 0 ? options.time : automatic * (open_ended ? kMostAutomaticTimes : 1);
   const double interval = 2 * std::numbers::pi / std::sqrt(linear.stiffness) / kSamplesPerPeriod;
   const double round_time = std::min(automatic / kAutomaticRounds, time / kFewestRounds);
-  const double rounds = std::ceil(time / round_time * (1 - 1e-12));
-  const double samples = std::ceil(time / rounds / options.streams / interval * (1 - 1e-12));
+  // Of a length that does not depend on the time asked for, unless that is short: so a longer
+  // simulation can go on from the checkpoint of a shorter one.
+  const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
+  const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
   const double kicks = options.white_step > 0 ? options.white_step : kAutomaticWhiteStep;
   const int threads = options.threads > 0 ? options.threads : available_threads();
   return {

@@ -29,9 +29,9 @@ struct Progress {
 /// How to simulate. Zero or empty means automatic.
 struct Options {
   Equation equation = Equation::kf;
-  /// Simulated time over all streams; automatic: 1.6e6 decay times of the slowest mode
-  /// of equivalent linearisation (2/c_eq below critical damping), 1/32 of it with `tails`, and
-  /// no end where `samples` or `target_error` is given.
+  /// Simulated time over all streams, rounded up to whole rounds; automatic: 1.6e6 decay times of
+  /// the slowest mode of equivalent linearisation (2/c_eq below critical damping), 1/32 of it with
+  /// `tails`, and no end where `samples` or `target_error` is given.
   double time = 0;
   /// Effective samples of y'^2 to be reached (Summary::effective_samples).
   double samples = 0;
