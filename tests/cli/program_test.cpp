@@ -92,7 +92,8 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"mcs", "case1", "--streams", "1"}, "streams"},
       {{"report"}, "one directory"},
       {{"study"}, "study of what"},
-      {{"study", "colour", "case1"}, "'colour' is no subject of a study (use order or regularisation"},
+      {{"study", "colour", "case1"},
+       "'colour' is no subject of a study (use order or regularisation"},
       {{"study", "regularisation"}, "no case"},
       {{"study", "regularisation", "case1", "case2"}, "one case"},
   };
