@@ -64,6 +64,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const auto [least, greatest] = radii(coordinates, root.support, sigma);
   const double edge = std::exp(largest_at(root.q, root.support) +
                                confined(moment::Confinement{root.level}, root.support) - root.peak);
+  summary.condition = root.condition;
   summary.coefficients = root.q.terms();
   summary.leading_form = polar::leading_form(root.q, sigma);
   summary.support = {.least_radius = least,
@@ -77,7 +78,6 @@ Result solve(const problem::Problem& problem, const Options& options) {
                     .level = root.level,
                     .level_deviations = std::sqrt(2 * root.level / root.temperature),
                     .beyond_level = beyond,
-                    .condition = root.condition,
                     .quadrature_change = root.quadrature_change,
                     .homotopies = root.homotopies};
   if (!(root.quadrature_change < kQuadratureAllowed)) {
