@@ -11,12 +11,14 @@ namespace {
 constexpr const char* kUsage = R"(usage: fpkcheck epc CASE ... [options]
 
 Exponential-polynomial closure: a density C exp(Q_n), Q_n a polynomial of degree n, from weak
-equations. Two formulations:
+equations. Three formulations:
   gaussian   the paper's: p(z, z') on the whole plane, projections (23) under Gaussian weights;
              series cut after the fourth derivative, impact as a delta function. Where Newton's
              method finds no root, the branch of solutions from the exact density of white noise
              at r = 1 is followed past its folds (summary.json has it)
   moment     p(y, y') on y >= 0, exact moment equations of the impact process itself
+  polar      the same with Q_n a polynomial of amplitude and phase, which carries the jump that an
+             impact with losses leaves at the origin
 The status says what the result is worth:
   ok             the equations are met by a density that has decayed on the whole edge of its
                  support (gaussian: and keeps the balance of power, and is near that of order n-2)
@@ -41,7 +43,8 @@ epc::MonomialSet monomial_set(const std::string& name) {
 epc::Formulation formulation(const std::string& name) {
   if (name == "gaussian") return epc::Formulation::gaussian;
   if (name == "moment") return epc::Formulation::moment;
-  throw InputError(fmt::format("--formulation {} (use gaussian or moment)", name));
+  if (name == "polar") return epc::Formulation::polar;
+  throw InputError(fmt::format("--formulation {} (use gaussian, moment or polar)", name));
 }
 
 epc::Equation equation(const std::string& name) {
@@ -69,10 +72,10 @@ int epc_command(const std::vector<std::string>& arguments, const std::string& co
       ("order", po::value(&options.order)->value_name("N")->default_value(options.order),
        "degree n of the polynomial, even")(
           "formulation", po::value(&formulation_name)->value_name("F")->default_value("gaussian"),
-          "gaussian or moment, see above")(
+          "gaussian, moment or polar, see above")(
           "equation", po::value(&equation_name)->value_name("E"),
           "km4: the paper's series cut after the fourth derivative (gaussian's default); kf: the "
-          "full jump integral (moment's default); white: white noise")(
+          "full jump integral (default of moment and polar); white: white noise")(
           "monomials", po::value(&set_name)->value_name("SET")->default_value("point_symmetric"),
           "of gaussian: point_symmetric: even total degrees, all that survive; general: every "
           "degree")(
@@ -81,8 +84,8 @@ int epc_command(const std::vector<std::string>& arguments, const std::string& co
           "trusted; cut: Q_n alone, zero beyond");
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
   options.formulation = formulation(formulation_name);
-  const bool moment = options.formulation == epc::Formulation::moment;
-  if (equation_name.empty()) equation_name = moment ? "kf" : "km4";
+  const bool gaussian = options.formulation == epc::Formulation::gaussian;
+  if (equation_name.empty()) equation_name = gaussian ? "km4" : "kf";
   options.equation = equation(equation_name);
   options.tail = tail(tail_name);
   options.monomials = monomial_set(set_name);

@@ -26,6 +26,7 @@ const std::vector<Family>& families() {
       {"epc-gaussian",
        {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"}},
       {"epc-moment", {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}},
+      {"epc-polar", {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}},
       {"fd", {"fd-white", "fd-km4", "fd-kf"}},
       {"mcs", {"mcs"}}};
   return list;
@@ -50,7 +51,8 @@ std::optional<epc::Options> closure_of(std::string_view id) {
   const auto ordered = split(id);
   if (!ordered) return std::nullopt;
   const std::string plain = fmt::format("{}-n{}", ordered->stem, ordered->order);
-  for (const auto formulation : {epc::Formulation::gaussian, epc::Formulation::moment}) {
+  for (const auto formulation :
+       {epc::Formulation::gaussian, epc::Formulation::moment, epc::Formulation::polar}) {
     for (const auto equation : {epc::Equation::km4, epc::Equation::kf, epc::Equation::white}) {
       for (const auto tail : {epc::moment::Tail::confined, epc::moment::Tail::cut}) {
         const epc::Options options{.order = ordered->order,

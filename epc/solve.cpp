@@ -9,6 +9,7 @@
 #include "epc/admissibility.hpp"
 #include "epc/gaussian_search.hpp"
 #include "epc/moment/solve.hpp"
+#include "epc/polar/solve.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::epc {
@@ -18,7 +19,7 @@ using transform::Status;
 
 // What the formulation solves unless it is told otherwise needs no word in the id.
 Equation usual_equation(Formulation formulation) {
-  return formulation == Formulation::moment ? Equation::kf : Equation::km4;
+  return formulation == Formulation::gaussian ? Equation::km4 : Equation::kf;
 }
 
 void label(const Options& options, Result& result) {
@@ -26,7 +27,7 @@ void label(const Options& options, Result& result) {
   result.solution.method = "epc";
   result.solution.equation = name(options.equation);
   result.solution.impact =
-      options.formulation == Formulation::moment ? problem::Impact::map : problem::Impact::delta;
+      options.formulation == Formulation::gaussian ? problem::Impact::delta : problem::Impact::map;
   result.summary.order = options.order;
   result.summary.formulation = options.formulation;
 }
@@ -48,7 +49,31 @@ Result solve_gaussian(const problem::Problem& problem, const Options& options) {
   return result;
 }
 
+Result solve_formulation(const problem::Problem& problem, const Options& options) {
+  switch (options.formulation) {
+    case Formulation::gaussian:
+      return solve_gaussian(problem, options);
+    case Formulation::moment:
+      return moment::solve(problem, options);
+    case Formulation::polar:
+      return polar::solve(problem, options);
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string_view name(Formulation formulation) {
+  switch (formulation) {
+    case Formulation::gaussian:
+      return "gaussian";
+    case Formulation::moment:
+      return "moment";
+    case Formulation::polar:
+      return "polar";
+  }
+  return "";
+}
 
 std::string_view name(Equation equation) {
   switch (equation) {
@@ -66,7 +91,7 @@ int greatest_order(Formulation formulation) { return formulation == Formulation:
 
 std::string id(const Options& options) {
   const bool moment = options.formulation == Formulation::moment;
-  std::string text = moment ? "epc-moment" : "epc-gaussian";
+  std::string text = fmt::format("epc-{}", name(options.formulation));
   if (moment && options.tail == moment::Tail::cut) text += "-cut";
   if (options.equation != usual_equation(options.formulation)) {
     text += fmt::format("-{}", name(options.equation));
@@ -88,6 +113,15 @@ void validate(const Options& options) {
         "process, and no process belongs to the series cut after the fourth derivative) use kf or "
         "white");
   }
+  if (options.formulation == Formulation::polar && options.equation != Equation::kf) {
+    throw InputError(fmt::format(
+        "epc equation = {} (the formulation polar follows the jumps of the process itself: its "
+        "angles have no second derivative in the mean) use kf",
+        name(options.equation)));
+  }
+  if (options.formulation == Formulation::polar && options.tail != moment::Tail::confined) {
+    throw InputError("epc tail = cut (not known to the formulation polar) use confined");
+  }
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw InputError(fmt::format("epc tolerance = {} (no iteration can end) use a positive number",
                                  options.tolerance));
@@ -101,8 +135,7 @@ void validate(const Options& options) {
 Result solve(const problem::Problem& problem, const Options& options) {
   validate(options);
   const auto start = std::chrono::steady_clock::now();
-  Result result = options.formulation == Formulation::moment ? moment::solve(problem, options)
-                                                             : solve_gaussian(problem, options);
+  Result result = solve_formulation(problem, options);
   label(options, result);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.solution.seconds = elapsed.count();

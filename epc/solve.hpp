@@ -21,8 +21,12 @@ namespace fpkcheck::epc {
 
 enum class Formulation {
   gaussian,  ///< the paper's (17)-(26): projections under Gaussian weights in the (z, z') plane
-  moment     ///< exact moment equations on the half-plane y >= 0, see epc/moment/
+  moment,    ///< exact moment equations on the half-plane y >= 0, see epc/moment/
+  polar      ///< the same with Q_n in amplitude and phase, see epc/polar/
 };
+
+/// The formulation's name in options, ids and summaries: "gaussian", "moment", "polar".
+std::string_view name(Formulation formulation);
 
 /// The equation's name in summaries: "white", "km4", "kf".
 std::string_view name(Equation equation);
@@ -34,7 +38,7 @@ struct Options {
   int order = 6;  ///< n of paper (18): even, 2 .. greatest_order
   Formulation formulation = Formulation::gaussian;
   MonomialSet monomials = MonomialSet::point_symmetric;  ///< of the formulation gaussian
-  Equation equation = Equation::km4;                     ///< moment: kf or white
+  Equation equation = Equation::km4;                     ///< moment: kf or white; polar: kf
   moment::Tail tail = moment::Tail::confined;            ///< of the formulation moment
   /// On the largest projection (23), relative to the damping c; moment: on moment::size_of.
   double tolerance = 1e-10;
@@ -46,7 +50,8 @@ struct Options {
 /// @throws InputError naming the option, its value and what is allowed
 void validate(const Options& options);
 
-/// The solution's id, such as epc-gaussian-n6, epc-gaussian-white-n4, epc-moment-n8: the equation
+/// The solution's id, such as epc-gaussian-n6, epc-gaussian-white-n4, epc-moment-n8,
+/// epc-polar-n6: the equation
 /// is named where it is not the formulation's usual one (gaussian: km4; moment: kf).
 std::string id(const Options& options);
 
@@ -59,7 +64,7 @@ struct SupportSummary {
   double cut_off;          ///< estimated probability outside; see Support::cut_off
 };
 
-/// What the formulation moment reports of its own.
+/// What the formulations moment and polar report of their own.
 struct MomentSummary {
   moment::Tail tail;
   double level;              ///< energy of the confinement or the cut

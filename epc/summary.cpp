@@ -5,16 +5,6 @@
 namespace fpkcheck::epc {
 namespace {
 
-std::string_view name(Formulation formulation) {
-  switch (formulation) {
-    case Formulation::gaussian:
-      return "gaussian";
-    case Formulation::moment:
-      return "moment";
-  }
-  return "";
-}
-
 std::string_view name(moment::Tail tail) {
   return tail == moment::Tail::confined ? "confined" : "cut";
 }

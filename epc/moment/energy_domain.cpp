@@ -10,13 +10,7 @@
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::moment {
-namespace {
 
-struct Line {
-  Eigen::VectorXd at, weight;
-};
-
-// Gauss-Legendre rule on [a, b].
 Line legendre_rule(int points, double a, double b) {
   std::vector<double> nodes;
   for (const double zero : boost::math::legendre_p_zeros<double>(points)) {
@@ -33,8 +27,6 @@ Line legendre_rule(int points, double a, double b) {
   }
   return line;
 }
-
-}  // namespace
 
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
     : stiffness_(problem.system.stiffness()),

@@ -11,6 +11,14 @@ struct Points {
   Eigen::VectorXd y, v, weight;
 };
 
+/// A rule of one variable.
+struct Line {
+  Eigen::VectorXd at, weight;
+};
+
+/// Gauss-Legendre rule on [a, b].
+Line legendre_rule(int points, double a, double b);
+
 /// The part of the half-plane y >= 0 below an energy,
 ///
 ///     h(y, v) = v^2/2 + V(y) - min V <= level,     V(y) = k y^2/2 + mu y^4/4 - lambda E[Y] y,

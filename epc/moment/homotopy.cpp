@@ -21,13 +21,13 @@ constexpr double kLostBehind = -1;
 
 // A point (a, t) of the path, as one vector.
 struct Path {
-  const Equations& equations;
+  const Galerkin& equations;
   VectorXd initial;  // R(start)
 
-  Index size() const { return equations.basis().size(); }
+  Index size() const { return equations.size(); }
 
   // [dH/da dH/dt] of H(a, t) = R(a) - (1 - t) R(start), with a row below.
-  std::optional<Eigen::PartialPivLU<MatrixXd>> bordered(const Equations::Density& density,
+  std::optional<Eigen::PartialPivLU<MatrixXd>> bordered(const Galerkin::Density& density,
                                                         const VectorXd& row) const {
     MatrixXd matrix(size() + 1, size() + 1);
     matrix.topLeftCorner(size(), size()) = equations.jacobian(density);
@@ -68,7 +68,7 @@ struct Path {
 
 }  // namespace
 
-HomotopyResult follow_homotopy(const Equations& equations, const VectorXd& start) {
+HomotopyResult follow_homotopy(const Galerkin& equations, const VectorXd& start) {
   HomotopyResult result{start, 0, 0, 0};
   const auto density = equations.density(start);
   if (!density.finite) return result;

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "epc/moment/equations.hpp"
+#include "epc/moment/galerkin.hpp"
 
 namespace fpkcheck::epc::moment {
 
@@ -18,6 +18,6 @@ struct HomotopyResult {
 /// followed by pseudo-arclength: predictor along the tangent, corrector in the hyperplane normal
 /// to it, so that a fold in t is passed. It rescues starts from which damped Newton steps end at a
 /// point where the Jacobian is singular. The end is to be refined by Newton's method.
-HomotopyResult follow_homotopy(const Equations& equations, const Eigen::VectorXd& start);
+HomotopyResult follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start);
 
 }  // namespace fpkcheck::epc::moment

@@ -35,12 +35,12 @@ double length(const VectorXd& step, const MatrixXd& covariance) {
   return std::sqrt(step.dot(covariance * step));
 }
 
-NewtonResult newton(const Equations& equations, const VectorXd& start, double damping,
+NewtonResult newton(const Galerkin& equations, const VectorXd& start, double damping,
                     const NewtonOptions& options) {
   NewtonResult best{start, std::numeric_limits<double>::infinity(), 0, false};
   VectorXd a = start;
   for (;;) {
-    const Equations::Density density = equations.density(a);
+    const Galerkin::Density density = equations.density(a);
     if (!density.finite) break;
     const VectorXd residual = equations.residual(density);
     const MatrixXd metric = equations.covariance(density);
@@ -62,7 +62,7 @@ NewtonResult newton(const Equations& equations, const VectorXd& start, double da
     double fraction = std::min(1.0, kLongestStep / step_length);
     const auto shortens = [&] {
       if (best.converged) return true;  // rounding alone is left
-      const Equations::Density trial = equations.density(a + fraction * step);
+      const Galerkin::Density trial = equations.density(a + fraction * step);
       if (!trial.finite) return false;
       const VectorXd next = factors.solve(equations.residual(trial));
       return length(next, metric) <= (1 - fraction / 4) * step_length;

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "epc/moment/equations.hpp"
+#include "epc/moment/galerkin.hpp"
 
 namespace fpkcheck::epc::moment {
 
@@ -34,7 +34,7 @@ double length(const Eigen::VectorXd& step, const Eigen::MatrixXd& covariance);
 /// Newton's method with a damping that is measured, as all else here, by the standard deviation of
 /// the change of Q_n under the density: no step changes it by more than 2, and each must shorten
 /// the next simplified step (Deuflhard's natural monotonicity test).
-NewtonResult newton(const Equations& equations, const Eigen::VectorXd& start, double damping,
+NewtonResult newton(const Galerkin& equations, const Eigen::VectorXd& start, double damping,
                     const NewtonOptions& options);
 
 }  // namespace fpkcheck::epc::moment

@@ -1,0 +1,101 @@
+#include "epc/polar/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "epc/polar/search.hpp"
+#include "epc/polar/tail.hpp"
+#include "problem/energy_balance.hpp"
+
+namespace fpkcheck::epc::polar {
+namespace {
+
+using transform::Status;
+
+// By how much more points may change Q_n, in standard deviations: below what the exponent's shape
+// leaves at the usual orders.
+constexpr double kQuadratureAllowed = 1e-3;
+// Largest density where the confinement begins, relative to the peak: beyond, it would shape it.
+constexpr double kLevelAllowed = 1e-4;
+
+transform::SmoothDensity density_of(const Coordinates& coordinates, const Root& root) {
+  return {.value =
+              [coordinates, q = root.q, confinement = moment::Confinement{root.level},
+               support = root.support, constant = root.log_normalisation](double y, double v) {
+                const double rho = coordinates.rho(y, v);
+                if (y < 0 || rho > support) return 0.0;
+                return std::exp(q(rho, coordinates.theta(y, v)) + confined(confinement, rho) -
+                                constant);
+              },
+          .y_max = coordinates.y(root.support),
+          .v_max = root.support};
+}
+
+}  // namespace
+
+Result solve(const problem::Problem& problem, const Options& options) {
+  const Coordinates coordinates(problem);
+  const Root root = find_root(problem, coordinates,
+                              {.order = options.order,
+                               .tolerance = options.tolerance,
+                               .max_iterations = options.max_iterations});
+  Result result;
+  auto& [solution, summary] = result;
+  summary.iterations = root.newton.iterations;
+  summary.residual = root.newton.residual;
+  solution.status = Status::not_converged;
+  solution.reason = root.failure;
+  if (!root.failure.empty()) return result;
+
+  const transform::SmoothDensity density = density_of(coordinates, root);
+  solution.mass = transform::expectation(density, [](double, double) { return 1.0; });
+  solution.moments = transform::moments(density);
+  solution.energy_residual =
+      problem::energy_residual(problem, problem::Impact::map,
+                               {.mean_velocity = solution.moments.v1,
+                                .mean_square_velocity = solution.moments.v2,
+                                .impact_energy_flux = transform::impact_flux(density, 3)});
+  solution.density = density;
+  const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
+  const double level = std::sqrt(2 * root.level);
+  const double beyond =
+      probability_beyond(root.q, coordinates, level, root.temperature, root.log_normalisation);
+  const auto [least, greatest] = radii(coordinates, root.support, sigma);
+  const double edge = std::exp(largest_at(root.q, root.support) +
+                               confined(moment::Confinement{root.level}, root.support) - root.peak);
+  summary.condition = root.condition;
+  summary.coefficients = root.q.terms();
+  summary.leading_form = polar::leading_form(root.q, sigma);
+  summary.support = {.least_radius = least,
+                     .greatest_radius = greatest,
+                     .y_max = density.y_max,
+                     .v_max = density.v_max,
+                     .edge_density = edge,
+                     .cut_off = probability_beyond(root.q, coordinates, root.support,
+                                                   root.temperature, root.log_normalisation)};
+  summary.moment = {.tail = moment::Tail::confined,
+                    .level = root.level,
+                    .level_deviations = std::sqrt(2 * root.level / root.temperature),
+                    .beyond_level = beyond,
+                    .quadrature_change = root.quadrature_change,
+                    .homotopies = root.homotopies};
+  if (!(root.quadrature_change < kQuadratureAllowed)) {
+    solution.reason = fmt::format(
+        "half as many more points of the quadrature still changed Q_n by {:.1e} of a unit (allowed "
+        "{:.0e}): the density or the law of the impulses has features that {} x {} points miss",
+        root.quadrature_change, kQuadratureAllowed, root.quadrature.rho, root.quadrature.theta);
+    return result;
+  }
+  if (!(root.level_density < kLevelAllowed)) {
+    solution.status = Status::inadmissible;
+    solution.reason = fmt::format(
+        "the density is {:.1e} of its peak where its confinement begins, or beyond (allowed {:.0e})",
+        root.level_density, kLevelAllowed);
+    return result;
+  }
+  solution.status = Status::ok;
+  return result;
+}
+
+}  // namespace fpkcheck::epc::polar

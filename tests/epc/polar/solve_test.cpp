@@ -1,0 +1,149 @@
+#include "epc/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "paper_cases.hpp"
+#include "problem/exact.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using tests::make_problem;
+using tests::paper_case;
+using transform::Status;
+
+Options of_order(int order) {
+  return {.order = order, .formulation = Formulation::polar, .equation = Equation::kf};
+}
+
+class PolarCase : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Each, PolarCase, testing::Values(1, 2, 3, 4));
+
+TEST_P(PolarCase, EveryOrderConverges) {
+  const auto p = paper_case(GetParam());
+  for (int order = 2; order <= 10; order += 2) {
+    const auto [solution, summary] = solve(p, of_order(order));
+    EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
+    EXPECT_LT(summary.residual, 1e-10) << order;
+    EXPECT_NEAR(solution.mass, 1, 1e-5) << order;
+    // rho^2/2 is a member, so that the balance of energy is met at every order.
+    EXPECT_LT(std::abs(solution.energy_residual), 1e-6) << order;
+    // v is none: E[v] = 0 only as the order grows.
+    if (order >= 8) {
+      EXPECT_NEAR(solution.moments.v1, 0, 1e-6 * std::sqrt(solution.moments.v2));
+    }
+    EXPECT_LT(summary.moment->quadrature_change, 1e-5) << order;
+    EXPECT_LT(summary.condition.value(), 1e3) << order;
+  }
+}
+
+// Of docs/reference.md: case 1 by finite differences on three grids, good to 2e-8.
+TEST(Polar, HasTheReferenceMomentsOfCaseOne) {
+  const auto moments = solve(paper_case(1), of_order(10)).solution.moments;
+  EXPECT_NEAR(moments.y1 / 0.5004370246, 1, 1e-7);
+  EXPECT_NEAR(moments.y2 / 0.3945181775, 1, 1e-7);
+  EXPECT_NEAR(moments.y4 / 0.4699403458, 1, 1e-6);
+  EXPECT_NEAR(moments.v2 / 0.4415122121, 1, 1e-7);
+  EXPECT_NEAR(moments.v4 / 0.6344508375, 1, 1e-6);
+}
+
+TEST(Polar, CasesTwoAndThreeAreOneProblem) {
+  const auto two = solve(paper_case(2), of_order(6)).solution;
+  const auto three = solve(paper_case(3), of_order(6)).solution;
+  EXPECT_NEAR(three.moments.y2 * 10 / two.moments.y2, 1, 1e-6);
+  EXPECT_NEAR(three.moments.v4 * 100 / two.moments.v4, 1, 1e-6);
+}
+
+// Impulses that are frequent and small are white noise: Q_n = -beta rho^2/2 and nothing else, up to
+// the next cumulant, which is of order 1/lambda.
+TEST(Polar, TendsToTheExactDensityOfWhiteNoise) {
+  const auto p = make_problem({.cubic = 0.7, .restitution = 1, .rate = 300, .intensity = 0.4});
+  const double beta = 2 * 0.1 / 0.4;
+  const auto [solution, summary] = solve(p, of_order(4));
+  EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+  for (const auto& [power, angle, a] : summary.coefficients) {
+    const double unit = std::pow(beta, -power / 2.0);
+    const double expected = power == 2 && angle == 0 ? -0.5 : 0;
+    EXPECT_NEAR(a * unit, expected, 1e-2) << "rho^" << power << " theta^" << angle;
+  }
+}
+
+// r = 1, any even potential: E[v^2] = lambda E[Y^2] / (2c), the mean of rho^2/2 being stationary.
+TEST(Polar, HasTheExactVelocityWithoutLosses) {
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    for (const double cubic : {0.0, 3.0}) {
+      const auto p = make_problem({.cubic = cubic, .restitution = 1, .law = law});
+      EXPECT_NEAR(solve(p, of_order(4)).solution.moments.v2, 0.5, 1e-6) << law << cubic;
+    }
+  }
+}
+
+// The linear process without losses, whose fourth moments are no members: they converge.
+TEST(Polar, ConvergesToTheExactMomentsOfTheLinearProcess) {
+  for (const char* law : {"gaussian", "laplace"}) {
+    const auto p = make_problem({.cubic = 0, .restitution = 1, .law = law});
+    const double y2 = problem::exact::linear_cumulant(p, 2, 0),
+                 v2 = problem::exact::linear_cumulant(p, 0, 2);
+    const double y4 = problem::exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2;
+    const double v4 = problem::exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2;
+    const auto moments = solve(p, of_order(8)).solution.moments;
+    EXPECT_NEAR(moments.y2 / y2, 1, 2e-5) << law;
+    EXPECT_NEAR(moments.y4 / y4, 1, 1e-4) << law;
+    EXPECT_NEAR(moments.v4 / v4, 1, 1e-4) << law;
+  }
+}
+
+// r from 0.5 to 1, lambda from 0.3 to 18, mu from 0 to 2, every law, means of either sign.
+TEST(Polar, FortyRandomProblemsConverge) {
+  std::mt19937_64 engine(2026);
+  const auto uniform = [&](double from, double to) {
+    return from + (to - from) * std::generate_canonical<double, 53>(engine);
+  };
+  const char* laws[] = {"gaussian", "laplace", "two_point", "uniform"};
+  for (int k = 0; k < 40; ++k) {
+    const double restitution = uniform(0.5, 1);
+    const double rate = 0.3 * std::pow(60, uniform(0, 1));
+    const double cubic = uniform(0, 2);
+    const double intensity = 0.1 * std::pow(10, uniform(0, 1));
+    const double mean = k % 2 == 0 ? 0 : uniform(-0.3, 0.3) * std::sqrt(intensity / rate);
+    const auto p = make_problem({.cubic = cubic,
+                                 .restitution = restitution,
+                                 .rate = rate,
+                                 .intensity = intensity,
+                                 .mean = mean,
+                                 .law = laws[k / 2 % 4]});
+    const auto [solution, summary] = solve(p, of_order(6));
+    EXPECT_EQ(solution.status, Status::ok)
+        << "problem " << k << ", r = " << restitution << ", lambda = " << rate << ", mu = " << cubic
+        << ", mean = " << mean << ": " << solution.reason;
+    EXPECT_LT(summary.residual, 1e-10) << k;
+    EXPECT_LT(std::abs(solution.energy_residual), 1e-4) << k;
+  }
+}
+
+TEST(Polar, ReportsTheOrderAtWhichItIsLost) {
+  auto options = of_order(8);
+  options.max_iterations = 1;
+  const auto [solution, summary] = solve(paper_case(4), options);
+  EXPECT_EQ(solution.status, Status::not_converged);
+  EXPECT_NE(solution.reason.find("lost at order"), std::string::npos) << solution.reason;
+  EXPECT_FALSE(solution.density.has_value());
+}
+
+TEST(Polar, SolvesTheJumpProcessOnly) {
+  auto options = of_order(6);
+  EXPECT_EQ(id(options), "epc-polar-n6");
+  options.equation = Equation::white;
+  EXPECT_THROW(validate(options), InputError);
+  options = of_order(6);
+  options.tail = moment::Tail::cut;
+  EXPECT_THROW(validate(options), InputError);
+  EXPECT_THROW(validate(of_order(14)), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc
