@@ -87,9 +87,9 @@ int study_order(const std::vector<std::string>& arguments, const std::string& co
       ("orders", po::value(&order_list)->value_name("LIST")->default_value("2,4,6,8,10,12"),
        "degrees n of the polynomial, even")(
           "formulations",
-          po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment"),
+          po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
           "as in the ids of solutions, without epc- and -nN: gaussian, gaussian-white, gaussian-kf, "
-          "moment, moment-cut, moment-white");
+          "moment, moment-cut, moment-white, polar");
   if (!parse(arguments, kUsage,
              with_common_options(own, common, "write study-order.json, .csv and a picture there"),
              common.cases)) {

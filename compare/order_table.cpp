@@ -58,7 +58,7 @@ std::vector<Column> columns(const Json& report) {
                                  number_text(row, "residual", "{:.0e}"),
                                  leading_form_text(row),
                                  edge_text(row),
-                                 number_text(row, "distance_to_previous", "{:.4f}"),
+                                 number_text(row, "distance_to_previous", "{:.5f}"),
                                  number_text(row, "l1_y", "{:.5f}"),
                                  number_text(row, "l1_ydot", "{:.5f}"),
                                  number_text(row, "tail_y", "{:.2f}"),

@@ -6,6 +6,16 @@
 
 namespace fpkcheck::mcs {
 
+/// How far from the truth chance takes a marginal, in L1.
+struct SamplingL1 {
+  double expected = 0;  ///< sum over bins of sqrt(2/pi) * standard error * width
+  double in_99 = 0;     ///< what 99 runs of 100 stay below: errors of neighbouring bins go together
+};
+
+/// The distance with the errors that chance gives to each bin.
+/// @param errors of the bins' probabilities, StreamWeights::errors: shape (bins, streams)
+SamplingL1 sampling_l1(const std::vector<std::vector<double>>& errors);
+
 /// Probabilities below the edges of the bins of a variable, of each stream.
 /// @return shape (streams, edges)
 std::vector<std::vector<double>> cumulative(const Simulation& simulation,
@@ -14,7 +24,7 @@ std::vector<std::vector<double>> cumulative(const Simulation& simulation,
 /// A marginal with what chance does to it.
 struct MarginalEstimate {
   transform::Marginal marginal;
-  double sampling_l1 = 0;  ///< expected L1 distance to the exact one
+  std::vector<std::vector<double>> errors;  ///< of the bins' probabilities, see sampling_l1
 };
 
 /// A marginal by its bins, from all samples of its variable, with pointwise 95 % intervals.

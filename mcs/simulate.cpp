@@ -61,7 +61,8 @@ double current_error(const Simulation& simulation) {
     error = std::max(error, e.standard_error / e.mean);
   }
   for (const auto variable : {transform::Variable::y, transform::Variable::ydot}) {
-    error = std::max(error, estimate_marginal(simulation, weights, variable, 1).sampling_l1);
+    const auto estimate = estimate_marginal(simulation, weights, variable, 1);
+    error = std::max(error, sampling_l1(estimate.errors).expected);
   }
   return error;
 }
@@ -168,10 +169,14 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   const auto marginal = [&](transform::Variable variable) {
     auto estimate = estimate_marginal(simulation, weights, variable, summary.effective_samples);
     solution.estimated_marginals.emplace_back(variable, std::move(estimate.marginal));
-    return estimate.sampling_l1;
+    return sampling_l1(estimate.errors);
   };
-  summary.sampling_l1_y = marginal(transform::Variable::y);
-  summary.sampling_l1_ydot = marginal(transform::Variable::ydot);
+  const SamplingL1 y = marginal(transform::Variable::y);
+  const SamplingL1 ydot = marginal(transform::Variable::ydot);
+  summary.sampling_l1_y = y.expected;
+  summary.sampling_l1_ydot = ydot.expected;
+  summary.sampling_l1_y_99 = y.in_99;
+  summary.sampling_l1_ydot_99 = ydot.in_99;
   auto joint = estimate_joint_density(simulation, weights);
   solution.mass = transform::mass(joint.density);
   solution.density = std::move(joint.density);

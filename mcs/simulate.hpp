@@ -102,6 +102,9 @@ struct Summary {
   /// sqrt(2/pi) * standard error * width.
   double sampling_l1_y = 0;
   double sampling_l1_ydot = 0;
+  /// What 99 runs of 100 stay below, by the streams' own scatter.
+  double sampling_l1_y_99 = 0;
+  double sampling_l1_ydot_99 = 0;
   double outside = 0;  ///< fraction of the samples beyond the histogram
   std::uint64_t seed = 0;
   int threads = 0;

@@ -47,20 +47,30 @@ int StreamWeights::degrees_of_freedom() const {
 
 Estimate StreamWeights::estimate(std::span<const double> values) const {
   const double x_bar = mean(values);
-  double weighted = 0, product = 0, weight_square = 0;
+  double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
     // As a correction to the plain mean: no loss of digits where all values are nearly the same.
     weighted += weights_[s] * (values[s] - x_bar);
+  }
+  double square = 0;
+  for (const double error : errors(values)) square += error * error;
+  return {x_bar + weighted, std::sqrt(square)};
+}
+
+std::vector<double> StreamWeights::errors(std::span<const double> values) const {
+  const double x_bar = mean(values);
+  double product = 0, weight_square = 0;
+  for (std::size_t s = 0; s < size(); ++s) {
     product += controls_[s] * values[s];
     weight_square += weights_[s] * weights_[s];
   }
   const double slope = control_square_ > 0 ? product / control_square_ : 0;
-  double residual_square = 0;
+  const double scale = std::sqrt(weight_square / degrees_of_freedom());
+  std::vector<double> result(size());
   for (std::size_t s = 0; s < size(); ++s) {
-    const double residual = values[s] - x_bar - slope * controls_[s];
-    residual_square += residual * residual;
+    result[s] = (values[s] - x_bar - slope * controls_[s]) * scale;
   }
-  return {x_bar + weighted, std::sqrt(residual_square / degrees_of_freedom() * weight_square)};
+  return result;
 }
 
 double StreamWeights::interval_factor() const {

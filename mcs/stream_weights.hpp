@@ -35,6 +35,10 @@ class StreamWeights {
   /// regression.
   Estimate estimate(std::span<const double> values) const;
 
+  /// What each stream adds to the error of that mean: numbers whose squares sum to the square of
+  /// the standard error, and whose products with those of other values sum to the covariance.
+  std::vector<double> errors(std::span<const double> values) const;
+
   /// The half-width of a 95 % interval, in standard errors (Student's t).
   double interval_factor() const;
 

@@ -97,6 +97,7 @@ class Search {
     Guess guess = linearised(problem_, coordinates_);
     bool solved = true;
     for (int n = 2; solved && n <= options_.order; n += 2) {
+      if (n == options_.order && n > 2) root_.previous = guess;
       solved = advance(guess, n);
       // At strong impact losses the linearised deviations are far too large.
       if (n == 2) solved = solved && advance(guess, n);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "epc/moment/newton.hpp"
@@ -31,6 +33,9 @@ struct Root {
   double quadrature_change = 0;
   moment::NewtonResult newton;  ///< at the order asked for, or the one that failed; all iterations
   double condition = 0;
+  /// Q_(n-2), up to a constant and to a rough tolerance; none for n = 2. Where
+  /// it would rise it falls like a Gaussian.
+  std::optional<std::function<double(double rho, double theta)>> previous;
   int homotopies = 0;   ///< how often damped Newton steps were lost and a homotopy was followed
   std::string failure;  ///< one sentence when there is no root
 };

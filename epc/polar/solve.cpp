@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "epc/panel_marginals.hpp"
 #include "epc/polar/search.hpp"
 #include "epc/polar/tail.hpp"
 #include "problem/energy_balance.hpp"
@@ -32,6 +33,26 @@ transform::SmoothDensity density_of(const Coordinates& coordinates, const Root& 
           .v_max = root.support};
 }
 
+// C exp(Q_(n-2)) on the box of another density, C such that it integrates to 1 there.
+double distance_to_previous(const Coordinates& coordinates, const Root& root,
+                            const PanelMarginals& marginals,
+                            const transform::SmoothDensity& density) {
+  const auto& q = *root.previous;
+  const double near_peak = q(0, 0);
+  PanelMarginals before = panel_marginals(
+      {.value =
+           [&](double y, double v) {
+             return std::exp(q(coordinates.rho(y, v), coordinates.theta(y, v)) - near_peak);
+           },
+       .y_max = density.y_max,
+       .v_max = density.v_max},
+      density.y_max, density.v_max);
+  for (auto* marginal : {&before.p_y, &before.p_v}) {
+    for (double& p : *marginal) p /= before.mass;
+  }
+  return distance(marginals, before);
+}
+
 }  // namespace
 
 Result solve(const problem::Problem& problem, const Options& options) {
@@ -49,8 +70,12 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (!root.failure.empty()) return result;
 
   const transform::SmoothDensity density = density_of(coordinates, root);
-  solution.mass = transform::expectation(density, [](double, double) { return 1.0; });
-  solution.moments = transform::moments(density);
+  const PanelMarginals marginals = panel_marginals(density, density.y_max, density.v_max);
+  solution.mass = marginals.mass;
+  solution.moments = marginals.moments;
+  if (root.previous) {
+    summary.distance_to_previous = distance_to_previous(coordinates, root, marginals, density);
+  }
   solution.energy_residual =
       problem::energy_residual(problem, problem::Impact::map,
                                {.mean_velocity = solution.moments.v1,
@@ -92,6 +117,13 @@ Result solve(const problem::Problem& problem, const Options& options) {
     solution.reason = fmt::format(
         "the density is {:.1e} of its peak where its confinement begins, or beyond (allowed {:.0e})",
         root.level_density, kLevelAllowed);
+    return result;
+  }
+  if (!(edge < Support::kEdgeAllowed)) {
+    solution.status = Status::inadmissible;
+    solution.reason =
+        fmt::format("the density is {:.1e} of its peak on the edge of its support (allowed {:.0e})",
+                    edge, Support::kEdgeAllowed);
     return result;
   }
   solution.status = Status::ok;
