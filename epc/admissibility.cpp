@@ -6,8 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "epc/panel_marginals.hpp"
-#include "problem/energy_balance.hpp"
+#include "epc/put_density.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "transform/zhuravlev.hpp"
 
@@ -89,9 +88,7 @@ void judge(const problem::Problem& problem, const Polynomial& q,
                      .cut_off = support.cut_off()};
 
   const transform::SmoothDensity density = density_of(q, support);
-  const PanelMarginals marginals = panel_marginals(density, density.y_max, density.v_max);
-  solution.mass = marginals.mass;
-  solution.moments = marginals.moments;
+  const PanelMarginals marginals = put_density(problem, problem::Impact::delta, density, solution);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const Support before(*previous, sigma);
@@ -101,12 +98,6 @@ void judge(const problem::Problem& problem, const Polynomial& q,
       distance_to_density_before = summary.distance_to_previous;
     }
   }
-  solution.energy_residual =
-      problem::energy_residual(problem, problem::Impact::delta,
-                               {.mean_velocity = solution.moments.v1,
-                                .mean_square_velocity = solution.moments.v2,
-                                .impact_energy_flux = transform::impact_flux(density, 3)});
-  solution.density = density;
   solution.reason = objection(support, form, solution, distance_to_density_before);
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }

@@ -9,8 +9,7 @@
 
 #include "epc/moment/search.hpp"
 #include "epc/moment/tail.hpp"
-#include "epc/panel_marginals.hpp"
-#include "problem/energy_balance.hpp"
+#include "epc/put_density.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {
@@ -89,20 +88,12 @@ Result solve(const problem::Problem& problem, const Options& options) {
 
   const Shape& shape = root.shape;
   const transform::SmoothDensity density = density_of(problem, shape, options.tail);
-  const PanelMarginals marginals = panel_marginals(density, density.y_max, density.v_max);
-  solution.mass = marginals.mass;
-  solution.moments = marginals.moments;
+  const PanelMarginals marginals = put_density(problem, problem::Impact::map, density, solution);
   if (root.previous) {
     const auto before = density_of(problem, *root.previous, options.tail);
     summary.distance_to_previous =
         distance(marginals, panel_marginals(before, density.y_max, density.v_max));
   }
-  solution.energy_residual =
-      problem::energy_residual(problem, problem::Impact::map,
-                               {.mean_velocity = solution.moments.v1,
-                                .mean_square_velocity = solution.moments.v2,
-                                .impact_energy_flux = transform::impact_flux(density, 3)});
-  solution.density = density;
   const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
   summary.condition = root.condition;
   summary.coefficients = shape.q.terms();

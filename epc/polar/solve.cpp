@@ -4,10 +4,9 @@
 
 #include <cmath>
 
-#include "epc/panel_marginals.hpp"
 #include "epc/polar/search.hpp"
 #include "epc/polar/tail.hpp"
-#include "problem/energy_balance.hpp"
+#include "epc/put_density.hpp"
 
 namespace fpkcheck::epc::polar {
 namespace {
@@ -70,18 +69,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (!root.failure.empty()) return result;
 
   const transform::SmoothDensity density = density_of(coordinates, root);
-  const PanelMarginals marginals = panel_marginals(density, density.y_max, density.v_max);
-  solution.mass = marginals.mass;
-  solution.moments = marginals.moments;
+  const PanelMarginals marginals = put_density(problem, problem::Impact::map, density, solution);
   if (root.previous) {
     summary.distance_to_previous = distance_to_previous(coordinates, root, marginals, density);
   }
-  solution.energy_residual =
-      problem::energy_residual(problem, problem::Impact::map,
-                               {.mean_velocity = solution.moments.v1,
-                                .mean_square_velocity = solution.moments.v2,
-                                .impact_energy_flux = transform::impact_flux(density, 3)});
-  solution.density = density;
   const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
   const double level = std::sqrt(2 * root.level);
   const double beyond =
