@@ -29,18 +29,22 @@ std::vector<std::vector<double>> sums_of(const Simulation& simulation,
 
 }  // namespace
 
+double expected_l1(const BinErrors& errors) {
+  double sum = 0;
+  for (const auto& bin : errors) {
+    sum += std::sqrt(2 / std::numbers::pi *
+                     std::inner_product(bin.begin(), bin.end(), bin.begin(), 0.0));
+  }
+  return sum;
+}
+
 // Multiplier bootstrap: what the streams added to the errors, each with a normal random factor, is
 // as likely to have been the error as the one that was made.
-SamplingL1 sampling_l1(const std::vector<std::vector<double>>& errors) {
+SamplingL1 sampling_l1(const BinErrors& errors) {
   constexpr int kReplicates = 400;
   constexpr std::uint64_t kSeed = 20240501;  // any; the same run reports the same number
-  SamplingL1 result;
+  SamplingL1 result{.expected = expected_l1(errors), .in_99 = 0};
   if (errors.empty()) return result;
-  for (const auto& bin : errors) {
-    double square = 0;
-    for (const double error : bin) square += error * error;
-    result.expected += std::sqrt(2 / std::numbers::pi * square);
-  }
   boost::random::mt19937_64 engine(kSeed);
   boost::random::normal_distribution<double> normal;
   std::vector<double> factors(errors.front().size()), distances;

@@ -6,15 +6,21 @@
 
 namespace fpkcheck::mcs {
 
+/// The errors that chance gives to each bin's probability, StreamWeights::errors: shape (bins,
+/// streams).
+using BinErrors = std::vector<std::vector<double>>;
+
+/// The expected L1 distance of a marginal from the truth: sum over bins of sqrt(2/pi) * standard
+/// error.
+double expected_l1(const BinErrors& errors);
+
 /// How far from the truth chance takes a marginal, in L1.
 struct SamplingL1 {
-  double expected = 0;  ///< sum over bins of sqrt(2/pi) * standard error * width
+  double expected = 0;  ///< expected_l1
   double in_99 = 0;     ///< what 99 runs of 100 stay below: errors of neighbouring bins go together
 };
 
-/// The distance with the errors that chance gives to each bin.
-/// @param errors of the bins' probabilities, StreamWeights::errors: shape (bins, streams)
-SamplingL1 sampling_l1(const std::vector<std::vector<double>>& errors);
+SamplingL1 sampling_l1(const BinErrors& errors);
 
 /// Probabilities below the edges of the bins of a variable, of each stream.
 /// @return shape (streams, edges)
@@ -24,7 +30,7 @@ std::vector<std::vector<double>> cumulative(const Simulation& simulation,
 /// A marginal with what chance does to it.
 struct MarginalEstimate {
   transform::Marginal marginal;
-  std::vector<std::vector<double>> errors;  ///< of the bins' probabilities, see sampling_l1
+  BinErrors errors;
 };
 
 /// A marginal by its bins, from all samples of its variable, with pointwise 95 % intervals.

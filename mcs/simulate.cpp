@@ -61,8 +61,8 @@ double current_error(const Simulation& simulation) {
     error = std::max(error, e.standard_error / e.mean);
   }
   for (const auto variable : {transform::Variable::y, transform::Variable::ydot}) {
-    const auto estimate = estimate_marginal(simulation, weights, variable, 1);
-    error = std::max(error, sampling_l1(estimate.errors).expected);
+    error =
+        std::max(error, expected_l1(estimate_marginal(simulation, weights, variable, 1).errors));
   }
   return error;
 }
