@@ -76,19 +76,33 @@ int epc_command(const std::vector<std::string>& arguments, const std::string& co
           "equation", po::value(&equation_name)->value_name("E"),
           "km4: the paper's series cut after the fourth derivative (gaussian's default); kf: the "
           "full jump integral (default of moment and polar); white: white noise")(
-          "monomials", po::value(&set_name)->value_name("SET")->default_value("point_symmetric"),
-          "of gaussian: point_symmetric: even total degrees, all that survive; general: every "
-          "degree")(
-          "tail", po::value(&tail_name)->value_name("T")->default_value("confined"),
-          "of moment: confined: a steep fixed term holds the exponent down where Q_n cannot be "
+          "monomials", po::value(&set_name)->value_name("SET"),
+          "of gaussian: point_symmetric (default): even total degrees, all that survive; general: "
+          "every degree")(
+          "tail", po::value(&tail_name)->value_name("T"),
+          "of moment: confined (default): a steep fixed term holds the exponent down where Q_n cannot be "
           "trusted; cut: Q_n alone, zero beyond");
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
   options.formulation = formulation(formulation_name);
   const bool gaussian = options.formulation == epc::Formulation::gaussian;
   if (equation_name.empty()) equation_name = gaussian ? "km4" : "kf";
   options.equation = equation(equation_name);
-  options.tail = tail(tail_name);
-  options.monomials = monomial_set(set_name);
+  if (!tail_name.empty()) {
+    if (options.formulation != epc::Formulation::moment) {
+      throw InputError(fmt::format("--tail with --formulation {} (it has no choice) leave it out",
+                                   formulation_name));
+    }
+    options.tail = tail(tail_name);
+  }
+  if (!set_name.empty()) {
+    if (options.formulation != epc::Formulation::gaussian) {
+      throw InputError(
+          fmt::format("--monomials with --formulation {} (it takes all of them) leave "
+                      "it out",
+                      formulation_name));
+    }
+    options.monomials = monomial_set(set_name);
+  }
   return solve_and_report(common, {compare::epc_method(options)}, 0, Required::all, command_line);
 }
 

@@ -14,8 +14,8 @@ Simulates the impact system itself: impulses at their exact times, impacts locat
 finding, independent streams whose differences give the standard errors and 95 % intervals.
 The same seed gives the same result, bit for bit, for any number of threads.
 
-Ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C ends it at
-once with what has been reached as the result; a second one ends the program.
+Ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C ends it within
+a second or so with what has been reached as the result; a second one ends the program.
 
 --tails splits the trajectories that reach high energies: densities down to 1e-8 of their peak
 and beyond, with intervals, in the time of a common run.

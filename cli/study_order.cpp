@@ -1,10 +1,14 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
+#include <string_view>
 
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
@@ -34,10 +38,33 @@ examples:
   fpkcheck study order case1 --formulations gaussian,gaussian-kf,moment,moment-cut
 )";
 
+constexpr std::string_view kFormulations[] = {
+    "gaussian", "gaussian-white", "gaussian-kf", "moment", "moment-cut", "moment-white", "polar"};
+
 std::vector<std::string> items(const std::string& list) {
   std::vector<std::string> result;
   std::istringstream stream(list);
   for (std::string item; std::getline(stream, item, ',');) result.push_back(item);
+  return result;
+}
+
+// Each once, as they come.
+template <class Item>
+void add(std::vector<Item>& list, const Item& item) {
+  if (std::ranges::find(list, item) == list.end()) list.push_back(item);
+}
+
+std::vector<std::string> formulations(const std::string& list) {
+  std::vector<std::string> result;
+  for (const auto& item : items(list)) {
+    if (std::ranges::find(kFormulations, item) == std::end(kFormulations)) {
+      throw InputError(fmt::format("--formulations {} ('{}' is none) use {}", list, item,
+                                   fmt::join(kFormulations, ", ")));
+    }
+    add(result, item);
+  }
+  if (result.empty())
+    throw InputError("--formulations: the list is empty (use one such as moment)");
   return result;
 }
 
@@ -50,7 +77,7 @@ std::vector<int> orders(const std::string& list) {
       throw InputError(
           fmt::format("--orders {} ('{}' is no number) use a list such as 2,4,6", list, item));
     }
-    result.push_back(order);
+    add(result, order);
   }
   if (result.empty()) throw InputError("--orders: the list is empty (use one such as 2,4,6)");
   return result;
@@ -89,7 +116,7 @@ int study_order(const std::vector<std::string>& arguments, const std::string& co
           "formulations",
           po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
           "as in the ids of solutions, without epc- and -nN: gaussian, gaussian-white, gaussian-kf, "
-          "moment, moment-cut, moment-white, polar");
+          "moment, moment-cut, moment-white, polar; moment-cut: the bare exponent, cut off");
   if (!parse(arguments, kUsage,
              with_common_options(own, common, "write study-order.json, .csv and a picture there"),
              common.cases)) {
@@ -97,7 +124,7 @@ int study_order(const std::vector<std::string>& arguments, const std::string& co
   }
   const auto problems = load_cases(common);
   if (problems.size() != 1) throw InputError("a study takes one case");
-  const compare::OrderStudyOptions options{items(formulation_list), orders(order_list)};
+  const compare::OrderStudyOptions options{formulations(formulation_list), orders(order_list)};
   if (common.out) compare::make_writable(*common.out);
 
   ProgressLine line(common.quiet);

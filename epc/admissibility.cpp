@@ -102,4 +102,29 @@ void judge(const problem::Problem& problem, const Polynomial& q,
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }
 
+std::string half_plane_objection(const transform::Solution& solution, const Summary& summary) {
+  constexpr double kBeyondAllowed = 1e-3;
+  // A Gaussian, n = 2, need not be near; later orders must.
+  const double distance_allowed = summary.order <= 4 ? kDistanceAllowed : kSettledDistance;
+  if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
+    return fmt::format(
+        "its mass is {:.5f} by panels over the support (allowed 1 +- {:.0e}): the density has a spike "
+        "that they miss, and moments and marginals with it",
+        solution.mass, kMassAllowed);
+  }
+  if (summary.moment && !(summary.moment->beyond_level <= kBeyondAllowed)) {
+    return fmt::format(
+        "about {:.1e} of the probability lies where the confinement of Q_n begins, or beyond "
+        "(allowed {:.0e}), which shapes it",
+        summary.moment->beyond_level, kBeyondAllowed);
+  }
+  if (summary.distance_to_previous && !(*summary.distance_to_previous <= distance_allowed)) {
+    return fmt::format(
+        "its marginals are L1 {:.2f} from those of order {} (allowed {:.1f}): the orders have not "
+        "settled",
+        *summary.distance_to_previous, summary.order - 2, distance_allowed);
+  }
+  return "";
+}
+
 }  // namespace fpkcheck::epc

@@ -15,4 +15,11 @@ namespace fpkcheck::epc {
 void judge(const problem::Problem& problem, const Polynomial& q,
            const std::optional<Polynomial>& previous, Result& result);
 
+/// Why a density on the half-plane that meets the moment equations is still not to be relied on;
+/// empty when there is no objection:
+///  - its mass, by a rule of its own, is not 1: moments and marginals would carry the error;
+///  - too much of it lies where the confinement begins, or beyond: that shapes it;
+///  - it is far from that of order n-2: the orders have not settled.
+std::string half_plane_objection(const transform::Solution& solution, const Summary& summary);
+
 }  // namespace fpkcheck::epc

@@ -7,8 +7,22 @@
 namespace fpkcheck::epc {
 namespace {
 
-// Panels per half-width: each covers about one standard deviation of a bell that fills the box.
-constexpr int kPanels = 8;
+std::vector<transform::WeightedPoint> half_line_points(double end, Panels panels) {
+  // Each covers about one standard deviation of a bell that fills the box.
+  constexpr int kEven = 8;
+  if (panels == Panels::even) return transform::panel_points(0.0, end, kEven);
+  constexpr int kGraded = 12;
+  constexpr double kGrading = 1.5;  // the last one is as wide as an even one
+  const auto edge = [&](int k) {
+    return end * std::pow(static_cast<double>(k) / kGraded, kGrading);
+  };
+  std::vector<transform::WeightedPoint> points;
+  for (int k = 0; k < kGraded; ++k) {
+    const auto panel = transform::panel_points(edge(k), edge(k + 1), 1);
+    points.insert(points.end(), panel.begin(), panel.end());
+  }
+  return points;
+}
 
 double distance(const std::vector<double>& p, const std::vector<double>& q,
                 const std::vector<double>& weights) {
@@ -19,12 +33,13 @@ double distance(const std::vector<double>& p, const std::vector<double>& q,
 
 }  // namespace
 
-PanelMarginals panel_marginals(const transform::SmoothDensity& density, double y_max,
-                               double v_max) {
-  const auto y_points = transform::panel_points(0.0, y_max, kPanels);
-  auto v_points = transform::panel_points(-v_max, 0.0, kPanels);
-  const auto upper = transform::panel_points(0.0, v_max, kPanels);
-  v_points.insert(v_points.end(), upper.begin(), upper.end());
+PanelMarginals panel_marginals(const transform::SmoothDensity& density, double y_max, double v_max,
+                               Panels panels) {
+  const auto y_points = half_line_points(y_max, panels);
+  auto v_points = half_line_points(v_max, panels);
+  for (std::size_t j = 0, half = v_points.size(); j < half; ++j) {
+    v_points.push_back({-v_points[j].at, v_points[j].weight});
+  }
 
   PanelMarginals result;
   result.p_v.assign(v_points.size(), 0.0);

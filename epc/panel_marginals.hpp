@@ -6,6 +6,10 @@
 
 namespace fpkcheck::epc {
 
+/// How the box is cut into panels: evenly, or the narrower the nearer to 0, where strong losses and
+/// rare impulses leave a spike.
+enum class Panels { even, graded };
+
 /// A density's marginals at the points of a composite Gauss-Legendre rule on
 /// [0, y_max] x [-v_max, 0] x [0, v_max], with what can be had from the same values.
 struct PanelMarginals {
@@ -16,7 +20,8 @@ struct PanelMarginals {
 };
 
 /// The box may be that of another density, so that two can be compared.
-PanelMarginals panel_marginals(const transform::SmoothDensity& density, double y_max, double v_max);
+PanelMarginals panel_marginals(const transform::SmoothDensity& density, double y_max, double v_max,
+                               Panels panels = Panels::even);
 
 /// L1 distance of p(y) plus that of p(y'), of marginals at the same points.
 double distance(const PanelMarginals& a, const PanelMarginals& b);

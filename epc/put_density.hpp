@@ -12,6 +12,7 @@ namespace fpkcheck::epc {
 /// @param impact by which impacts dissipate power in the equation solved
 /// @return the marginals, for comparison with another order's
 PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,
-                           const transform::SmoothDensity& density, transform::Solution& solution);
+                           const transform::SmoothDensity& density, transform::Solution& solution,
+                           Panels panels = Panels::even);
 
 }  // namespace fpkcheck::epc

@@ -40,7 +40,7 @@ struct Options {
   MonomialSet monomials = MonomialSet::point_symmetric;  ///< of the formulation gaussian
   Equation equation = Equation::km4;                     ///< moment: kf or white; polar: kf
   moment::Tail tail = moment::Tail::confined;            ///< of the formulation moment
-  /// On the largest projection (23), relative to the damping c; moment: on moment::size_of.
+  /// On the largest projection (23), relative to residual_unit; moment, polar: on moment::size_of.
   double tolerance = 1e-10;
   /// Of Newton's method: gaussian: plain steps from equivalent linearisation; moment: at each
   /// order.
@@ -88,8 +88,8 @@ struct Summary {
   std::optional<SupportSummary> support;
   std::optional<LeadingForm> leading_form;  ///< of Q_n
   /// How far the marginals are from those of the root of order n-2: the sum of the L1 distances of
-  /// p(y) and p(y'). A measure of the error at n-2, so rather more than that at n. Absent for n = 2
-  /// and when there is no such root.
+  /// p(y) and p(y'). Where the orders converge fast, about the error at n-2. Absent for n = 2 and
+  /// when there is no such root.
   std::optional<double> distance_to_previous;
   /// Of gaussian with `kf`: relative change of the scaled coefficients when the disc of
   /// JumpRemainder is a deviation smaller.
@@ -127,6 +127,10 @@ inline constexpr double kMassAllowed = 1e-4;
 /// order n-2 is itself a density. Good roots stay below 0.16 at n = 4, whose predecessor is a mere
 /// Gaussian, and below 0.04 from n = 6 on.
 inline constexpr double kDistanceAllowed = 0.3;
+
+/// The same for `moment` and `polar` from n = 6 on: whatever was further from a simulation than 0.2
+/// was further than this from order n-2.
+inline constexpr double kSettledDistance = 0.2;
 
 /// The fields of summary.json that belong to this solver.
 nlohmann::ordered_json to_json(const Summary& summary);

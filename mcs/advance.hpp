@@ -18,6 +18,7 @@ struct Motion {
   const BinFinder* v_bins;
   const Splitting* splitting = nullptr;  ///< none: every stream is one branch
   bool records = true;                   ///< false: for the burn-in
+  double shift = 0;                      ///< Excitation::shift
 };
 
 /// Moves streams on by a time, event by event: paper (1)-(2) itself, flights ending exactly at

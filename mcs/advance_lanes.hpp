@@ -31,7 +31,8 @@ void receive_impulse(const Motion& motion, Stream& stream) {
     if (turned(before, b.v)) stream.record.peaks[(*motion.y_bins)(b.y)] += counted;
     if (turned(b.v, before) && b.y > 0) stream.record.troughs[(*motion.y_bins)(b.y)] += counted;
     if (stream.whole()) ++stream.record.impulses;
-    stream.record.work += counted * (b.amplitude * (before + b.amplitude / 2));
+    stream.record.work +=
+        counted * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
   }
   const Impulse next = stream.source.next();
   b.until_impulse = next.waiting;

@@ -71,7 +71,12 @@ void write_checkpoint(const std::string& path, const std::string& fingerprint,
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("cannot read the checkpoint {}", path));
+  if (!file || !std::filesystem::is_regular_file(path)) {
+    throw InputError(
+        fmt::format("cannot read the checkpoint {} (there is no such file) name one that "
+                    "--checkpoint has written",
+                    path));
+  }
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!text.starts_with(kFirstLine)) {
     throw InputError(fmt::format("{} is no checkpoint of this version of fpkcheck mcs", path));

@@ -61,7 +61,9 @@ Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
           .law = law,
           .mean = impulses.law().mean(),
           .width = width,
-          .power = impulses.intensity() / 2};
+          .power = impulses.intensity() / 2,
+          .shift = 0,
+          .work = impulses.intensity() / 2};
 }
 
 Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval) {
@@ -72,7 +74,9 @@ Excitation white_excitation(const problem::ImpulseTrain& impulses, double interv
           .law = Excitation::Law::gaussian,
           .mean = mean,
           .width = std::sqrt(variance),
-          .power = impulses.intensity() / 2};
+          .power = impulses.intensity() / 2,
+          .shift = mean,
+          .work = (variance + mean * mean) / (2 * interval)};
 }
 
 void ImpulseSource::make_block() {
@@ -98,7 +102,9 @@ std::array<double, 2> ImpulseSource::standard_normals() const {
                           .law = Excitation::Law::gaussian,
                           .mean = 0,
                           .width = 1,
-                          .power = 0.5};
+                          .power = 0.5,
+                          .shift = 0,
+                          .work = 0.5};
   std::array<double, kBlock> waiting, amplitude;
   baseline::make_impulses(normal, u, waiting.data(), amplitude.data());
   return {amplitude[0], amplitude[1]};

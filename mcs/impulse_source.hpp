@@ -28,8 +28,12 @@ struct Excitation {
   double width;  ///< deviation (gaussian, two_point), scale (laplace) or half width (uniform)
 
   /// What the impulses bring on the average: lambda E[Y^2] / 2, as E[y'] = 0. (With a mean, even
-  /// kicks bring it but for terms of second order in the interval.)
+  /// kicks bring it but for terms of first order in the interval.)
   double power;
+  /// The work sum of (Y - shift) v + Y^2/2 has this expectation per unit time whatever the motion:
+  /// Poisson impulses see the stationary v, whose mean is 0 (shift 0), even ones do not (shift
+  /// E[Y]).
+  double shift, work;
 };
 
 /// The impulses of the problem, paper (3).

@@ -20,6 +20,8 @@ constexpr int kMostThreads = 1024;
 constexpr double kLongestStep =
     1.2;  // the series of order Flight::kOrder loses its accuracy beyond
 constexpr double kLongestWhiteStep = 0.5;
+constexpr double kShortestStep = 1e-4;
+constexpr double kMostSamples = 1e15;  // of a stream
 
 constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;    // standard deviations
@@ -33,6 +35,7 @@ constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less
 // or so, or an eighth of what was asked for if that is less.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
+constexpr double kMostEvents = 2e7;          // impulses and flights of a round, in all streams
 constexpr double kMostAutomaticTimes = 1e4;  // where samples or an error are asked for
 
 void validate_edges(const std::vector<double>& edges, std::string_view key) {
@@ -78,15 +81,13 @@ void validate(const Options& options) {
         "mcs.streams = {} (standard errors need {} to {} independent streams; use the default, {})",
         options.streams, kFewestStreams, kMostStreams, Options{}.streams));
   }
-  if (!(options.step >= 0 && options.step <= kLongestStep)) {
-    throw InputError(fmt::format("mcs.step = {} (must be in (0, {}] radians; use 0 for automatic)",
-                                 options.step, kLongestStep));
-  }
-  if (!(options.white_step >= 0 && options.white_step <= kLongestWhiteStep)) {
-    throw InputError(
-        fmt::format("mcs.white_step = {} (must be in (0, {}] radians; use 0 for automatic)",
-                    options.white_step, kLongestWhiteStep));
-  }
+  const auto validate_step = [](double step, double longest, std::string_view key) {
+    if (step == 0 || (step >= kShortestStep && step <= longest)) return;
+    throw InputError(fmt::format("mcs.{} = {} (must be {} to {} radians; use 0 for automatic)", key,
+                                 step, kShortestStep, longest));
+  };
+  validate_step(options.step, kLongestStep, "step");
+  validate_step(options.white_step, kLongestWhiteStep, "white_step");
   if (!std::isfinite(options.samples) || options.samples < 0) {
     throw InputError(
         fmt::format("mcs.samples = {} (must be a positive number; use 0 for as many "
@@ -117,30 +118,40 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
   const double time =
       options.time > 0 ? options.time : automatic * (open_ended ? kMostAutomaticTimes : 1);
   const double interval = 2 * std::numbers::pi / std::sqrt(linear.stiffness) / kSamplesPerPeriod;
-  const double round_time = std::min(automatic / kAutomaticRounds, time / kFewestRounds);
+  const Excitation excitation =
+      options.equation == Equation::white
+          ? white_excitation(problem.impulses,
+                             (options.white_step > 0 ? options.white_step : kAutomaticWhiteStep) /
+                                 std::sqrt(linear.stiffness))
+          : poisson_excitation(problem.impulses);
+  const double step = options.step > 0 ? options.step : kAutomaticStep;
+  const double events = 1 / excitation.interval + std::sqrt(linear.stiffness) / step;
+  const double round_time =
+      std::min({automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
   // Of a length that does not depend on the time asked for, unless that is short: so a longer
   // simulation can go on from the checkpoint of a shorter one.
   const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
   const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
-  const double kicks = options.white_step > 0 ? options.white_step : kAutomaticWhiteStep;
+  if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
+    throw InputError(fmt::format(
+        "mcs.time = {} (each of {} streams would take {:.0e} samples; at most {:.0e}) use less",
+        time, options.streams, samples * rounds, kMostSamples));
+  }
   const int threads = options.threads > 0 ? options.threads : available_threads();
-  return {
-      .streams = options.streams,
-      .threads = std::min(threads, options.streams),
-      .seed = options.seed,
-      .step = options.step > 0 ? options.step : kAutomaticStep,
-      .burn_in = kBurnIn / decay,
-      .sampling_interval = interval,
-      .samples_per_round = static_cast<std::uint64_t>(samples),
-      .rounds = static_cast<std::uint64_t>(rounds),
-      .displacement_deviation = s1,
-      .velocity_deviation = s2,
-      .excitation = options.equation == Equation::white
-                        ? white_excitation(problem.impulses, kicks / std::sqrt(linear.stiffness))
-                        : poisson_excitation(problem.impulses),
-      .y_bins =
-          bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
-      .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};
+  return {.streams = options.streams,
+          .threads = std::min(threads, options.streams),
+          .seed = options.seed,
+          .step = step,
+          .burn_in = kBurnIn / decay,
+          .sampling_interval = interval,
+          .samples_per_round = static_cast<std::uint64_t>(samples),
+          .rounds = static_cast<std::uint64_t>(rounds),
+          .displacement_deviation = s1,
+          .velocity_deviation = s2,
+          .excitation = excitation,
+          .y_bins =
+              bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
+          .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};
 }
 
 }  // namespace fpkcheck::mcs

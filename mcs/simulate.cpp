@@ -1,9 +1,14 @@
 #include "mcs/simulate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "mcs/checkpoint.hpp"
@@ -34,10 +39,10 @@ std::vector<double> moments(const Simulation& simulation, int p, int q) {
 
 /// Power that the impulses of each stream happened to bring beyond its expectation.
 std::vector<double> excess_powers(const Simulation& simulation) {
-  // Impulses come independently of the motion before them, so that their work sum (v Y + Y^2/2) has
-  // the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt; and E[v] = 0, since int v dt is the
+  // Impulses come independently of the motion before them, so that their work, Excitation::work,
+  // has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt; and E[v] = 0, since int v dt is the
   // change of y, which impacts leave alone.
-  const double expected = simulation.plan().excitation.power;
+  const double expected = simulation.plan().excitation.work;
   return each(simulation.streams(), [&](const StreamRecord& record) {
     return record.work / simulation.stream_time() - expected;
   });
@@ -64,7 +69,7 @@ double current_error(const Simulation& simulation) {
     error =
         std::max(error, expected_l1(estimate_marginal(simulation, weights, variable, 1).errors));
   }
-  return error;
+  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
 /// Goes on until what was asked for is reached.
@@ -76,29 +81,36 @@ std::string run(Simulation& simulation, const std::string& fingerprint, const Op
   const Plan& plan = simulation.plan();
   const bool asks_for_error = options.target_error > 0;
   const bool asks_for_samples = options.samples > 0;
+  if (!options.checkpoint.empty()) write_checkpoint(options.checkpoint, fingerprint, simulation);
   std::string unreached;
-  for (;;) {
+  for (bool first = true;; first = false) {
+    double fraction = static_cast<double>(simulation.rounds()) / static_cast<double>(plan.rounds);
+    if (simulation.rounds() > 0) {
+      const double error = asks_for_error || options.progress ? current_error(simulation) : 0;
+      const double samples = asks_for_samples ? effective_samples(simulation, 0, 2) : 0;
+      if (asks_for_error) fraction = std::max(fraction, square(options.target_error / error));
+      if (asks_for_samples) fraction = std::max(fraction, samples / options.samples);
+      const bool reached = (asks_for_error || asks_for_samples) &&
+                           (!asks_for_error || error <= options.target_error) &&
+                           (!asks_for_samples || samples >= options.samples);
+      if (options.progress && !first) {
+        options.progress({.fraction = std::min(fraction, 1.0), .error = error});
+      }
+      if (reached) break;
+    }
     if (simulation.rounds() >= plan.rounds) {
       if (asks_for_error || asks_for_samples) {
         unreached = "the time ended before the samples or the error asked for (give more --time)";
       }
       break;
     }
-    simulation.round();
-    double fraction = static_cast<double>(simulation.rounds()) / static_cast<double>(plan.rounds);
-    const double error = asks_for_error || options.progress ? current_error(simulation) : 0;
-    const double samples = asks_for_samples ? effective_samples(simulation, 0, 2) : 0;
-    if (asks_for_error) fraction = std::max(fraction, square(options.target_error / error));
-    if (asks_for_samples) fraction = std::max(fraction, samples / options.samples);
-    const bool reached = (asks_for_error || asks_for_samples) &&
-                         (!asks_for_error || error <= options.target_error) &&
-                         (!asks_for_samples || samples >= options.samples);
-    if (options.progress) options.progress({.fraction = std::min(fraction, 1.0), .error = error});
-    if (reached) break;
-    if (simulation.rounds() < plan.rounds && options.stop && options.stop()) {
+    if (simulation.rounds() > 0 && options.stop && options.stop()) {
       interrupted = true;
+      unreached = fmt::format("interrupted after {:.0f} % of what was asked for",
+                              100 * std::min(fraction, 1.0));
       break;
     }
+    simulation.round();
     if (!options.checkpoint.empty() && Clock::now() - written > kBetweenCheckpoints) {
       write_checkpoint(options.checkpoint, fingerprint, simulation);
       written = Clock::now();
@@ -163,6 +175,21 @@ void estimate_efficiency(const Simulation& simulation, Summary& summary) {
   summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
+/// Share of the samples beyond the bins.
+double outside(const Simulation& simulation, const StreamWeights& weights) {
+  const Plan& plan = simulation.plan();
+  const auto beyond = each(simulation.streams(), [&](const StreamRecord& record) {
+    const auto rows = record.histogram.row_sums();
+    const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
+    double inside = 0;
+    for (std::size_t i = 1; i <= plan.y_bins.bins(); ++i) {
+      for (std::size_t j = 1; j <= plan.v_bins.bins(); ++j) inside += record.histogram(i, j);
+    }
+    return all > 0 ? (all - inside) / all : 0.0;
+  });
+  return std::max(0.0, weights.estimate(beyond).mean);
+}
+
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
                         Result& result) {
   auto& [solution, summary] = result;
@@ -181,7 +208,7 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   solution.mass = transform::mass(joint.density);
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
-  summary.outside = std::max(0.0, 1 - solution.mass);
+  summary.outside = outside(simulation, weights);
   summary.y_quantiles = estimate_quantiles(simulation, weights, transform::Variable::y);
   summary.v_quantiles = estimate_quantiles(simulation, weights, transform::Variable::ydot);
   summary.crossings = estimate_crossings(simulation, weights);
@@ -209,11 +236,19 @@ void describe(const Simulation& simulation, Summary& summary) {
   }
 }
 
-void judge(transform::Solution& solution, const std::string& unreached) {
+void judge(const Summary& summary, transform::Solution& solution, const std::string& unreached) {
+  constexpr std::uint64_t kFewestImpulses = 10;  // of a stream
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
   solution.status = unreached.empty() ? transform::Status::ok : transform::Status::not_converged;
   solution.reason = unreached;
+  const auto streams = static_cast<std::uint64_t>(summary.streams);
+  if (summary.impulses < kFewestImpulses * streams) {
+    solution.status = transform::Status::not_converged;
+    solution.reason = fmt::format(
+        "only {} impulses came in {} streams (errors cannot be told from so few) give more --time",
+        summary.impulses, summary.streams);
+  }
   if (!finite || !(solution.mass > 0)) {
     solution.status = transform::Status::failed;
     solution.reason =
@@ -241,7 +276,7 @@ Result simulate(const problem::Problem& problem, const Options& options) {
     read_checkpoint(options.resume, identity, simulation);
   }
   Result result;
-  const std::string unreached = run(simulation, identity, options, result.summary.interrupted);
+  std::string unreached = run(simulation, identity, options, result.summary.interrupted);
 
   const StreamWeights weights(excess_powers(simulation));
   transform::Solution& solution = result.solution;
@@ -255,8 +290,15 @@ Result simulate(const problem::Problem& problem, const Options& options) {
   estimate_efficiency(simulation, result.summary);
   estimate_densities(simulation, weights, result);
   describe(simulation, result.summary);
-  if (splitting) result.summary.thresholds = splitting->thresholds();
-  judge(solution, unreached);
+  if (splitting) {
+    result.summary.thresholds = splitting->thresholds();
+    if (result.summary.thresholds.empty() && unreached.empty()) {
+      unreached =
+          "no energies were found at which to split, too few impulses in the pilot runs (simulate "
+          "without --tails, or with more --streams)";
+    }
+  }
+  judge(result.summary, solution, unreached);
   solution.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return result;
 }

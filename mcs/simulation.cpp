@@ -70,7 +70,8 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
               .sampling_interval = plan.sampling_interval,
               .y_bins = &plan.y_bins,
               .v_bins = &plan.v_bins,
-              .splitting = splitting} {
+              .splitting = splitting,
+              .shift = plan.excitation.shift} {
   for (int s = 0; s < plan.streams; ++s) {
     ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
     const auto normals = source.standard_normals();

@@ -36,7 +36,7 @@ struct StreamRecord {
   double samples = 0;
   double impacts = 0;
   double impact_energy = 0;    ///< sum of v^2 over impacts
-  double work = 0;             ///< of the impulses, sum of (v + Y)^2/2 - v^2/2
+  double work = 0;             ///< of the impulses, see Excitation::work
   std::uint64_t impulses = 0;  ///< of the stream itself, without its branches
   std::uint64_t flights = 0;
   /// Energies right after impulses, by the bins of the splitting; empty without.

@@ -18,6 +18,12 @@ double square_about(double centre, std::span<const double> values) {
   return sum;
 }
 
+// All the same but for rounding: there is nothing to control by.
+bool negligible(double square_about_mean, std::span<const double> values) {
+  constexpr double kRounding = 1e-12;
+  return square_about_mean <= square_about(0, values) * kRounding * kRounding;
+}
+
 }  // namespace
 
 StreamWeights::StreamWeights(std::span<const double> excess_powers)
@@ -28,7 +34,7 @@ StreamWeights::StreamWeights(std::span<const double> excess_powers)
   const auto correct = [&](std::span<const double> half, std::span<const double> other,
                            std::span<double> weights) {
     const double half_mean = mean(half), square = square_about(half_mean, half);
-    if (square == 0) return;
+    if (negligible(square, half)) return;
     const double scale = static_cast<double>(other.size()) / n * mean(other) / square;
     for (std::size_t s = 0; s < half.size(); ++s) weights[s] -= scale * (half[s] - half_mean);
   };
@@ -39,6 +45,7 @@ StreamWeights::StreamWeights(std::span<const double> excess_powers)
   const double b_bar = mean(excess_powers);
   for (const double b : excess_powers) controls_.push_back(b - b_bar);
   control_square_ = square_about(b_bar, excess_powers);
+  if (negligible(control_square_, excess_powers)) control_square_ = 0;
 }
 
 int StreamWeights::degrees_of_freedom() const {

@@ -12,8 +12,9 @@ namespace {
 constexpr double kRarest = 1e-10;
 constexpr double kFewestVisits = 1000;  // of branches, to set a threshold
 constexpr int kMostPilots = 30;
-constexpr double kPilotTime = 0.5;      // burn-ins
-constexpr double kLargestEnergy = 1e4;  // in units of sigma_2^2
+constexpr double kPilotTime = 0.5;                    // burn-ins, at least
+constexpr double kPilotImpulses = 8 * kFewestVisits;  // in all streams, at least
+constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
 
 }  // namespace
 
@@ -22,7 +23,10 @@ Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
   Plan pilot = plan;
   pilot.seed = ~plan.seed;  // numbers that no simulation of this seed uses
   pilot.samples_per_round =
-      static_cast<std::uint64_t>(kPilotTime * plan.burn_in / plan.sampling_interval) + 1;
+      static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *
+                                                                         plan.excitation.interval) /
+                                 plan.sampling_interval) +
+      1;
   std::vector<double> thresholds;
   for (int n = 0; n < kMostPilots; ++n) {
     const Splitting splitting(problem.system, thresholds, largest);

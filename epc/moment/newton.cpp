@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "problem/equivalent_linearisation.hpp"
+
 namespace fpkcheck::epc::moment {
 namespace {
 
@@ -15,10 +17,16 @@ constexpr double kLeastFraction = 1e-6;
 
 }  // namespace
 
-double size_of(const VectorXd& residual, const MatrixXd& covariance, double damping) {
+double rate_unit(const problem::Problem& problem) {
+  constexpr double kRounding = 1e-4;
+  const double frequency = std::sqrt(problem::equivalent_linearisation(problem).stiffness);
+  return std::max(problem.system.damping(), kRounding * frequency);
+}
+
+double size_of(const VectorXd& residual, const MatrixXd& covariance, double unit) {
   const Eigen::LLT<MatrixXd> factors(covariance);
   if (factors.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
-  return factors.matrixL().solve(residual).norm() / damping;
+  return factors.matrixL().solve(residual).norm() / unit;
 }
 
 double condition_of(const MatrixXd& jacobian, const MatrixXd& covariance) {
@@ -35,7 +43,7 @@ double length(const VectorXd& step, const MatrixXd& covariance) {
   return std::sqrt(step.dot(covariance * step));
 }
 
-NewtonResult newton(const Galerkin& equations, const VectorXd& start, double damping,
+NewtonResult newton(const Galerkin& equations, const VectorXd& start, double unit,
                     const NewtonOptions& options) {
   NewtonResult best{start, std::numeric_limits<double>::infinity(), 0, false};
   VectorXd a = start;
@@ -44,7 +52,7 @@ NewtonResult newton(const Galerkin& equations, const VectorXd& start, double dam
     if (!density.finite) break;
     const VectorXd residual = equations.residual(density);
     const MatrixXd metric = equations.covariance(density);
-    const double size = size_of(residual, metric, damping);
+    const double size = size_of(residual, metric, unit);
     if (!std::isfinite(size)) break;
     const bool polished = best.converged;
     if (size < best.residual) {

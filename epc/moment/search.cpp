@@ -23,9 +23,12 @@ constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
 // Where Q_n falls by this much without ever rising, the level lies there, and it does not matter.
 constexpr double kWholeDepth = 40;
 constexpr double kFarthestDeviations = 16;
+// Largest density at the level, relative to the peak, that needs no other level on the way.
+constexpr double kLevelAllowed = 1e-2;
 constexpr double kRoughTolerance = 1e-4;
 constexpr double kQuadratureTolerance = 1e-9;
 constexpr int kMostRefinements = 4;
+constexpr double kFurther = 1.05;  // of a level, to be worth another solve
 
 // Enough for a start of the next order.
 QuadratureSize rough_quadrature(int order) {
@@ -112,15 +115,15 @@ class Search {
 
   // Newton's method, and where it is lost the homotopy before it.
   NewtonResult solve(const Start& start, const NewtonOptions& newton_options) {
-    const double damping = problem_.system.damping();
-    NewtonResult result = newton(start.equations, start.a, damping, newton_options);
+    const double unit = rate_unit(problem_);
+    NewtonResult result = newton(start.equations, start.a, unit, newton_options);
     iterations_ += result.iterations;
     if (result.converged) return result;
     const HomotopyResult rescue = follow_homotopy(start.equations, start.a);
     ++root_.homotopies;
     iterations_ += rescue.steps;
     if (rescue.reached == 1) {
-      result = newton(start.equations, rescue.a, damping, newton_options);
+      result = newton(start.equations, rescue.a, unit, newton_options);
       iterations_ += result.iterations;
     }
     if (!result.converged) {
@@ -152,16 +155,27 @@ class Search {
     return shape;
   }
 
-  // Order n from the guess, well enough to start the next, in its place.
+  // Order n from the guess, well enough to start the next, in its place: by the first level at
+  // which the density has decayed, else by that at which it has most.
   bool advance(Shape& guess, int n) {
-    return std::ranges::any_of(kLevelDeviations, [&](double deviations) {
+    std::optional<Shape> best;
+    double least = 0;
+    for (const double deviations : kLevelDeviations) {
       const double level = level_of(guess, deviations);
       const Start start = start_of(guess, n, level, rough_quadrature(n));
       const NewtonResult result =
           solve(start, {.tolerance = kRoughTolerance, .max_iterations = options_.max_iterations});
-      if (result.converged) guess = shape_of(start.equations, result.a, level);
-      return result.converged;
-    });
+      if (!result.converged) continue;
+      const Shape found = shape_of(start.equations, result.a, level);
+      const double density = std::exp(largest_on_contour(found.q, problem_, level) - found.peak);
+      if (!best || density < least) {
+        best = found;
+        least = density;
+      }
+      if (density < kLevelAllowed) break;
+    }
+    if (best) guess = *best;
+    return best.has_value();
   }
 
   // The order asked for, to the tolerance: the level as far out as Q_n falls, else the first at
@@ -178,6 +192,13 @@ class Search {
     std::optional<Root> best;
     for (const double level : levels) {
       if (!refine(guess, level)) continue;
+      // What the rough guess still hid.
+      const Shape refined = root_.shape;
+      const Fall now = fall_of(refined.q, problem_, level, farthest, kWholeDepth);
+      if (now.reached && *now.reached > kFurther * level) {
+        const Root before = root_;
+        if (!refine(refined, *now.reached)) root_ = before;
+      }
       if (!best || root_.edge_density < best->edge_density) best = root_;
       if (best->edge_density < options_.edge_allowed) break;
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "epc/admissibility.hpp"
 #include "epc/moment/search.hpp"
 #include "epc/moment/tail.hpp"
 #include "epc/put_density.hpp"
@@ -80,6 +81,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                                         .edge_allowed = Support::kEdgeAllowed});
   Result result;
   auto& [solution, summary] = result;
+  summary.order = options.order;
   summary.iterations = root.newton.iterations;
   summary.residual = root.newton.residual;
   solution.status = Status::not_converged;
@@ -107,6 +109,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                     .quadrature_change = root.quadrature_change,
                     .homotopies = root.homotopies};
   if (!(root.quadrature_change < kQuadratureAllowed)) {
+    solution = {.method = {}, .equation = {}, .status = Status::not_converged};
     solution.reason = fmt::format(
         "more points of the quadrature would change Q_n by {:.1e} of a unit (allowed {:.0e}): "
         "the density has features that {} x {} points miss",
@@ -114,6 +117,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
     return result;
   }
   solution.reason = objection(root, *summary.leading_form);
+  if (solution.reason.empty()) solution.reason = half_plane_objection(solution, summary);
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
   return result;
 }

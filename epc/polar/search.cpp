@@ -210,7 +210,7 @@ class Search {
   moment::NewtonResult newton(const Equations& equations, const VectorXd& start, double tolerance,
                               bool polish) {
     const moment::NewtonResult result = moment::newton(
-        equations, start, problem_.system.damping(),
+        equations, start, moment::rate_unit(problem_),
         {.tolerance = tolerance, .max_iterations = options_.max_iterations, .polish = polish});
     iterations_ += result.iterations;
     return result;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "epc/admissibility.hpp"
 #include "epc/polar/search.hpp"
 #include "epc/polar/tail.hpp"
 #include "epc/put_density.hpp"
@@ -45,7 +46,7 @@ double distance_to_previous(const Coordinates& coordinates, const Root& root,
            },
        .y_max = density.y_max,
        .v_max = density.v_max},
-      density.y_max, density.v_max);
+      density.y_max, density.v_max, Panels::graded);
   for (auto* marginal : {&before.p_y, &before.p_v}) {
     for (double& p : *marginal) p /= before.mass;
   }
@@ -62,6 +63,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                                .max_iterations = options.max_iterations});
   Result result;
   auto& [solution, summary] = result;
+  summary.order = options.order;
   summary.iterations = root.newton.iterations;
   summary.residual = root.newton.residual;
   solution.status = Status::not_converged;
@@ -69,7 +71,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (!root.failure.empty()) return result;
 
   const transform::SmoothDensity density = density_of(coordinates, root);
-  const PanelMarginals marginals = put_density(problem, problem::Impact::map, density, solution);
+  const PanelMarginals marginals =
+      put_density(problem, problem::Impact::map, density, solution, Panels::graded);
   if (root.previous) {
     summary.distance_to_previous = distance_to_previous(coordinates, root, marginals, density);
   }
@@ -97,6 +100,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                     .quadrature_change = root.quadrature_change,
                     .homotopies = root.homotopies};
   if (!(root.quadrature_change < kQuadratureAllowed)) {
+    solution = {.method = {}, .equation = {}, .status = Status::not_converged};
     solution.reason = fmt::format(
         "half as many more points of the quadrature still changed Q_n by {:.1e} of a unit (allowed "
         "{:.0e}): the density or the law of the impulses has features that {} x {} points miss",
@@ -117,7 +121,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
                     edge, Support::kEdgeAllowed);
     return result;
   }
-  solution.status = Status::ok;
+  solution.reason = half_plane_objection(solution, summary);
+  solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
   return result;
 }
 

@@ -44,7 +44,9 @@ double probability_beyond(const Polynomial& q, const Coordinates& coordinates, d
   double density = 0;
   along_phases([&](double theta) {
     const double slope = coordinates.slope(coordinates.y(rho * std::cos(theta)));
-    density += std::exp(q(rho, theta) - log_normalisation) / slope * std::numbers::pi / kPhases;
+    const double share = std::abs(std::abs(theta) - std::numbers::pi / 2) < 1e-9 ? 0.5 : 1;
+    density += share * std::exp(q(rho, theta) - log_normalisation) / slope * std::numbers::pi /
+               (kPhases - 1);
   });
   return temperature * density;
 }

@@ -190,6 +190,14 @@ TEST(Moment, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   }
 }
 
+// Rates of the motion are 1; what damping of 1e-7 leaves of a residual is its rounding.
+TEST(Moment, ConvergesAtTheLeastDamping) {
+  const auto p = make_problem({.damping = 1e-7, .restitution = 1, .intensity = 1e-7});
+  const auto [solution, summary] = solve(p, of_order(8));
+  EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_NEAR(solution.moments.v2, 0.5, 1e-5);
+}
+
 TEST(Moment, SaysWhenACutDensityHasNotDecayedAtItsEdge) {
   auto options = of_order(4);
   options.tail = moment::Tail::cut;
