@@ -106,7 +106,7 @@ std::string run(Simulation& simulation, const std::string& fingerprint, const Op
     }
     if (simulation.rounds() > 0 && options.stop && options.stop()) {
       interrupted = true;
-      unreached = fmt::format("interrupted after {:.0f} % of what was asked for",
+      unreached = fmt::format("interrupted after {:.1f} % of what was asked for",
                               100 * std::min(fraction, 1.0));
       break;
     }

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 // in this order.
 constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
 // Where Q_n falls by this much without ever rising, the level lies there, and it does not matter.
-constexpr double kWholeDepth = 40;
+constexpr double kWholeDepth = 42;
 constexpr double kFarthestDeviations = 16;
 // Largest density at the level, relative to the peak, that needs no other level on the way.
 constexpr double kLevelAllowed = 1e-2;
