@@ -28,11 +28,9 @@ const Distances* distances_to_reference(const CaseReport& report, const std::str
   return nullptr;
 }
 
-Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
 Json tail_of(const Distances& distances) {
   for (const auto& decade : distances.log10_tail) {
-    if (std::abs(decade.from / kTailFrom - 1) < 1e-6) return or_null(decade.mean_abs);
+    if (std::abs(decade.from / kTailFrom - 1) < 1e-6) return decade.mean_abs;
   }
   return nullptr;
 }
@@ -44,7 +42,7 @@ Json row_of(const CaseReport& report, const Json& solution) {
   for (const auto variable : {Variable::y, Variable::ydot}) {
     const Distances* distances = distances_to_reference(report, id, variable);
     const auto suffix = std::string(transform::name(variable));
-    row["l1_" + suffix] = distances ? or_null(distances->l1) : Json();
+    row["l1_" + suffix] = distances ? Json(distances->l1) : Json();
     row["tail_" + suffix] = distances ? tail_of(*distances) : Json();
   }
   return row;
@@ -79,14 +77,14 @@ Json study_orders(const std::string& command, const problem::Problem& problem,
     if (solution.at("id") != kOrderStudyReference) continue;
     for (const char* key : {"id", "status", "reason", "seconds"}) reference[key] = solution.at(key);
   }
-  return {{"schema", kSummarySchema},
-          {"program", common.at("program")},
-          {"study", "order"},
-          {"name", of_case.at("name")},
-          {"system", of_case.at("system")},
-          {"impulse", of_case.at("impulse")},
-          {"reference", reference},
-          {"rows", rows}};
+  return with_null_for_non_finite({{"schema", kSummarySchema},
+                                   {"program", common.at("program")},
+                                   {"study", "order"},
+                                   {"name", of_case.at("name")},
+                                   {"system", of_case.at("system")},
+                                   {"impulse", of_case.at("impulse")},
+                                   {"reference", reference},
+                                   {"rows", rows}});
 }
 
 std::string order_csv(const Json& report) {

@@ -88,12 +88,14 @@ void judge(const problem::Problem& problem, const Polynomial& q,
                      .cut_off = support.cut_off()};
 
   const transform::SmoothDensity density = density_of(q, support);
-  const PanelMarginals marginals = put_density(problem, problem::Impact::delta, density, solution);
+  const transform::PanelMarginals marginals =
+      put_density(problem, problem::Impact::delta, density, solution);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const Support before(*previous, sigma);
     summary.distance_to_previous = distance(
-        marginals, panel_marginals(density_of(*previous, before), density.y_max, density.v_max));
+        marginals,
+        transform::panel_marginals(density_of(*previous, before), density.y_max, density.v_max));
     if (before.edge_ratio() < Support::kEdgeAllowed) {
       distance_to_density_before = summary.distance_to_previous;
     }
@@ -102,10 +104,11 @@ void judge(const problem::Problem& problem, const Polynomial& q,
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }
 
-std::string half_plane_objection(const transform::Solution& solution, const Summary& summary) {
+std::string half_plane_objection(int order, const transform::Solution& solution,
+                                 const Summary& summary) {
   constexpr double kBeyondAllowed = 1e-3;
   // A Gaussian, n = 2, need not be near; later orders must.
-  const double distance_allowed = summary.order <= 4 ? kDistanceAllowed : kSettledDistance;
+  const double distance_allowed = order <= 4 ? kDistanceAllowed : kSettledDistance;
   if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
     return fmt::format(
         "its mass is {:.5f} by panels over the support (allowed 1 +- {:.0e}): the density has a spike "
@@ -122,7 +125,7 @@ std::string half_plane_objection(const transform::Solution& solution, const Summ
     return fmt::format(
         "its marginals are L1 {:.2f} from those of order {} (allowed {:.1f}): the orders have not "
         "settled",
-        *summary.distance_to_previous, summary.order - 2, distance_allowed);
+        *summary.distance_to_previous, order - 2, distance_allowed);
   }
   return "";
 }

@@ -20,6 +20,8 @@ void judge(const problem::Problem& problem, const Polynomial& q,
 ///  - its mass, by a rule of its own, is not 1: moments and marginals would carry the error;
 ///  - too much of it lies where the confinement begins, or beyond: that shapes it;
 ///  - it is far from that of order n-2: the orders have not settled.
-std::string half_plane_objection(const transform::Solution& solution, const Summary& summary);
+/// @param order n
+std::string half_plane_objection(int order, const transform::Solution& solution,
+                                 const Summary& summary);
 
 }  // namespace fpkcheck::epc

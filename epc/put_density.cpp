@@ -2,10 +2,11 @@
 
 namespace fpkcheck::epc {
 
-PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,
-                           const transform::SmoothDensity& density, transform::Solution& solution,
-                           Panels panels) {
-  PanelMarginals marginals = panel_marginals(density, density.y_max, density.v_max, panels);
+transform::PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,
+                                      const transform::SmoothDensity& density,
+                                      transform::Solution& solution, transform::Panels panels) {
+  transform::PanelMarginals marginals =
+      transform::panel_marginals(density, density.y_max, density.v_max, panels);
   solution.density = density;
   solution.mass = marginals.mass;
   solution.moments = marginals.moments;

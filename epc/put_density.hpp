@@ -1,8 +1,8 @@
 #pragma once
 
-#include "epc/panel_marginals.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/problem.hpp"
+#include "transform/panel_marginals.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::epc {
@@ -11,8 +11,9 @@ namespace fpkcheck::epc {
 /// power.
 /// @param impact by which impacts dissipate power in the equation solved
 /// @return the marginals, for comparison with another order's
-PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,
-                           const transform::SmoothDensity& density, transform::Solution& solution,
-                           Panels panels = Panels::even);
+transform::PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,
+                                      const transform::SmoothDensity& density,
+                                      transform::Solution& solution,
+                                      transform::Panels panels = transform::Panels::even);
 
 }  // namespace fpkcheck::epc

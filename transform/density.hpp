@@ -43,9 +43,6 @@ double expectation(const SmoothDensity& density, const std::function<double(doub
 /// (2).
 double impact_flux(const SmoothDensity& density, int power);
 
-/// The moments of a density that integrates to 1.
-Moments moments(const SmoothDensity& density);
-
 /// A joint density on axes: averages of the function over the cells between the edges, by three
 /// Gauss-Legendre points a direction.
 /// @param y_edges increasing, from 0; v_edges increasing, with 0 among them (p may jump there)

@@ -9,45 +9,25 @@ namespace {
 // Panels per half-width: each covers about one standard deviation of a bell that fills the support.
 constexpr int kPanels = 8;
 
-// Calls visit(y, v, weight * density) at each point of the composite rule on the support.
-template <class Visit>
-void visit_points(const SmoothDensity& density, const Visit& visit) {
+}  // namespace
+
+double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g) {
   const auto y_points = panel_points(0.0, density.y_max, kPanels);
   auto v_points = panel_points(-density.v_max, 0.0, kPanels);
   const auto upper = panel_points(0.0, density.v_max, kPanels);
   v_points.insert(v_points.end(), upper.begin(), upper.end());
+  double sum = 0;
   for (const auto& [y, y_weight] : y_points) {
     for (const auto& [v, v_weight] : v_points) {
-      visit(y, v, y_weight * v_weight * density.value(y, v));
+      sum += g(y, v) * (y_weight * v_weight * density.value(y, v));
     }
   }
-}
-
-}  // namespace
-
-double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g) {
-  double sum = 0;
-  visit_points(density, [&](double y, double v, double mass) { sum += g(y, v) * mass; });
   return sum;
 }
 
 double impact_flux(const SmoothDensity& density, int power) {
   const auto integrand = [&](double v) { return std::pow(-v, power) * density.value(0, v); };
   return integrate_panels(integrand, -density.v_max, 0.0, kPanels);
-}
-
-Moments moments(const SmoothDensity& density) {
-  // One visit for all six: evaluating the density is what costs.
-  Moments m;
-  visit_points(density, [&](double y, double v, double mass) {
-    m.y1 += y * mass;
-    m.y2 += y * y * mass;
-    m.y4 += y * y * y * y * mass;
-    m.v1 += v * mass;
-    m.v2 += v * v * mass;
-    m.v4 += v * v * v * v * mass;
-  });
-  return m;
 }
 
 GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edges,

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "epc/moment/first_decayed.hpp"
 #include "epc/moment/homotopy.hpp"
 #include "epc/moment/tail.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -50,6 +52,12 @@ QuadratureSize refined(const QuadratureSize& size) {
 
 double level_of(const Shape& shape, double deviations) {
   return shape.temperature * deviations * deviations / 2;
+}
+
+std::vector<double> usual_levels(const Shape& shape) {
+  std::vector<double> levels;
+  for (const double deviations : kLevelDeviations) levels.push_back(level_of(shape, deviations));
+  return levels;
 }
 
 // The Gaussian to start from.
@@ -140,8 +148,8 @@ class Search {
     return result;
   }
 
-  Shape shape_of(const Equations& equations, const VectorXd& a, double level) const {
-    const auto density = equations.density(a);
+  Shape shape_of(const Equations& equations, const VectorXd& a, const Equations::Density& density,
+                 double level) const {
     const auto& [y, v, weight] = equations.points();
     Shape shape{.q = equations.basis().polynomial(a),
                 .temperature = density.mass.dot(v.cwiseAbs2()),
@@ -158,22 +166,16 @@ class Search {
   // Order n from the guess, well enough to start the next, in its place: by the first level at
   // which the density has decayed, else by that at which it has most.
   bool advance(Shape& guess, int n) {
-    std::optional<Shape> best;
-    double least = 0;
-    for (const double deviations : kLevelDeviations) {
-      const double level = level_of(guess, deviations);
+    const auto attempt = [&](double level) -> std::optional<std::pair<Shape, double>> {
       const Start start = start_of(guess, n, level, rough_quadrature(n));
       const NewtonResult result =
           solve(start, {.tolerance = kRoughTolerance, .max_iterations = options_.max_iterations});
-      if (!result.converged) continue;
-      const Shape found = shape_of(start.equations, result.a, level);
-      const double density = std::exp(largest_on_contour(found.q, problem_, level) - found.peak);
-      if (!best || density < least) {
-        best = found;
-        least = density;
-      }
-      if (density < kLevelAllowed) break;
-    }
+      if (!result.converged) return std::nullopt;
+      const Shape found =
+          shape_of(start.equations, result.a, start.equations.density(result.a), level);
+      return std::pair{found, std::exp(largest_on_contour(found.q, problem_, level) - found.peak)};
+    };
+    const auto best = first_decayed<Shape>(usual_levels(guess), kLevelAllowed, attempt);
     if (best) guess = *best;
     return best.has_value();
   }
@@ -182,27 +184,20 @@ class Search {
   // which the density has decayed at the edge.
   void finish(const Shape& guess) {
     const double farthest = level_of(guess, kFarthestDeviations);
-    const Fall fall =
-        fall_of(guess.q, problem_, level_of(guess, kLevelDeviations[0]), farthest, kWholeDepth);
-    std::vector<double> levels;
-    if (fall.reached) levels.push_back(*fall.reached);
-    for (const double deviations : kLevelDeviations) {
-      levels.push_back(level_of(guess, deviations));
-    }
-    std::optional<Root> best;
-    for (const double level : levels) {
-      if (!refine(guess, level)) continue;
+    std::vector<double> levels = usual_levels(guess);
+    const Fall fall = fall_of(guess.q, problem_, levels.front(), farthest, kWholeDepth);
+    if (fall.reached) levels.insert(levels.begin(), *fall.reached);
+    const auto attempt = [&](double level) -> std::optional<std::pair<Root, double>> {
+      if (!refine(guess, level)) return std::nullopt;
       // What the rough guess still hid.
-      const Shape refined = root_.shape;
-      const Fall now = fall_of(refined.q, problem_, level, farthest, kWholeDepth);
-      if (now.reached && *now.reached > kFurther * level) {
-        const Root before = root_;
-        if (!refine(refined, *now.reached)) root_ = before;
+      const Root rooted = root_;
+      const Fall now = fall_of(rooted.shape.q, problem_, level, farthest, kWholeDepth);
+      if (now.reached && *now.reached > kFurther * level && !refine(rooted.shape, *now.reached)) {
+        root_ = rooted;
       }
-      if (!best || root_.edge_density < best->edge_density) best = root_;
-      if (best->edge_density < options_.edge_allowed) break;
-    }
-    if (best) {
+      return std::pair{root_, root_.edge_density};
+    };
+    if (const auto best = first_decayed<Root>(levels, options_.edge_allowed, attempt)) {
       root_ = *best;
       root_.newton.iterations = iterations_;
     }
@@ -232,11 +227,11 @@ class Search {
     root_.newton = result;
     root_.newton.iterations = iterations_;
     root_.failure.clear();
-    root_.shape = shape_of(equations, result.a, level);
+    const auto density = equations.density(result.a);
+    root_.shape = shape_of(equations, result.a, density, level);
     const Shape& shape = root_.shape;
     root_.edge_density = std::exp(largest_on_contour(shape.q, problem_, shape.support) -
                                   shape.peak + confinement_of(level)(shape.support));
-    const auto density = equations.density(result.a);
     const MatrixXd jacobian = equations.jacobian(density);
     const MatrixXd covariance = equations.covariance(density);
     // On more points, is it still a root?

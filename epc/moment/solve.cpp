@@ -81,7 +81,6 @@ Result solve(const problem::Problem& problem, const Options& options) {
                                         .edge_allowed = Support::kEdgeAllowed});
   Result result;
   auto& [solution, summary] = result;
-  summary.order = options.order;
   summary.iterations = root.newton.iterations;
   summary.residual = root.newton.residual;
   solution.status = Status::not_converged;
@@ -90,11 +89,12 @@ Result solve(const problem::Problem& problem, const Options& options) {
 
   const Shape& shape = root.shape;
   const transform::SmoothDensity density = density_of(problem, shape, options.tail);
-  const PanelMarginals marginals = put_density(problem, problem::Impact::map, density, solution);
+  const transform::PanelMarginals marginals =
+      put_density(problem, problem::Impact::map, density, solution);
   if (root.previous) {
     const auto before = density_of(problem, *root.previous, options.tail);
     summary.distance_to_previous =
-        distance(marginals, panel_marginals(before, density.y_max, density.v_max));
+        distance(marginals, transform::panel_marginals(before, density.y_max, density.v_max));
   }
   const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
   summary.condition = root.condition;
@@ -117,7 +117,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
     return result;
   }
   solution.reason = objection(root, *summary.leading_form);
-  if (solution.reason.empty()) solution.reason = half_plane_objection(solution, summary);
+  if (solution.reason.empty())
+    solution.reason = half_plane_objection(options.order, solution, summary);
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
   return result;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "epc/moment/first_decayed.hpp"
 #include "epc/moment/homotopy.hpp"
 #include "epc/polar/tail.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -112,20 +113,14 @@ class Search {
   // the one at which it has most.
   bool advance(Guess& guess, int n) {
     constexpr int kLeastPoints = 16;
-    std::optional<Guess> best;
-    double least = 0;
-    for (const double level : levels_of(guess)) {
+    const auto attempt = [&](double level) -> std::optional<std::pair<Guess, double>> {
       const Equations equations = equations_of(guess, n, level, kLeastPoints);
       const auto result = solve(guess, equations, level, kRoughTolerance, false);
-      if (!result) continue;
+      if (!result) return std::nullopt;
       const Guess found = guess_of(equations, result->a);
-      const double density = level_density(found.q, level);
-      if (!best || density < least) {
-        best = found;
-        least = density;
-      }
-      if (density < kLevelAllowed) break;
-    }
+      return std::pair{found, level_density(found.q, level)};
+    };
+    const auto best = moment::first_decayed<Guess>(levels_of(guess), kLevelAllowed, attempt);
     if (best) guess = *best;
     return best.has_value();
   }
@@ -133,12 +128,13 @@ class Search {
   // The order asked for, to the tolerance, likewise.
   void finish(const Guess& start) {
     constexpr int kLeastPoints = 20;
-    std::optional<Root> best;
-    for (const double level : levels_of(start)) {
-      if (!refine(start, level, equations_of(start, options_.order, level, kLeastPoints))) continue;
-      if (!best || root_.level_density < best->level_density) best = root_;
-      if (best->level_density < kLevelAllowed) break;
-    }
+    const auto attempt = [&](double level) -> std::optional<std::pair<Root, double>> {
+      if (!refine(start, level, equations_of(start, options_.order, level, kLeastPoints))) {
+        return std::nullopt;
+      }
+      return std::pair{root_, root_.level_density};
+    };
+    const auto best = moment::first_decayed<Root>(levels_of(start), kLevelAllowed, attempt);
     if (!best) return;
     const int homotopies = root_.homotopies;
     root_ = *best;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 #include "epc/admissibility.hpp"
 #include "epc/polar/search.hpp"
@@ -35,22 +36,37 @@ transform::SmoothDensity density_of(const Coordinates& coordinates, const Root& 
 
 // C exp(Q_(n-2)) on the box of another density, C such that it integrates to 1 there.
 double distance_to_previous(const Coordinates& coordinates, const Root& root,
-                            const PanelMarginals& marginals,
+                            const transform::PanelMarginals& marginals,
                             const transform::SmoothDensity& density) {
   const auto& q = *root.previous;
   const double near_peak = q(0, 0);
-  PanelMarginals before = panel_marginals(
+  transform::PanelMarginals before = transform::panel_marginals(
       {.value =
            [&](double y, double v) {
              return std::exp(q(coordinates.rho(y, v), coordinates.theta(y, v)) - near_peak);
            },
        .y_max = density.y_max,
        .v_max = density.v_max},
-      density.y_max, density.v_max, Panels::graded);
+      density.y_max, density.v_max, transform::Panels::graded);
   for (auto* marginal : {&before.p_y, &before.p_v}) {
     for (double& p : *marginal) p /= before.mass;
   }
   return distance(marginals, before);
+}
+
+// @param edge largest density on the edge of the support, relative to the peak
+std::string objection(const Root& root, double edge) {
+  if (!(root.level_density < kLevelAllowed)) {
+    return fmt::format(
+        "the density is {:.1e} of its peak where its confinement begins, or beyond (allowed {:.0e})",
+        root.level_density, kLevelAllowed);
+  }
+  if (!(edge < Support::kEdgeAllowed)) {
+    return fmt::format(
+        "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e})", edge,
+        Support::kEdgeAllowed);
+  }
+  return "";
 }
 
 }  // namespace
@@ -63,7 +79,6 @@ Result solve(const problem::Problem& problem, const Options& options) {
                                .max_iterations = options.max_iterations});
   Result result;
   auto& [solution, summary] = result;
-  summary.order = options.order;
   summary.iterations = root.newton.iterations;
   summary.residual = root.newton.residual;
   solution.status = Status::not_converged;
@@ -71,8 +86,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (!root.failure.empty()) return result;
 
   const transform::SmoothDensity density = density_of(coordinates, root);
-  const PanelMarginals marginals =
-      put_density(problem, problem::Impact::map, density, solution, Panels::graded);
+  const transform::PanelMarginals marginals =
+      put_density(problem, problem::Impact::map, density, solution, transform::Panels::graded);
   if (root.previous) {
     summary.distance_to_previous = distance_to_previous(coordinates, root, marginals, density);
   }
@@ -107,21 +122,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
         root.quadrature_change, kQuadratureAllowed, root.quadrature.rho, root.quadrature.theta);
     return result;
   }
-  if (!(root.level_density < kLevelAllowed)) {
-    solution.status = Status::inadmissible;
-    solution.reason = fmt::format(
-        "the density is {:.1e} of its peak where its confinement begins, or beyond (allowed {:.0e})",
-        root.level_density, kLevelAllowed);
-    return result;
+  solution.reason = objection(root, edge);
+  if (solution.reason.empty()) {
+    solution.reason = half_plane_objection(options.order, solution, summary);
   }
-  if (!(edge < Support::kEdgeAllowed)) {
-    solution.status = Status::inadmissible;
-    solution.reason =
-        fmt::format("the density is {:.1e} of its peak on the edge of its support (allowed {:.0e})",
-                    edge, Support::kEdgeAllowed);
-    return result;
-  }
-  solution.reason = half_plane_objection(solution, summary);
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "epc/moment/homotopy.hpp"
+#include "epc/moment/jacobian_check.hpp"
 #include "epc/moment/newton.hpp"
 #include "paper_cases.hpp"
 
@@ -138,17 +139,7 @@ TEST(Equations, JacobianIsTheDerivativeOfTheResidual) {
     std::normal_distribution<double> normal(0, 0.05);
     VectorXd a = white_noise_exponent(p, equations);
     for (double& x : a) x += normal(engine);
-    const MatrixXd jacobian = equations.jacobian(equations.density(a));
-    const double h = 1e-5;
-    for (Eigen::Index k = 0; k < a.size(); ++k) {
-      const VectorXd e = h * VectorXd::Unit(a.size(), k);
-      const VectorXd difference = (equations.residual(equations.density(a + e)) -
-                                   equations.residual(equations.density(a - e))) /
-                                  (2 * h);
-      EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(),
-                1e-7 * (1 + difference.cwiseAbs().maxCoeff()))
-          << k;
-    }
+    tests::expect_jacobian_is_derivative(equations, a);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "epc/moment/energy_domain.hpp"
+#include "epc/moment/jacobian_check.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::polar {
@@ -132,17 +133,7 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   for (const double level : {std::numeric_limits<double>::infinity(), 8.0}) {
     const Equations equations = equations_of(p, 4, {24, 24}, moment::Confinement{level});
     const VectorXd a = some_density(p, equations);
-    const MatrixXd jacobian = equations.jacobian(equations.density(a));
-    const double h = 1e-5;
-    for (Eigen::Index k = 0; k < a.size(); ++k) {
-      const VectorXd e = h * VectorXd::Unit(a.size(), k);
-      const VectorXd difference = (equations.residual(equations.density(a + e)) -
-                                   equations.residual(equations.density(a - e))) /
-                                  (2 * h);
-      EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(),
-                1e-7 * (1 + difference.cwiseAbs().maxCoeff()))
-          << k;
-    }
+    tests::expect_jacobian_is_derivative(equations, a);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "transform/density.hpp"
 
-namespace fpkcheck::epc {
+namespace fpkcheck::transform {
 
 /// How the box is cut into panels: evenly, or the narrower the nearer to 0, where strong losses and
 /// rare impulses leave a spike.
@@ -16,14 +16,14 @@ struct PanelMarginals {
   std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the rule's points
   std::vector<double> weight_y, weight_v;
   double mass = 0;
-  transform::Moments moments = {};
+  Moments moments = {};
 };
 
 /// The box may be that of another density, so that two can be compared.
-PanelMarginals panel_marginals(const transform::SmoothDensity& density, double y_max, double v_max,
+PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
                                Panels panels = Panels::even);
 
 /// L1 distance of p(y) plus that of p(y'), of marginals at the same points.
 double distance(const PanelMarginals& a, const PanelMarginals& b);
 
-}  // namespace fpkcheck::epc
+}  // namespace fpkcheck::transform

@@ -1,24 +1,24 @@
-#include "epc/panel_marginals.hpp"
+#include "transform/panel_marginals.hpp"
 
 #include <cmath>
 
 #include "transform/panels.hpp"
 
-namespace fpkcheck::epc {
+namespace fpkcheck::transform {
 namespace {
 
-std::vector<transform::WeightedPoint> half_line_points(double end, Panels panels) {
+std::vector<WeightedPoint> half_line_points(double end, Panels panels) {
   // Each covers about one standard deviation of a bell that fills the box.
   constexpr int kEven = 8;
-  if (panels == Panels::even) return transform::panel_points(0.0, end, kEven);
+  if (panels == Panels::even) return panel_points(0.0, end, kEven);
   constexpr int kGraded = 12;
   constexpr double kGrading = 1.5;  // the last one is as wide as an even one
   const auto edge = [&](int k) {
     return end * std::pow(static_cast<double>(k) / kGraded, kGrading);
   };
-  std::vector<transform::WeightedPoint> points;
+  std::vector<WeightedPoint> points;
   for (int k = 0; k < kGraded; ++k) {
-    const auto panel = transform::panel_points(edge(k), edge(k + 1), 1);
+    const auto panel = panel_points(edge(k), edge(k + 1), 1);
     points.insert(points.end(), panel.begin(), panel.end());
   }
   return points;
@@ -33,7 +33,7 @@ double distance(const std::vector<double>& p, const std::vector<double>& q,
 
 }  // namespace
 
-PanelMarginals panel_marginals(const transform::SmoothDensity& density, double y_max, double v_max,
+PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
                                Panels panels) {
   const auto y_points = half_line_points(y_max, panels);
   auto v_points = half_line_points(v_max, panels);
@@ -72,4 +72,4 @@ double distance(const PanelMarginals& a, const PanelMarginals& b) {
   return distance(a.p_y, b.p_y, a.weight_y) + distance(a.p_v, b.p_v, a.weight_v);
 }
 
-}  // namespace fpkcheck::epc
+}  // namespace fpkcheck::transform

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace fpkcheck::epc::moment {
+
+/// Tries levels in their order: the first result whose density has decayed below what is allowed,
+/// else the one whose density has decayed most; none when every attempt is lost.
+/// @param attempt level -> optional pair of a result and its density at the place that matters,
+///   relative to the peak
+template <class Result, class Attempt>
+std::optional<Result> first_decayed(const std::vector<double>& levels, double allowed,
+                                    const Attempt& attempt) {
+  std::optional<std::pair<Result, double>> best;
+  for (const double level : levels) {
+    std::optional<std::pair<Result, double>> found = attempt(level);
+    if (!found) continue;
+    if (!best || found->second < best->second) best = std::move(found);
+    if (best->second < allowed) break;
+  }
+  if (!best) return std::nullopt;
+  return std::move(best->first);
+}
+
+}  // namespace fpkcheck::epc::moment
