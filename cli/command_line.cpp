@@ -5,7 +5,7 @@
 #include <iostream>
 #include <set>
 
-#include "compare/pictures.hpp"
+#include "compare/figure/pictures.hpp"
 #include "problem/case_file.hpp"
 #include "problem/input_error.hpp"
 

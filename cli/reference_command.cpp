@@ -7,7 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
-#include "compare/reference.hpp"
+#include "compare/reference/reference.hpp"
 #include "compare/run_directory.hpp"
 #include "problem/input_error.hpp"
 

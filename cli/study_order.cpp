@@ -15,10 +15,10 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
-#include "compare/drawing.hpp"
-#include "compare/order_study.hpp"
+#include "compare/figure/drawing.hpp"
 #include "compare/report.hpp"
 #include "compare/run_directory.hpp"
+#include "compare/study/order.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::cli {

@@ -9,9 +9,9 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
-#include "compare/regularisation_report.hpp"
 #include "compare/report.hpp"
 #include "compare/run_directory.hpp"
+#include "compare/study/regularisation.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::cli {

@@ -9,7 +9,7 @@
 #include "cli/solve_and_report.hpp"
 #include "compare/report.hpp"
 #include "compare/run_directory.hpp"
-#include "compare/transient_report.hpp"
+#include "compare/transient/report.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::cli {

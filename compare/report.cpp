@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "compare/pictures.hpp"
+#include "compare/figure/pictures.hpp"
 #include "compare/run_directory.hpp"
 #include "compare/summary.hpp"
 #include "compare/table.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/case_report.hpp"
+#include "compare/joint_density.hpp"
 #include "compare/marginals_csv.hpp"
 
 namespace fpkcheck::compare {
@@ -15,6 +16,7 @@ namespace fpkcheck::compare {
 struct SavedRun {
   nlohmann::ordered_json summary;
   std::vector<MarginalCurve> marginals;
+  std::vector<JointDensity> joints = {};
 };
 
 /// The summary as text. Bytes that are not UTF-8 (a file's name may have any) are replaced.

@@ -7,10 +7,10 @@
 #include <functional>
 #include <optional>
 
-#include "compare/columns.hpp"
 #include "compare/findings.hpp"
 #include "compare/summary_view.hpp"
-#include "compare/wrapped_text.hpp"
+#include "compare/text/columns.hpp"
+#include "compare/text/wrapped.hpp"
 
 namespace fpkcheck::compare {
 namespace {

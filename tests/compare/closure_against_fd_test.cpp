@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "compare/order_study.hpp"
+#include "compare/study/order.hpp"
 #include "compare/summary_view.hpp"
 #include "paper_cases.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "compare/findings.hpp"
 #include "compare/summary.hpp"
-#include "compare/wrapped_text.hpp"
+#include "compare/text/wrapped.hpp"
 #include "made_up_solutions.hpp"
 
 namespace fpkcheck::compare {

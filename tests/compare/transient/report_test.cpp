@@ -1,0 +1,182 @@
+#include "compare/transient/report.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <sstream>
+
+#include "paper_cases.hpp"
+#include "saved_run.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::contains;
+using tests::contents;
+
+// Five times on a grid of 4 x 6 cells, with numbers that can be told apart.
+TransientRun made_up_transient(int last = 4) {
+  TransientRun run{"fpkcheck fd it's --until 2", tests::make_problem(), {}, {}, {}};
+  run.problem.name = "it's a_{case}";
+  run.transient.until = 2;
+  run.transient.snapshots = last;
+  auto& result = run.result;
+  result.status = transform::Status::ok;
+  result.start_displacement = 0.5;
+  result.start_velocity = 0.25;
+  result.y_edges = {0, 0.5, 1, 2, 3};
+  result.v_edges = {-3, -2, -1, 0, 1, 2, 3};
+  for (int n = 0; n <= last; ++n) {
+    fd_fpk::Snapshot s{.time = 2.0 * n / last, .mass = 1};
+    s.moments.y2 = 10 + n;
+    for (int b = 0; b < 4; ++b) s.y.push_back(1.0 / (1 + b + n));
+    for (int b = 0; b < 6; ++b) s.v.push_back(0.1 * b + 0.01 * n);
+    result.snapshots.push_back(s);
+  }
+  return run;
+}
+
+/// A netCDF file opened for reading.
+class Opened {
+ public:
+  explicit Opened(const fs::path& path) {
+    EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &id_), NC_NOERR);
+  }
+  ~Opened() { nc_close(id_); }
+
+  std::vector<double> values(const char* name, std::size_t count) const {
+    std::vector<double> values(count);
+    EXPECT_EQ(nc_get_var_double(id_, variable(name), values.data()), NC_NOERR) << name;
+    return values;
+  }
+  std::string text(const char* of, const char* attribute) const {
+    const int variable_id = of == nullptr ? NC_GLOBAL : variable(of);
+    std::size_t length = 0;
+    EXPECT_EQ(nc_inq_attlen(id_, variable_id, attribute, &length), NC_NOERR) << attribute;
+    std::string text(length, ' ');
+    nc_get_att_text(id_, variable_id, attribute, text.data());
+    return text;
+  }
+  double number(const char* attribute) const {
+    double value = 0;
+    EXPECT_EQ(nc_get_att_double(id_, NC_GLOBAL, attribute, &value), NC_NOERR) << attribute;
+    return value;
+  }
+  std::vector<std::string> dimensions(const char* name) const {
+    int count = 0, ids[NC_MAX_VAR_DIMS];
+    nc_inq_var(id_, variable(name), nullptr, nullptr, &count, ids, nullptr);
+    std::vector<std::string> names;
+    for (int d = 0; d < count; ++d) {
+      char dimension[NC_MAX_NAME + 1];
+      nc_inq_dimname(id_, ids[d], dimension);
+      names.emplace_back(dimension);
+    }
+    return names;
+  }
+
+ private:
+  int variable(const char* name) const {
+    int variable = 0;
+    EXPECT_EQ(nc_inq_varid(id_, name, &variable), NC_NOERR) << name;
+    return variable;
+  }
+  int id_ = 0;
+};
+
+TEST(TransientReport, NetCdfHoldsTheMarginalsWithNamedAxes) {
+  const tests::TemporaryDirectory directory;
+  const TransientRun run = made_up_transient();
+  write_transient(directory.path(), run);
+  const Opened file(directory.path() / "transient.nc");
+
+  EXPECT_EQ(file.dimensions("p_y"), (std::vector<std::string>{"time", "y"}));
+  EXPECT_EQ(file.dimensions("p_ydot"), (std::vector<std::string>{"time", "ydot"}));
+  EXPECT_EQ(file.dimensions("y_bounds"), (std::vector<std::string>{"y", "bounds"}));
+  EXPECT_EQ(file.values("time", 5), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+  EXPECT_EQ(file.values("y", 4), (std::vector<double>{0.25, 0.75, 1.5, 2.5}));
+  EXPECT_EQ(file.values("y_bounds", 8), (std::vector<double>{0, 0.5, 0.5, 1, 1, 2, 2, 3}));
+  EXPECT_EQ(file.values("ydot", 6).front(), -2.5);
+  EXPECT_EQ(file.values("p_y", 20)[4 * 3 + 2], 1.0 / 6);                // n = 3, b = 2
+  EXPECT_EQ(file.values("p_ydot", 30)[6 * 4 + 5], 0.1 * 5 + 0.01 * 4);  // n = 4, b = 5
+  EXPECT_EQ(file.values("y2", 5), (std::vector<double>{10, 11, 12, 13, 14}));
+
+  for (const char* variable : {"time", "y", "ydot", "p_y", "p_ydot", "y2", "energy"}) {
+    EXPECT_EQ(file.text(variable, "units"), "1");
+    EXPECT_FALSE(file.text(variable, "long_name").empty());
+  }
+  EXPECT_EQ(file.text("ydot", "bounds"), "ydot_bounds");
+  EXPECT_EQ(file.text(nullptr, "Conventions"), "CF-1.8");
+  EXPECT_EQ(file.text(nullptr, "command"), "fpkcheck fd it's --until 2");
+  EXPECT_EQ(file.text(nullptr, "impulse_law"), "gaussian");
+  EXPECT_EQ(file.number("restitution"), 0.98);
+}
+
+TEST(TransientReport, PictureIsDrawnOfBothMarginals) {
+  if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  const auto warnings = write_transient(directory.path(), made_up_transient(600));
+  ASSERT_TRUE(warnings.empty()) << warnings.front();
+  const fs::path stem = directory.path() / "figures" / "transient-it_s_a__case_";
+  EXPECT_TRUE(contents(stem.string() + ".png").starts_with("\x89PNG\r\n\x1a\n"));
+  const std::string svg = contents(stem.string() + ".svg");
+  for (const char* text : {"it's a_{case}: c = 0.1", "(a) displacement", "(b) velocity"}) {
+    EXPECT_TRUE(contains(svg, text)) << text;
+  }
+}
+
+TEST(TransientReport, WithoutGnuplotIsAWarningAndLeavesTheScript) {
+  const tests::TemporaryDirectory directory;
+  const auto warnings = write_transient(directory.path(), made_up_transient(), "no-such-gnuplot");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings.front(), "'no-such-gnuplot' was not found")) << warnings.front();
+  EXPECT_TRUE(fs::exists(directory.path() / "transient.nc"));
+  EXPECT_TRUE(fs::exists(directory.path() / "figures" / "transient-it_s_a__case_.gp"));
+}
+
+TEST(TransientReport, AFileThatCannotBeWrittenStaysAsItWas) {
+  const tests::TemporaryDirectory directory;
+  fs::create_directories(directory.path() / "transient.nc" / "occupied");
+  EXPECT_THROW(write_transient(directory.path(), made_up_transient()), std::runtime_error);
+  EXPECT_EQ(directory.entries(), std::vector<std::string>{"transient.nc"});
+}
+
+TEST(TransientReport, NothingStaysOfAnEarlierRunWhereThereIsNoDensity) {
+  const tests::TemporaryDirectory directory;
+  TransientRun run = made_up_transient();
+  write_transient(directory.path(), run);
+  run.result.snapshots.clear();
+  EXPECT_EQ(write_transient(directory.path(), run).size(), 1u);
+  EXPECT_FALSE(fs::exists(directory.path() / "transient.nc"));
+  EXPECT_TRUE(fs::is_empty(directory.path() / "figures"));
+}
+
+TEST(TransientReport, TableFitsEightyColumnsAndIsThinnedEvenly) {
+  for (const int last : {1, 4, 24, 25, 1000}) {
+    TransientRun run = made_up_transient(last);
+    run.result.status = transform::Status::inadmissible;
+    run.result.reason = "at t = 1 the density is negative";
+    run.result.snapshots.back().moments.v1 = -123.4567;
+    std::istringstream lines(transient_table(run, 80));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_LE(count, 24 + 10);
+    EXPECT_TRUE(contains(transient_table(run, 80), "inadmissible: at t = 1"));
+  }
+}
+
+TEST(TransientReport, JsonHasEverySnapshotAndNoInfinities) {
+  TransientRun run = made_up_transient();
+  run.result.snapshots[2].power_residual = HUGE_VAL;
+  const auto json = transient_json(run);
+  EXPECT_EQ(json.at("schema"), 1);
+  EXPECT_EQ(json.at("case").at("system").at("restitution"), 0.98);
+  EXPECT_EQ(json.at("start").at("ydot"), 0.25);
+  ASSERT_EQ(json.at("snapshots").size(), 5u);
+  EXPECT_EQ(json.at("snapshots").at(3).at("moments").at("y2"), 13);
+  EXPECT_TRUE(json.at("snapshots").at(2).at("power_residual").is_null());
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare
