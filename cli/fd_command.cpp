@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/solve_and_report.hpp"
@@ -27,16 +28,6 @@ examples:
   fpkcheck fd case4 --stepper direct --order 7 --refinement 1.5
   fpkcheck fd case1 --until 20 --snapshots 80 --out transient    (the density over time)
 )";
-
-template <class Enum>
-Enum choice(const std::string& value, const char* option, std::initializer_list<Enum> known) {
-  std::string names;
-  for (const Enum e : known) {
-    if (value == name(e)) return e;  // fd_fpk::name or problem::name, by the enum's namespace
-    names += (names.empty() ? "" : ", ") + std::string(name(e));
-  }
-  throw InputError(fmt::format("{} {} (use one of {})", option, value, names));
-}
 
 // Boost.Program_options fills std::optional only through a notifier.
 template <class T>

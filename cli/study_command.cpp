@@ -13,10 +13,12 @@ namespace {
 constexpr const char* kUsage = R"(usage: fpkcheck study SUBJECT CASE [options]
 
 subjects (fpkcheck study SUBJECT --help explains each):
+  grid            finite differences over the grid: observed orders, limits, and the error of all
+                  methods against their cost
   order           closures over the order of their polynomial: which converge, to what, at what cost
   regularisation  the series cut after the fourth derivative on finer and finer velocity steps
 )";
-constexpr const char* kSubjects = "order or regularisation";
+constexpr const char* kSubjects = "grid, order or regularisation";
 
 bool asks_for_help(const std::string& argument) { return argument == "--help" || argument == "-h"; }
 
@@ -34,6 +36,7 @@ int study_command(const std::vector<std::string>& arguments, const std::string& 
         fmt::format("study of what? (the subject comes first: {}; --help explains)", kSubjects));
   }
   const std::vector<std::string> rest(subject + 1, arguments.end());
+  if (*subject == "grid") return study_grid(rest, command_line);
   if (*subject == "order") return study_order(rest, command_line);
   if (*subject == "regularisation") return study_regularisation(rest, command_line);
   throw InputError(

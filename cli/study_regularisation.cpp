@@ -1,12 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/put_study.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
 #include "compare/report.hpp"
@@ -45,41 +42,26 @@ bool reached(const fd_fpk::RegularisationStudy& study, const problem::Problem& p
 
 int study(const CommonArguments& common, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto problems = load_cases(common);
-  if (problems.size() != 1) throw InputError("a study takes one case");
-  if (common.out) compare::make_writable(*common.out);
+  const auto problem = case_of_study(common);
 
   ProgressLine line(common.quiet);
-  const auto study = fd_fpk::study_regularisation(problems[0], {}, [&](int row, int rows) {
+  const auto study = fd_fpk::study_regularisation(problem, {}, [&](int row, int rows) {
     line.show({.done = static_cast<std::size_t>(row),
                .total = static_cast<std::size_t>(rows),
-               .case_name = problems[0].name,
+               .case_name = problem.name,
                .method = "regularisation",
                .fraction = 0});
   });
   line.clear();
 
-  const auto report = compare::regularisation_report(command_line, problems[0], study);
-  if (common.json) {
-    fmt::print("{}\n", compare::json_text(report));
-  } else if (!common.quiet) {
-    fmt::print("{}", compare::regularisation_table(report, table_width()));
-  }
-  if (common.out) {
-    const std::filesystem::path directory = *common.out;
-    compare::write_file(directory / "study-regularisation.json", compare::json_text(report) + '\n');
-    compare::write_file(directory / "study-regularisation.csv",
-                        compare::regularisation_csv(report));
-  }
-  if (!common.quiet && !common.json) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    fmt::print("\n{}{:.1f} s.\n",
-               common.out
-                   ? fmt::format("Wrote study-regularisation.json and .csv to {} in ", *common.out)
-                   : "Done in ",
-               elapsed.count());
-  }
-  return reached(study, problems[0]) ? kDone : kNotReached;
+  const auto report = compare::regularisation_report(command_line, problem, study);
+  put_study(common,
+            {.stem = "study-regularisation",
+             .report = report,
+             .table = compare::regularisation_table(report, table_width()),
+             .csv = compare::regularisation_csv(report)},
+            begin);
+  return reached(study, problem) ? kDone : kNotReached;
 }
 
 }  // namespace

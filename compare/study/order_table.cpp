@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <vector>
@@ -113,6 +114,17 @@ std::string branch_sentence(const Json& row) {
       100 * row.at("branch").at("furthest").get<double>(), end_of(row.at("branch")));
 }
 
+// By how much each two orders more bring a formulation nearer, on average: a closure that
+// converges does so geometrically, so that an exponent of n would say nothing.
+std::string fall_sentence(const Json& first, const Json& last) {
+  const double steps = (last.at("order").get<int>() - first.at("order").get<int>()) / 2.0;
+  const auto factor = [&](const char* key) {
+    return std::pow(*number(first, key) / *number(last, key), 1 / steps);
+  };
+  return fmt::format(" On average n + 2 divides it by {:.1f} and {:.1f}.", factor("l1_y"),
+                     factor("l1_ydot"));
+}
+
 // What a formulation's orders are worth: its rows that are ok.
 std::string convergence_sentence(const std::string& formulation,
                                  const std::vector<const Json*>& rows) {
@@ -135,12 +147,13 @@ std::string convergence_sentence(const std::string& formulation,
     return text + fmt::format(": L1 {:.2g} in p(y), {:.2g} in p(y').", *number(first, "l1_y"),
                               *number(first, "l1_ydot"));
   }
-  return text + fmt::format(
-                    "; from n = {} to {} the L1 distance goes from {:.2g} to {:.2g} in p(y) "
-                    "and from {:.2g} to {:.2g} in p(y').",
-                    first.at("order").get<int>(), last.at("order").get<int>(),
-                    *number(first, "l1_y"), *number(last, "l1_y"), *number(first, "l1_ydot"),
-                    *number(last, "l1_ydot"));
+  return text +
+         fmt::format(
+             "; from n = {} to {} the L1 distance goes from {:.2g} to {:.2g} in p(y) "
+             "and from {:.2g} to {:.2g} in p(y').",
+             first.at("order").get<int>(), last.at("order").get<int>(), *number(first, "l1_y"),
+             *number(last, "l1_y"), *number(first, "l1_ydot"), *number(last, "l1_ydot")) +
+         fall_sentence(first, last);
 }
 
 constexpr const char* kLegend =

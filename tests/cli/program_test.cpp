@@ -93,7 +93,10 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"report"}, "one directory"},
       {{"study"}, "study of what"},
       {{"study", "colour", "case1"},
-       "'colour' is no subject of a study (use order or regularisation"},
+       "'colour' is no subject of a study (use grid, order or regularisation"},
+      {{"study", "grid", "case1", "--levels", "2"}, "--levels 2"},
+      {{"study", "grid", "case1", "--orders", "5,x"}, "'x' is no number"},
+      {{"study", "grid", "case1", "--equation", "km5"}, "--equation km5 (use one of white, km4"},
       {{"study", "regularisation"}, "no case"},
       {{"study", "regularisation", "case1", "case2"}, "one case"},
   };
