@@ -1,11 +1,39 @@
 #include "cli/progress_line.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
 
 namespace fpkcheck::cli {
+namespace {
+
+// Of the terminal on standard error; a line that wrapped could not be erased.
+std::size_t terminal_width() {
+  constexpr std::size_t kUsual = 80;
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
+}
+
+std::string duration_text(double seconds) {
+  return seconds < 100 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
+
+}  // namespace
+
+std::string progress_text(const compare::RunProgress& progress, double seconds,
+                          double method_seconds) {
+  constexpr double kEnoughToTell = 0.02;
+  const double fraction = progress.fraction;
+  std::string text = fmt::format("[{}/{}] {}  {} {}", progress.done, progress.total,
+                                 duration_text(seconds), progress.case_name, progress.method);
+  if (fraction > 0 && fraction < 1) text += fmt::format(" {:.0f} %", 100 * fraction);
+  if (fraction > kEnoughToTell && fraction < 1) {
+    text += fmt::format(", {} left", duration_text(method_seconds * (1 - fraction) / fraction));
+  }
+  return progress.note.empty() ? text : text + "  " + progress.note;
+}
 
 ProgressLine::ProgressLine(bool silent) : active_(!silent && isatty(STDERR_FILENO) == 1) {}
 
@@ -13,13 +41,12 @@ ProgressLine::~ProgressLine() { clear(); }
 
 void ProgressLine::show(const compare::RunProgress& progress) {
   if (!active_) return;
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  const std::string part = progress.fraction > 0 && progress.fraction < 1
-                               ? fmt::format(" {:3.0f} %", 100 * progress.fraction)
-                               : "";
-  fmt::print(stderr, "\r\033[K[{}/{}] {:.0f} s  {} {}{}{}{}", progress.done, progress.total,
-             elapsed.count(), progress.case_name, progress.method, part,
-             progress.note.empty() ? "" : "  ", progress.note);
+  const auto now = std::chrono::steady_clock::now();
+  const auto began = began_.try_emplace({progress.case_name, progress.method}, now).first->second;
+  const std::chrono::duration<double> elapsed = now - begin_, of_method = now - began;
+  fmt::print(
+      stderr, "\r\033[K{}",
+      progress_text(progress, elapsed.count(), of_method.count()).substr(0, terminal_width() - 1));
   std::fflush(stderr);
   shown_ = true;
 }

@@ -1,10 +1,20 @@
 #pragma once
 
 #include <chrono>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "compare/run_cases.hpp"
 
 namespace fpkcheck::cli {
+
+/// Where a run stands, in words: how many solutions are done, the time so far, the method at work
+/// with its share done and, once that can be told, the time it has left.
+/// @param seconds since the run began
+/// @param method_seconds since this method began on this case
+std::string progress_text(const compare::RunProgress& progress, double seconds,
+                          double method_seconds);
 
 /// One line on standard error that is rewritten as a run proceeds; silent when standard error is
 /// not a terminal or when told to be.
@@ -23,6 +33,8 @@ class ProgressLine {
   bool shown_ = false;
   bool active_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  /// When a method began on a case: several run side by side.
+  std::map<std::pair<std::string, std::string>, std::chrono::steady_clock::time_point> began_;
 };
 
 }  // namespace fpkcheck::cli
