@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
@@ -29,11 +31,18 @@ bool reached(const std::vector<compare::CaseReport>& cases, Required required) {
 
 }  // namespace
 
-std::size_t table_width() {
+compare::TextFormat terminal_format() {
   constexpr std::size_t kNarrowest = 80, kWidest = 100;
+  const auto is = [](const char* variable, auto condition) {
+    const char* const value = std::getenv(variable);
+    return value != nullptr && condition(std::string_view(value));
+  };
+  const bool plain = is("NO_COLOR", [](auto value) { return !value.empty(); }) ||
+                     is("TERM", [](auto value) { return value == "dumb"; });
   winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kWidest;
-  return std::clamp<std::size_t>(size.ws_col, kNarrowest, kWidest);
+  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return {known ? std::clamp<std::size_t>(size.ws_col, kNarrowest, kWidest) : kWidest,
+          isatty(STDOUT_FILENO) == 1 && !plain};
 }
 
 int solve_and_report(const CommonArguments& common, const std::vector<compare::Method>& methods,
@@ -51,7 +60,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<compare::M
   if (common.json) {
     fmt::print("{}\n", compare::json_text(run.summary));
   } else if (!common.quiet) {
-    fmt::print("{}", compare::table(run.summary, table_width()));
+    fmt::print("{}", compare::table(run.summary, terminal_format().width));
     std::fflush(stdout);
   }
   if (common.out) {

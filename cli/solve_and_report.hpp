@@ -5,6 +5,7 @@
 
 #include "cli/command_line.hpp"
 #include "compare/methods.hpp"
+#include "compare/text/format.hpp"
 
 namespace fpkcheck::cli {
 
@@ -20,7 +21,8 @@ enum class Required {
 int solve_and_report(const CommonArguments& common, const std::vector<compare::Method>& methods,
                      int threads, Required required, const std::string& command_line);
 
-/// Width of the terminal within 80 .. 100 characters; 100 when standard output is none.
-std::size_t table_width();
+/// The terminal's width within 80 .. 100 characters, 100 when standard output is none; in colour on
+/// a terminal, unless NO_COLOR is set (to anything but nothing) or TERM is "dumb".
+compare::TextFormat terminal_format();
 
 }  // namespace fpkcheck::cli

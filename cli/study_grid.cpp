@@ -85,7 +85,7 @@ int study_grid(const std::vector<std::string>& arguments, const std::string& com
   put_study(common,
             {.stem = "study-grid",
              .report = report,
-             .table = compare::grid_table(report, table_width()),
+             .table = compare::grid_table(report, terminal_format()),
              .csv = compare::grid_csv(report),
              .figure = compare::grid_figure(report, "study-grid")},
             begin);

@@ -86,7 +86,7 @@ int study_order(const std::vector<std::string>& arguments, const std::string& co
   put_study(common,
             {.stem = "study-order",
              .report = report,
-             .table = compare::order_table(report, table_width()),
+             .table = compare::order_table(report, terminal_format()),
              .csv = compare::order_csv(report),
              .figure = compare::order_figure(report, "study-order")},
             begin);

@@ -58,7 +58,7 @@ int study(const CommonArguments& common, const std::string& command_line) {
   put_study(common,
             {.stem = "study-regularisation",
              .report = report,
-             .table = compare::regularisation_table(report, table_width()),
+             .table = compare::regularisation_table(report, terminal_format()),
              .csv = compare::regularisation_csv(report)},
             begin);
   return reached(study, problem) ? kDone : kNotReached;

@@ -40,7 +40,7 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
   if (common.json) {
     fmt::print("{}\n", compare::json_text(compare::transient_json(run)));
   } else if (!common.quiet) {
-    fmt::print("{}", compare::transient_table(run, table_width()));
+    fmt::print("{}", compare::transient_table(run, terminal_format().width));
     std::fflush(stdout);
   }
   if (common.out) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/run_cases.hpp"
+#include "compare/text/format.hpp"
 #include "fd_fpk/options.hpp"
 #include "mcs/simulate.hpp"
 #include "problem/problem.hpp"
@@ -52,8 +53,8 @@ std::string grid_csv(const nlohmann::ordered_json& report);
 
 /// Grids, limits and other methods as tables, and in sentences which method is the quickest for
 /// which accuracy.
-/// @param width characters per line; the least important columns go where the rows do not fit
-std::string grid_table(const nlohmann::ordered_json& report, std::size_t width = 100);
+/// @param format the least important columns go where the rows do not fit
+std::string grid_table(const nlohmann::ordered_json& report, const TextFormat& format = {});
 
 /// A gnuplot script: L1 distance over the cell width by order, and over the time by all methods.
 std::string grid_figure(const nlohmann::ordered_json& report, const std::string& file_stem);

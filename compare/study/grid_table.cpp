@@ -35,10 +35,10 @@ void add_row(std::vector<Column>& all, const std::string (&cells)[n]) {
   for (std::size_t c = 0; c < n; ++c) all[c].cells.push_back(cells[c]);
 }
 
-std::string grids(const Json& report, std::size_t width) {
+std::string grids(const Json& report, const TextFormat& format) {
   std::vector<Column> all{{"", "order", false, kAlwaysShown},
                           {"", "cells", false, kAlwaysShown},
-                          {"", "status", true, kAlwaysShown},
+                          status_column(),
                           {"L1 to the limit", "p(y)", false, kAlwaysShown},
                           {"L1 to the limit", "p(y')", false, kAlwaysShown},
                           {"observed order", "L1", false, kAlwaysShown},
@@ -59,10 +59,10 @@ std::string grids(const Json& report, std::size_t width) {
         milliseconds(row)};
     add_row(all, cells);
   }
-  return rows(std::move(all), width);
+  return rows(std::move(all), format);
 }
 
-std::string limits(const Json& report, std::size_t width) {
+std::string limits(const Json& report, const TextFormat& format) {
   std::vector<Column> all{
       {"Richardson limit", "order", false, kAlwaysShown},
       {"Richardson limit", "E[y^2]", false, kAlwaysShown},
@@ -86,13 +86,13 @@ std::string limits(const Json& report, std::size_t width) {
                                  number_text(limit, "l1_ydot", "{:.1e}")};
     add_row(all, cells);
   }
-  return rows(std::move(all), width);
+  return rows(std::move(all), format);
 }
 
-std::string others(const Json& report, std::size_t width) {
+std::string others(const Json& report, const TextFormat& format) {
   if (report.at("others").empty()) return "";
   std::vector<Column> all{{"", "other methods", true, kAlwaysShown},
-                          {"", "status", true, kAlwaysShown},
+                          status_column(),
                           {"L1 to the limit", "p(y)", false, kAlwaysShown},
                           {"L1 to the limit", "p(y')", false, kAlwaysShown},
                           {"", "ms", false, kAlwaysShown}};
@@ -103,7 +103,7 @@ std::string others(const Json& report, std::size_t width) {
                                  number_text(row, "l1_ydot", "{:.1e}"), milliseconds(row)};
     add_row(all, cells);
   }
-  return '\n' + rows(std::move(all), width);
+  return '\n' + rows(std::move(all), format);
 }
 
 std::string reasons(const Json& report, std::size_t width) {
@@ -202,15 +202,16 @@ constexpr const char* kLegend =
 
 }  // namespace
 
-std::string grid_table(const Json& report, std::size_t width) {
-  std::string text = wrapped(title(report), width, 2) + grids(report, width) + '\n' +
-                     limits(report, width) + others(report, width) + reasons(report, width) +
-                     wrapped("  " + truth_sentence(report), width, 2);
+std::string grid_table(const Json& report, const TextFormat& format) {
+  std::string text = wrapped(title(report), format.width, 2) + grids(report, format) + '\n' +
+                     limits(report, format) + others(report, format) +
+                     reasons(report, format.width) +
+                     wrapped("  " + truth_sentence(report), format.width, 2);
   for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-5}) {
     const auto sentence = quickest_sentence(report, accuracy);
-    if (!sentence.empty()) text += wrapped("  " + sentence, width, 2);
+    if (!sentence.empty()) text += wrapped("  " + sentence, format.width, 2);
   }
-  return text + '\n' + wrapped(kLegend, width);
+  return text + '\n' + wrapped(kLegend, format.width);
 }
 
 }  // namespace fpkcheck::compare

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/run_cases.hpp"
+#include "compare/text/format.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::compare {
@@ -35,8 +36,8 @@ nlohmann::ordered_json study_orders(const std::string& command, const problem::P
 std::string order_csv(const nlohmann::ordered_json& report);
 
 /// The rows as a table, reasons, folds met, and what the numbers say, in sentences.
-/// @param width characters per line; the least important columns go where the rows do not fit
-std::string order_table(const nlohmann::ordered_json& report, std::size_t width = 100);
+/// @param format the least important columns go where the rows do not fit
+std::string order_table(const nlohmann::ordered_json& report, const TextFormat& format = {});
 
 /// A gnuplot script: L1 distances over the order, and below them the branches that were followed.
 std::string order_figure(const nlohmann::ordered_json& report, const std::string& file_stem);

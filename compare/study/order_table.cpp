@@ -38,7 +38,7 @@ std::string edge_text(const Json& row) {
 std::vector<Column> columns(const Json& report) {
   std::vector<Column> all{{"", "formulation", true, kAlwaysShown},
                           {"", "n", false, kAlwaysShown},
-                          {"", "status", true, kAlwaysShown},
+                          status_column(),
                           {"", "steps", false, 3},
                           {"", "cond.", false, 1},
                           {"", "residual", false, 4},
@@ -165,9 +165,9 @@ constexpr const char* kLegend =
 
 }  // namespace
 
-std::string order_table(const Json& report, std::size_t width) {
-  std::string text =
-      wrapped(case_title(report), width, 2) + rows(columns(report), width) + reasons(report, width);
+std::string order_table(const Json& report, const TextFormat& format) {
+  std::string text = wrapped(case_title(report), format.width, 2) + rows(columns(report), format) +
+                     reasons(report, format.width);
   std::vector<std::string> order;
   std::map<std::string, std::vector<const Json*>> by_formulation;
   for (const auto& row : report.at("rows")) {
@@ -175,14 +175,14 @@ std::string order_table(const Json& report, std::size_t width) {
     if (!by_formulation.contains(formulation)) order.push_back(formulation);
     by_formulation[formulation].push_back(&row);
     if (row.contains("branch") && row.at("branch").is_object()) {
-      text += wrapped("  " + branch_sentence(row), width, 4);
+      text += wrapped("  " + branch_sentence(row), format.width, 4);
     }
   }
   for (const auto& formulation : order) {
-    text +=
-        wrapped("  " + convergence_sentence(formulation, by_formulation[formulation]), width, 2);
+    text += wrapped("  " + convergence_sentence(formulation, by_formulation[formulation]),
+                    format.width, 2);
   }
-  return text + '\n' + wrapped(kLegend, width);
+  return text + '\n' + wrapped(kLegend, format.width);
 }
 
 }  // namespace fpkcheck::compare

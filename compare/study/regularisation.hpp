@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/text/format.hpp"
 #include "fd_fpk/regularisation_study.hpp"
 #include "problem/problem.hpp"
 
@@ -20,7 +21,8 @@ nlohmann::ordered_json regularisation_report(const std::string& command,
 std::string regularisation_csv(const nlohmann::ordered_json& report);
 
 /// The rows as a table, remarks on what is missing, and what the numbers say, in sentences.
-/// @param width characters per line; the least important columns go where the rows do not fit
-std::string regularisation_table(const nlohmann::ordered_json& report, std::size_t width = 100);
+/// @param format the least important columns go where the rows do not fit
+std::string regularisation_table(const nlohmann::ordered_json& report,
+                                 const TextFormat& format = {});
 
 }  // namespace fpkcheck::compare

@@ -199,14 +199,14 @@ constexpr const char* kLegend =
 
 }  // namespace
 
-std::string regularisation_table(const Json& report, std::size_t width) {
-  std::string text =
-      wrapped(case_title(report), width, 2) + rows(columns(report), width) + remarks(report, width);
+std::string regularisation_table(const Json& report, const TextFormat& format) {
+  std::string text = wrapped(case_title(report), format.width, 2) + rows(columns(report), format) +
+                     remarks(report, format.width);
   for (const auto& sentence :
        {literal_sentence(report), regularised_sentence(report), threshold_sentence(report)}) {
-    text += wrapped("  " + sentence, width, 2);
+    text += wrapped("  " + sentence, format.width, 2);
   }
-  return text + '\n' + wrapped(kLegend, width);
+  return text + '\n' + wrapped(kLegend, format.width);
 }
 
 }  // namespace fpkcheck::compare

@@ -1,9 +1,9 @@
 #include "compare/text/columns.hpp"
 
+#include <fmt/color.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace fpkcheck::compare {
 namespace {
@@ -27,6 +27,12 @@ std::string without_trailing_spaces(std::string line) {
   return line + '\n';
 }
 
+fmt::text_style status_style(const std::string& status) {
+  if (status == "ok") return fmt::fg(fmt::terminal_color::green);
+  if (status == "failed" || status == "ill_posed") return fmt::fg(fmt::terminal_color::red);
+  return fmt::fg(fmt::terminal_color::yellow);
+}
+
 std::string group_line(const std::vector<Column>& all, const std::string& gap) {
   std::string line;
   for (std::size_t c = 0; c < all.size();) {
@@ -41,15 +47,30 @@ std::string group_line(const std::vector<Column>& all, const std::string& gap) {
   return without_trailing_spaces(line);
 }
 
-std::string row(const std::vector<Column>& all, const std::string& gap,
-                const std::function<const std::string&(const Column&)>& text_of) {
+std::string aligned(const Column& column, const std::string& text) {
+  return column.left_aligned ? fmt::format("{:<{}}", text, column.width())
+                             : fmt::format("{:>{}}", text, column.width());
+}
+
+std::string header_line(const std::vector<Column>& all, const std::string& gap) {
+  std::string line;
+  for (const auto& column : all) line += aligned(column, column.header) + gap;
+  return without_trailing_spaces(line);
+}
+
+std::string row(const std::vector<Column>& all, const std::string& gap, std::size_t k,
+                bool colour) {
   std::string line;
   for (const auto& column : all) {
-    line += column.left_aligned ? fmt::format("{:<{}}", text_of(column), column.width())
-                                : fmt::format("{:>{}}", text_of(column), column.width());
-    line += gap;
+    const std::string& cell = column.cells[k];
+    const std::string text = aligned(column, cell);
+    line += (colour && column.is_status ? fmt::format(status_style(cell), "{}", text) : text) + gap;
   }
   return without_trailing_spaces(line);
+}
+
+std::string bold(const std::string& line) {
+  return fmt::format(fmt::emphasis::bold, "{}", line.substr(0, line.size() - 1)) + '\n';
 }
 
 }  // namespace
@@ -60,17 +81,21 @@ std::size_t Column::width() const {
   return width;
 }
 
-std::string rows(std::vector<Column> columns, std::size_t width) {
-  drop_until_it_fits(columns, width);
+Column status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
+
+std::string rows(std::vector<Column> columns, const TextFormat& format) {
+  drop_until_it_fits(columns, format.width);
   if (columns.empty()) return "";
-  const std::string gap(total_width(columns, 2) <= width ? 2 : 1, ' ');
-  std::string text;
+  const std::string gap(total_width(columns, 2) <= format.width ? 2 : 1, ' ');
+  std::string head;
   if (std::ranges::any_of(columns, [](const Column& c) { return !c.group.empty(); })) {
-    text += group_line(columns, gap);
+    head = group_line(columns, gap);
+    if (format.colour) head = bold(head);
   }
-  text += row(columns, gap, [](const Column& c) -> const std::string& { return c.header; });
+  const std::string headers = header_line(columns, gap);
+  std::string text = head + (format.colour ? bold(headers) : headers);
   for (std::size_t k = 0; k < columns.front().cells.size(); ++k) {
-    text += row(columns, gap, [k](const Column& c) -> const std::string& { return c.cells[k]; });
+    text += row(columns, gap, k, format.colour);
   }
   return text;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/text/format.hpp"
+
 namespace fpkcheck::compare {
 
 /// What stands for a value that is absent.
@@ -16,6 +18,8 @@ struct Column {
   bool left_aligned;
   int importance;  ///< columns of equal importance come and go together
   std::vector<std::string> cells = {};
+  /// Cells are statuses: in colour, by what they mean.
+  bool is_status = false;
 
   std::size_t width() const;
 };
@@ -23,8 +27,11 @@ struct Column {
 /// The importance of a column that is never left out.
 inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 
-/// The columns side by side under their headers, one line per row. Where they do not fit into
-/// `width` characters, the least important ones go.
-std::string rows(std::vector<Column> columns, std::size_t width);
+/// The column of a table that holds the solutions' statuses.
+Column status_column();
+
+/// The columns side by side under their headers, one line per row. Where they do not fit into the
+/// width, the least important ones go.
+std::string rows(std::vector<Column> columns, const TextFormat& format);
 
 }  // namespace fpkcheck::compare
