@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "problem/input_error.hpp"
+#include "problem/magnitude.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -17,6 +18,9 @@ ImpulseLaw law_of(const ImpulseParameters& parameters) {
   if (!std::isfinite(intensity) || intensity <= 0) {
     throw InputError(fmt::format("impulse.intensity = {} (must be a positive number)", intensity));
   }
+  require_magnitude("impulse.rate", rate);
+  require_magnitude("impulse.intensity", intensity);
+  require_magnitude("impulse.mean", mean);
   const double variance = intensity / rate - mean * mean;
   if (!std::isfinite(mean) || variance <= 0) {
     throw InputError(fmt::format(

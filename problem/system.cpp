@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "problem/input_error.hpp"
+#include "problem/magnitude.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -28,6 +29,10 @@ System::System(const SystemCoefficients& coefficients) : c_(coefficients) {
           "must be positive when system.cubic is zero: nothing else holds the mass");
   require(c_.restitution > 0 && c_.restitution <= 1, "restitution", c_.restitution,
           "must be above 0 and at most 1");
+  require_magnitude("system.damping", c_.damping);
+  require_magnitude("system.stiffness", c_.stiffness);
+  require_magnitude("system.cubic", c_.cubic);
+  require_magnitude("system.restitution", c_.restitution);
 }
 
 }  // namespace fpkcheck::problem

@@ -91,6 +91,8 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"fd", "case1", "--start-y", "0.5"}, "without --until"},
       {{"mcs", "case1", "--streams", "1"}, "streams"},
       {{"report"}, "one directory"},
+      {{"fd", "case1", "--set", "system.stiffness=1e300"}, "system.stiffness = 1e+300 (magnitudes"},
+      {{"mcs", "case1", "--set", "impulse.intensity=1e-300"}, "impulse.intensity = 1e-300 (magn"},
       {{"study"}, "study of what"},
       {{"study", "colour", "case1"},
        "'colour' is no subject of a study (use grid, order or regularisation"},
