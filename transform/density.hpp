@@ -49,6 +49,12 @@ double impact_flux(const SmoothDensity& density, int power);
 GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edges,
                      std::span<const double> v_edges);
 
+/// The same of a density on other cells, exactly where the edges coincide and by MassTransfer along
+/// both axes elsewhere: a histogram's edges should include the new ones, since its noise is no
+/// polynomial.
+GridDensity on_cells(const GridDensity& density, std::span<const double> y_edges,
+                     std::span<const double> v_edges);
+
 /// Sum of cell masses: 1 for a normalised density.
 double mass(const GridDensity& density);
 

@@ -27,8 +27,7 @@ struct Marginal {
 };
 
 /// The marginal of y, paper (30), or of y', paper (34), averaged over the bins given by `edges`.
-/// A grid density is integrated exactly to the cumulative distribution on its own edges, which is
-/// then interpolated between them by a polynomial of degree 7; where the edges coincide nothing is
+/// A grid density is carried over by MassTransfer; where the edges coincide nothing is
 /// interpolated.
 Marginal marginal(const Density& density, Variable variable, std::span<const double> edges);
 

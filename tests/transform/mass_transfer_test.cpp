@@ -1,0 +1,102 @@
+#include "transform/mass_transfer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "transform/density.hpp"
+
+namespace fpkcheck::transform {
+namespace {
+
+std::vector<double> uniform_edges(double a, double b, int n) {
+  std::vector<double> edges;
+  for (int k = 0; k <= n; ++k) edges.push_back(a + (b - a) * k / n);
+  return edges;
+}
+
+// Exact averages of p(y) p(v), given by their cumulatives.
+using Cumulative = double (*)(double);
+GridDensity product(Cumulative of_y, Cumulative of_v, std::vector<double> y_edges,
+                    std::vector<double> v_edges) {
+  GridDensity g{std::move(y_edges), std::move(v_edges), {}};
+  for (std::size_t i = 0; i < g.ny(); ++i) {
+    for (std::size_t j = 0; j < g.nv(); ++j) {
+      const double y = g.y_edges[i], y_end = g.y_edges[i + 1];
+      const double v = g.v_edges[j], v_end = g.v_edges[j + 1];
+      g.averages.push_back((of_y(y_end) - of_y(y)) * (of_v(v_end) - of_v(v)) /
+                           ((y_end - y) * (v_end - v)));
+    }
+  }
+  return g;
+}
+
+double largest_difference(const GridDensity& a, const GridDensity& b) {
+  EXPECT_EQ(a.averages.size(), b.averages.size());
+  double largest = 0;
+  for (std::size_t k = 0; k < a.averages.size(); ++k) {
+    largest = std::max(largest, std::abs(a.averages[k] - b.averages[k]));
+  }
+  return largest;
+}
+
+double bell_cumulative(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
+// p(v) that is 1/0.81 times higher above 0 than below, as at a wall that takes a tenth of the
+// speed.
+double jumping_cumulative(double v) {
+  const double half = bell_cumulative(v) - 0.5;
+  return v < 0 ? half : half / 0.81;
+}
+
+TEST(MassTransfer, OntoCoincidingEdgesSumsWholeBinsToTheLastDigit) {
+  const std::vector<double> source{-2, -1, -0.25, 0, 0.5, 1, 3};
+  // The neighbours of the tiny masses are huge: nothing may be subtracted from anything.
+  const std::vector<double> masses{1e-30, 3e-25, 7, 5, 2e-20, 1e-28};
+  EXPECT_EQ(MassTransfer(source, source)(masses), masses);
+  const std::vector<double> coarse{-2, -0.25, 0, 1, 3};
+  EXPECT_EQ(MassTransfer(source, coarse)(masses),
+            (std::vector<double>{1e-30 + 3e-25, 7, 5 + 2e-20, 1e-28}));
+}
+
+TEST(MassTransfer, KeepsAllMassAndPutsNoneBeyondTheSource) {
+  const auto source = uniform_edges(-3, 5, 23), target = uniform_edges(-7, 8, 57);
+  std::vector<double> masses;
+  for (int k = 0; k < 23; ++k) masses.push_back(1 + std::sin(0.4 * k));
+  const auto moved = MassTransfer(source, target)(masses);
+  EXPECT_NEAR(std::accumulate(moved.begin(), moved.end(), 0.0),
+              std::accumulate(masses.begin(), masses.end(), 0.0), 1e-13);
+  EXPECT_EQ(moved.front(), 0);
+  EXPECT_EQ(moved.back(), 0);
+  EXPECT_EQ(MassTransfer(source, uniform_edges(6, 9, 3))(masses), std::vector<double>(3));
+}
+
+TEST(OnCells, OfAGridConvergesWithOrder7OrMoreAndKeepsTheJumpAtTheWall) {
+  const auto y_edges = uniform_edges(0, 6, 31), v_edges = uniform_edges(-6, 6, 34);
+  for (const Cumulative of_v : {bell_cumulative, jumping_cumulative}) {
+    const GridDensity exact = product(bell_cumulative, of_v, y_edges, v_edges);
+    const auto error = [&](int n) {
+      const auto source =
+          product(bell_cumulative, of_v, uniform_edges(0, 8, n), uniform_edges(-8, 8, 2 * n));
+      return largest_difference(on_cells(source, y_edges, v_edges), exact);
+    };
+    const double coarse = error(16), middle = error(32), fine = error(64);
+    for (const double order : {std::log2(coarse / middle), std::log2(middle / fine)}) {
+      EXPECT_GT(order, 6.0) << coarse << " " << middle << " " << fine;
+      EXPECT_LT(order, 10.0) << coarse << " " << middle << " " << fine;
+    }
+  }
+}
+
+TEST(OnCells, OfAGridKeepsTheMassThatTheAxesCover) {
+  const auto grid = product(bell_cumulative, jumping_cumulative, uniform_edges(0, 8, 20),
+                            uniform_edges(-8, 8, 26));
+  const auto wider = on_cells(grid, uniform_edges(0, 9, 31), uniform_edges(-11, 11, 41));
+  EXPECT_NEAR(mass(wider), mass(grid), 1e-13);
+  const auto narrower = on_cells(grid, uniform_edges(0, 4, 31), uniform_edges(-4, 4, 42));
+  EXPECT_NEAR(mass(narrower),
+              (bell_cumulative(4) - 0.5) * (jumping_cumulative(4) - jumping_cumulative(-4)), 1e-6);
+}
+
+}  // namespace
+}  // namespace fpkcheck::transform
