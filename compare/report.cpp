@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "compare/figure/pictures.hpp"
+#include "compare/joint_netcdf.hpp"
 #include "compare/run_directory.hpp"
 #include "compare/summary.hpp"
 #include "compare/table.hpp"
@@ -20,6 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kSummaryFile = "summary.json";
 constexpr const char* kMarginalsFile = "marginals.csv";
+constexpr const char* kJointFile = "joint.nc";
 
 std::ifstream open_saved(const fs::path& file) {
   std::error_code ignored;
@@ -63,7 +65,8 @@ void remove_pictures_of_earlier_run(const fs::path& directory) {
   }
 }
 
-// Every solution with a density has its curves, and there are no others.
+// Every solution with a density has its curves, and there are no others; a simulation may have no
+// joint density, and an older run has none.
 void require_belonging(const SavedRun& run, const fs::path& directory) {
   std::set<std::pair<std::string, std::string>> in_summary, in_marginals;
   for (const auto& one : run.summary.at("cases")) {
@@ -76,12 +79,18 @@ void require_belonging(const SavedRun& run, const fs::path& directory) {
     throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
                                  kSummaryFile, kMarginalsFile, directory.string()));
   }
+  for (const auto& joint : run.joints) {
+    if (!in_summary.contains({joint.case_name, joint.solution})) {
+      throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
+                                   kSummaryFile, kJointFile, directory.string()));
+    }
+  }
 }
 
 }  // namespace
 
 SavedRun make_run(const std::string& command, std::span<const CaseReport> cases) {
-  return {summary(command, cases), marginal_curves(cases)};
+  return {summary(command, cases), marginal_curves(cases), joint_densities(cases)};
 }
 
 std::string json_text(const Json& summary) {
@@ -93,14 +102,22 @@ std::vector<std::string> write_report(const fs::path& directory, const SavedRun&
   std::ostringstream csv;
   write_marginals_csv(csv, run.marginals);
   write_file(directory / kMarginalsFile, csv.str());
+  if (run.joints.empty()) {
+    std::error_code ignored;
+    fs::remove(directory / kJointFile, ignored);
+  } else {
+    write_joint_netcdf(directory / kJointFile, run.summary, run.joints);
+  }
   write_file(directory / kSummaryFile, json_text(run.summary) + '\n');
   return draw_pictures(directory, run.summary, run.marginals);
 }
 
 SavedRun load_run(const fs::path& directory) {
-  SavedRun run{load_summary(directory / kSummaryFile), {}};
+  SavedRun run{load_summary(directory / kSummaryFile), {}, {}};
   auto csv = open_saved(directory / kMarginalsFile);
   run.marginals = read_marginals_csv(csv, (directory / kMarginalsFile).string());
+  const fs::path joint = directory / kJointFile;
+  if (fs::exists(joint)) run.joints = read_joint_netcdf(joint);
   return run;
 }
 

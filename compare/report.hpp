@@ -16,7 +16,7 @@ namespace fpkcheck::compare {
 struct SavedRun {
   nlohmann::ordered_json summary;
   std::vector<MarginalCurve> marginals;
-  std::vector<JointDensity> joints = {};
+  std::vector<JointDensity> joints = {};  ///< of the solutions that have one
 };
 
 /// The summary as text. Bytes that are not UTF-8 (a file's name may have any) are replaced.
@@ -25,14 +25,15 @@ std::string json_text(const nlohmann::ordered_json& summary);
 /// @param command the command line of the run
 SavedRun make_run(const std::string& command, std::span<const CaseReport> cases);
 
-/// Writes summary.json, marginals.csv and figures/ into a directory that make_writable prepared.
-/// Each file is either whole or absent. Pictures of an earlier run there are removed.
+/// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json and figures/
+/// into a directory that make_writable prepared. Each file is either whole or absent. Pictures and
+/// joint densities of an earlier run there are removed.
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory, const SavedRun& run);
 
-/// Reads back what write_report wrote.
-/// @throws InputError on one line: no run there, broken JSON or CSV, another schema
+/// Reads back what write_report wrote; a run of an older version has no joint densities.
+/// @throws InputError on one line: no run there, broken JSON, CSV or netCDF, another schema
 SavedRun load_run(const std::filesystem::path& directory);
 
 /// A report made again from a directory.
@@ -43,8 +44,8 @@ struct ReportAgain {
 
 /// The table of a saved run, and its pictures drawn anew; solves nothing.
 /// @param width characters per line of the table
-/// @throws InputError as load_run does, when the marginals are of another run, and when the summary
-/// lacks what its schema promises
+/// @throws InputError as load_run does, when the marginals or joint densities are of another run,
+/// and when the summary lacks what its schema promises
 ReportAgain report_again(const std::filesystem::path& directory, std::size_t width = 100);
 
 }  // namespace fpkcheck::compare

@@ -1,11 +1,11 @@
 #include "compare/transient/netcdf.hpp"
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include <stdexcept>
 #include <vector>
 
+#include "compare/netcdf/writer.hpp"
 #include "compare/run_directory.hpp"
 #include "compare/summary.hpp"
 
@@ -14,70 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using fd_fpk::Snapshot;
-
-void check(int status, const std::string& what) {
-  if (status != NC_NOERR) {
-    throw std::runtime_error(fmt::format("netCDF: {} ({})", what, nc_strerror(status)));
-  }
-}
-
-/// A netCDF file being written.
-class NetCdfFile {
- public:
-  explicit NetCdfFile(const fs::path& path) {
-    check(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_), "cannot create the file");
-  }
-  NetCdfFile(const NetCdfFile&) = delete;
-  NetCdfFile& operator=(const NetCdfFile&) = delete;
-  ~NetCdfFile() {
-    if (open_) nc_close(id_);
-  }
-
-  int dimension(const char* name, std::size_t length) {
-    int dimension = 0;
-    check(nc_def_dim(id_, name, length, &dimension), fmt::format("dimension {}", name));
-    return dimension;
-  }
-
-  /// A variable of double precision with its values, row by row; its units are "1".
-  /// @param long_name empty for the bounds of a coordinate, which have no attributes
-  int variable(const char* name, const std::vector<int>& dimensions, const std::string& long_name,
-               const std::vector<double>& values) {
-    int variable = 0;
-    check(nc_def_var(id_, name, NC_DOUBLE, static_cast<int>(dimensions.size()), dimensions.data(),
-                     &variable),
-          fmt::format("variable {}", name));
-    if (!long_name.empty()) {
-      attribute("long_name", long_name, variable);
-      attribute("units", "1", variable);
-    }
-    check(nc_put_var_double(id_, variable, values.data()), fmt::format("values of {}", name));
-    return variable;
-  }
-
-  void attribute(const char* name, const std::string& text, int variable = NC_GLOBAL) {
-    check(nc_put_att_text(id_, variable, name, text.size(), text.c_str()),
-          fmt::format("attribute {}", name));
-  }
-  void attribute(const char* name, double value) {
-    check(nc_put_att_double(id_, NC_GLOBAL, name, NC_DOUBLE, 1, &value),
-          fmt::format("attribute {}", name));
-  }
-  void attribute(const char* name, int value) {
-    check(nc_put_att_int(id_, NC_GLOBAL, name, NC_INT, 1, &value),
-          fmt::format("attribute {}", name));
-  }
-
-  /// A full disk may show only here.
-  void close() {
-    open_ = false;
-    check(nc_close(id_), "cannot finish the file");
-  }
-
- private:
-  int id_ = 0;
-  bool open_ = true;
-};
 
 template <class Of>
 std::vector<double> over_time(const TransientRun& run, Of of) {
@@ -96,27 +32,17 @@ std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::
 }
 
 /// A coordinate of cells, with its bounds, and the marginal over it.
-void write_marginal(NetCdfFile& file, const TransientRun& run, const std::string& name,
+void write_marginal(NetCdfWriter& file, const TransientRun& run, const std::string& name,
                     const std::string& meaning, int time, int bounds,
                     const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {
-  const std::size_t cells = edges.size() - 1;
-  std::vector<double> centres, ends;
-  for (std::size_t b = 0; b < cells; ++b) {
-    centres.push_back((edges[b] + edges[b + 1]) / 2);
-    ends.insert(ends.end(), {edges[b], edges[b + 1]});
-  }
-  const int dimension = file.dimension(name.c_str(), cells);
-  const int coordinate = file.variable(name.c_str(), {dimension}, meaning, centres);
-  const std::string bounds_name = name + "_bounds";
-  file.attribute("bounds", bounds_name, coordinate);
-  file.variable(bounds_name.c_str(), {dimension, bounds}, "", ends);
+  const int dimension = file.cells(name, meaning, bounds, edges);
   const int density =
-      file.variable(("p_" + name).c_str(), {time, dimension},
+      file.variable("p_" + name, {time, dimension},
                     fmt::format("probability density of the {}", meaning), rows(run, marginal));
   file.attribute("cell_methods", name + ": mean", density);
 }
 
-void write_moments(NetCdfFile& file, const TransientRun& run, int time) {
+void write_moments(NetCdfWriter& file, const TransientRun& run, int time) {
   const auto series = [&](const char* name, const char* long_name, auto of) {
     file.variable(name, {time}, long_name, over_time(run, of));
   };
@@ -138,7 +64,7 @@ void write_moments(NetCdfFile& file, const TransientRun& run, int time) {
          [](const Snapshot& s) { return s.min_density; });
 }
 
-void write_attributes(NetCdfFile& file, const TransientRun& run) {
+void write_attributes(NetCdfWriter& file, const TransientRun& run) {
   const auto& system = run.problem.system;
   const auto& impulses = run.problem.impulses;
   file.attribute("Conventions", "CF-1.8");
@@ -171,7 +97,7 @@ void write_attributes(NetCdfFile& file, const TransientRun& run) {
 void write_transient_netcdf(const fs::path& path, const TransientRun& run) {
   replace_file(path, [&](const fs::path& temporary) {
     try {
-      NetCdfFile file(temporary);
+      NetCdfWriter file(temporary);
       write_attributes(file, run);
       const int time = file.dimension("time", run.result.snapshots.size());
       const int bounds = file.dimension("bounds", 2);

@@ -31,9 +31,10 @@ std::string refusal(const fs::path& directory) {
 TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
   const tests::TemporaryDirectory directory;
   const auto warnings = write_report(directory.path(), made_up_run());
-  EXPECT_EQ(directory.entries().size(), 3u);
+  EXPECT_EQ(directory.entries().size(), 4u);
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "summary.json"));
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "marginals.csv"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "joint.nc"));
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   EXPECT_TRUE(warnings.empty()) << warnings.front();
