@@ -134,6 +134,29 @@ Method mcs_method(const mcs::Options& options) {
           }};
 }
 
+std::optional<Method> saved_method(const nlohmann::ordered_json& solution, int threads) {
+  const auto made_by = solution.at("method").get<std::string>();
+  const auto& options = solution.at("options");
+  if (made_by == "file") return std::nullopt;
+  Method method;
+  if (made_by == "epc") {
+    method = epc_method(epc::options_from_json(options));
+  } else if (made_by == "fd") {
+    method = fd_method(fd_fpk::options_from_json(options));
+  } else if (made_by == "mcs") {
+    mcs::Options simulation = mcs::options_from_json(options);
+    simulation.threads = threads;
+    method = mcs_method(simulation);
+  } else {
+    throw InputError(fmt::format("method '{}' (must be epc, fd, mcs or file)", made_by));
+  }
+  const auto id = solution.at("id").get<std::string>();
+  if (method.id != id) {
+    throw InputError(fmt::format("its options are those of {} (run again)", method.id));
+  }
+  return method;
+}
+
 std::vector<Method> select_methods(const std::string& list, const mcs::Options& simulation) {
   std::vector<std::string> ids;
   std::istringstream items(list);

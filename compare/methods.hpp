@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,13 @@ Method epc_method(const epc::Options& options);
 Method fd_method(const fd_fpk::Options& options);
 /// The histogram is made on the comparison axes.
 Method mcs_method(const mcs::Options& options);
+
+/// The method that made a solution of summary.json, with its options; nothing for a solution that
+/// was read from a file.
+/// @param threads of a simulation, whose results do not depend on it; 0 for one per processor
+/// @throws InputError when the options cannot be read or used, when they are those of another id,
+///         or when no method here makes such solutions
+std::optional<Method> saved_method(const nlohmann::ordered_json& solution, int threads);
 
 /// The methods of a comma-separated list, by increasing trust (epc, fd, mcs), each once. An item is
 /// a solution's id (epc-gaussian-n6, fd-km4, mcs) or a family: epc (orders 2, 4, 6, 8), fd (white,

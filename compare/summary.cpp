@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "problem/saved_fields.hpp"
+
 namespace fpkcheck::compare {
 namespace {
 
@@ -101,6 +103,24 @@ Json case_json(const problem::Problem& problem) {
   return {{"name", problem.name},
           {"system", system_of(problem.system)},
           {"impulse", impulse_of(problem.impulses)}};
+}
+
+problem::Problem problem_from_json(const Json& summary_case) {
+  problem::SavedFields system(summary_case.at("system"), "system");
+  problem::SavedFields impulse(summary_case.at("impulse"), "impulse");
+  impulse.pass_over("moments");  // follow from the others
+  problem::Problem problem{summary_case.at("name").get<std::string>(),
+                           problem::System({.damping = system.number("damping"),
+                                            .stiffness = system.number("stiffness"),
+                                            .cubic = system.number("cubic"),
+                                            .restitution = system.number("restitution")}),
+                           problem::ImpulseTrain({.arrival_rate = impulse.number("rate"),
+                                                  .law = impulse.text("law"),
+                                                  .intensity = impulse.number("intensity"),
+                                                  .mean = impulse.number("mean")})};
+  system.require_all_read();
+  impulse.require_all_read();
+  return problem;
 }
 
 Json with_null_for_non_finite(Json value) {

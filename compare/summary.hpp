@@ -21,6 +21,10 @@ nlohmann::ordered_json program_json(const std::string& command);
 /// A case's name, "system" and "impulse", as in summary.json.
 nlohmann::ordered_json case_json(const problem::Problem& problem);
 
+/// The problem that case_json wrote, from a case of summary.json.
+/// @throws InputError naming the field that is missing, unknown, of the wrong type or out of range
+problem::Problem problem_from_json(const nlohmann::ordered_json& summary_case);
+
 /// JSON has no infinities: numbers that are not finite become null.
 nlohmann::ordered_json with_null_for_non_finite(nlohmann::ordered_json value);
 

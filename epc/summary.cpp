@@ -1,13 +1,19 @@
 #include <string_view>
 
 #include "epc/solve.hpp"
+#include "problem/saved_fields.hpp"
 
 namespace fpkcheck::epc {
-namespace {
 
-std::string_view name(moment::Tail tail) {
-  return tail == moment::Tail::confined ? "confined" : "cut";
+namespace moment {
+static std::string_view name(Tail tail) { return tail == Tail::confined ? "confined" : "cut"; }
+}  // namespace moment
+
+static std::string_view name(MonomialSet set) {
+  return set == MonomialSet::general ? "general" : "point_symmetric";
 }
+
+namespace {
 
 using Json = nlohmann::ordered_json;
 
@@ -113,11 +119,26 @@ nlohmann::ordered_json to_json(const Summary& summary) {
 nlohmann::ordered_json to_json(const Options& options) {
   return {{"order", options.order},
           {"formulation", name(options.formulation)},
-          {"monomials", options.monomials == MonomialSet::general ? "general" : "point_symmetric"},
+          {"monomials", name(options.monomials)},
           {"equation", name(options.equation)},
           {"tail", name(options.tail)},
           {"tolerance", options.tolerance},
           {"max_iterations", options.max_iterations}};
+}
+
+Options options_from_json(const nlohmann::ordered_json& json) {
+  problem::SavedFields saved(json, "options");
+  const Options options{
+      .order = saved.integer("order"),
+      .formulation = saved.choice("formulation",
+                                  {Formulation::gaussian, Formulation::moment, Formulation::polar}),
+      .monomials = saved.choice("monomials", {MonomialSet::point_symmetric, MonomialSet::general}),
+      .equation = saved.choice("equation", {Equation::white, Equation::km4, Equation::kf}),
+      .tail = saved.choice("tail", {moment::Tail::confined, moment::Tail::cut}),
+      .tolerance = saved.number("tolerance"),
+      .max_iterations = saved.integer("max_iterations")};
+  saved.require_all_read();
+  return options;
 }
 
 }  // namespace fpkcheck::epc

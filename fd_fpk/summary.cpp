@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "problem/saved_fields.hpp"
+
 namespace fpkcheck::fd_fpk {
 namespace {
 
@@ -63,8 +65,34 @@ nlohmann::ordered_json to_json(const Options& options) {
           {"x2_max", or_null(options.x2_max)},
           {"regularisation_length", or_null(options.regularisation_length)},
           {"wall_density", options.wall_density},
+          {"refine_unresolved", options.refine_unresolved},
+          {"error_estimate", options.error_estimate},
           {"tolerance", or_null(options.tolerance)},
           {"residual_tolerance", options.residual_tolerance}};
+}
+
+Options options_from_json(const nlohmann::ordered_json& json) {
+  problem::SavedFields saved(json, "options");
+  const Options options{
+      .equation = saved.choice("equation",
+                               {Equation::white, Equation::km4, Equation::km4_pade, Equation::kf}),
+      .impact = saved.choice("impact", {problem::Impact::map, problem::Impact::delta}),
+      .stepper = saved.choice("stepper", {Stepper::cvode, Stepper::direct}),
+      .order = saved.integer("order"),
+      .refinement = saved.number("refinement"),
+      .origin_refinement = saved.number_or_null("origin_refinement"),
+      .nx = saved.integer_or_null("nx"),
+      .nv = saved.integer_or_null("nv"),
+      .x1_max = saved.number_or_null("x1_max"),
+      .x2_max = saved.number_or_null("x2_max"),
+      .regularisation_length = saved.number_or_null("regularisation_length"),
+      .wall_density = saved.number("wall_density"),
+      .refine_unresolved = saved.flag("refine_unresolved"),
+      .error_estimate = saved.flag("error_estimate"),
+      .tolerance = saved.number_or_null("tolerance"),
+      .residual_tolerance = saved.number("residual_tolerance")};
+  saved.require_all_read();
+  return options;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -51,4 +51,8 @@ nlohmann::ordered_json to_json(const Summary& summary);
 /// The options as asked for; null where automatic.
 nlohmann::ordered_json to_json(const Options& options);
 
+/// The options that to_json wrote.
+/// @throws InputError naming the field that is missing, unknown or of the wrong type
+Options options_from_json(const nlohmann::ordered_json& json);
+
 }  // namespace fpkcheck::fd_fpk

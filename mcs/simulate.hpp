@@ -152,4 +152,8 @@ nlohmann::ordered_json to_json(const Summary& summary);
 /// marginals.csv.
 nlohmann::ordered_json to_json(const Options& options);
 
+/// The options that to_json wrote. What it leaves out (edges, files, listeners) is as by default.
+/// @throws InputError naming the field that is missing, unknown or of the wrong type
+Options options_from_json(const nlohmann::ordered_json& json);
+
 }  // namespace fpkcheck::mcs

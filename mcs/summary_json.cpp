@@ -3,8 +3,14 @@
 #include "mcs/simulate.hpp"
 
 #include "mcs/stream.hpp"
+#include "problem/saved_fields.hpp"
 
 namespace fpkcheck::mcs {
+
+static std::string_view name(Equation equation) {
+  return equation == Equation::white ? "white" : "kf";
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -89,7 +95,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
 
 nlohmann::ordered_json to_json(const Options& options) {
   const auto or_null = [](auto value) { return value == 0 ? Json() : Json(value); };
-  return {{"equation", options.equation == Equation::white ? "white" : "kf"},
+  return {{"equation", name(options.equation)},
           {"time", or_null(options.time)},
           {"samples", or_null(options.samples)},
           {"target_error", or_null(options.target_error)},
@@ -99,6 +105,22 @@ nlohmann::ordered_json to_json(const Options& options) {
           {"step", or_null(options.step)},
           {"white_step", or_null(options.white_step)},
           {"tails", options.tails}};
+}
+
+Options options_from_json(const nlohmann::ordered_json& json) {
+  problem::SavedFields saved(json, "options");
+  const Options options{.equation = saved.choice("equation", {Equation::kf, Equation::white}),
+                        .time = saved.number_or_null("time").value_or(0),
+                        .samples = saved.number_or_null("samples").value_or(0),
+                        .target_error = saved.number_or_null("target_error").value_or(0),
+                        .seed = saved.count("seed"),
+                        .threads = saved.integer_or_null("threads").value_or(0),
+                        .streams = saved.integer("streams"),
+                        .step = saved.number_or_null("step").value_or(0),
+                        .white_step = saved.number_or_null("white_step").value_or(0),
+                        .tails = saved.flag("tails")};
+  saved.require_all_read();
+  return options;
 }
 
 }  // namespace fpkcheck::mcs
