@@ -16,6 +16,7 @@ int fd_command(const std::vector<std::string>& arguments, const std::string& com
 int mcs_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int reference_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int study_command(const std::vector<std::string>& arguments, const std::string& command_line);
+int check_command(const std::vector<std::string>& arguments, const std::string& command_line);
 int report_command(const std::vector<std::string>& arguments, const std::string& command_line);
 
 }  // namespace fpkcheck::cli

@@ -32,6 +32,7 @@ constexpr Command kCommands[] = {
     {"study", "what order, step and regularisation do: convergence, cost, growth", study_command},
     {"reference", "reference values, agreed on by two discretisations and a simulation",
      reference_command},
+    {"check", "a saved run again, compared with what it was: the regression test", check_command},
     {"report", "tables and pictures again from a saved run", report_command},
 };
 
@@ -50,14 +51,15 @@ commands:
   fmt::print(R"(
 A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
 `fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.
-Exit codes: 0 done; 1 a solver did not reach what was asked; 2 bad input.
+Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
+2 bad input.
 )");
 }
 
 int dispatch(const Arguments& arguments) {
   if (arguments.empty())
     throw InputError(
-        "no command (use run, epc, fd, mcs, study, reference or report; --help explains)");
+        "no command (use run, epc, fd, mcs, study, reference, check or report; --help explains)");
   const std::string& name = arguments.front();
   if (name == "--help" || name == "-h" || name == "help") {
     print_overview();
@@ -71,7 +73,7 @@ int dispatch(const Arguments& arguments) {
       std::ranges::find_if(kCommands, [&](const Command& c) { return name == c.name; });
   if (command == std::end(kCommands)) {
     throw InputError(fmt::format(
-        "'{}' is no command (use run, epc, fd, mcs, study, reference or report; --help explains)",
+        "'{}' is no command (use run, epc, fd, mcs, study, reference, check or report; --help explains)",
         name));
   }
   std::string command_line = "fpkcheck";

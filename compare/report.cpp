@@ -35,6 +35,8 @@ std::ifstream open_saved(const fs::path& file) {
   return in;
 }
 
+}  // namespace
+
 Json load_summary(const fs::path& file) {
   auto in = open_saved(file);
   Json json;
@@ -54,6 +56,8 @@ Json load_summary(const fs::path& file) {
   }
   return json;
 }
+
+namespace {
 
 void remove_pictures_of_earlier_run(const fs::path& directory) {
   std::error_code ignored;

@@ -32,6 +32,10 @@ SavedRun make_run(const std::string& command, std::span<const CaseReport> cases)
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory, const SavedRun& run);
 
+/// Reads a summary.json, whatever the file's name.
+/// @throws InputError on one line: no such file, broken JSON, not a summary, another schema
+nlohmann::ordered_json load_summary(const std::filesystem::path& file);
+
 /// Reads back what write_report wrote; a run of an older version has no joint densities.
 /// @throws InputError on one line: no run there, broken JSON, CSV or netCDF, another schema
 SavedRun load_run(const std::filesystem::path& directory);

@@ -45,6 +45,9 @@ class Program : public testing::Test {
 TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
   std::ofstream(path("unknown.ini")) << "[system]\ncolour = red\n";
   std::ofstream(path("file")) << "not a directory";
+  std::ofstream(path("list.json")) << "[1]";
+  std::ofstream(path("later.json")) << R"({"schema": 2})";
+  std::ofstream(path("empty.json")) << R"({"schema": 1})";
   const std::string out = path("out");
   const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
       {{}, "no command"},
@@ -91,6 +94,17 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"fd", "case1", "--start-y", "0.5"}, "without --until"},
       {{"mcs", "case1", "--streams", "1"}, "streams"},
       {{"report"}, "one directory"},
+      {{"check"}, "one baseline"},
+      {{"check", "a.json", "b.json"}, "one baseline"},
+      {{"check", path("nowhere.json")}, "nowhere.json is not a readable file"},
+      {{"check", path("unknown.ini")}, "is not JSON"},
+      {{"check", path("list.json")}, "not the summary of a run"},
+      {{"check", path("later.json")}, "has schema 2"},
+      {{"check", path("empty.json")}, "not a whole summary"},
+      {{"check", FPKCHECK_BASELINES "/case1", "--tolerance", "0"}, "--tolerance 0"},
+      {{"check", FPKCHECK_BASELINES "/case1", "--standard-errors", "-1"}, "--standard-errors -1"},
+      {{"check", FPKCHECK_BASELINES "/case1", "--threads", "-1"}, "--threads -1"},
+      {{"check", FPKCHECK_BASELINES "/case1", "--set", "system.cubic=1"}, "--set"},
       {{"fd", "case1", "--set", "system.stiffness=1e300"}, "system.stiffness = 1e+300 (magnitudes"},
       {{"mcs", "case1", "--set", "impulse.intensity=1e-300"}, "impulse.intensity = 1e-300 (magn"},
       {{"study"}, "study of what"},
@@ -168,6 +182,40 @@ TEST_F(Program, ReportRefusesFilesOfDifferentRuns) {
   const auto report = program({"report", a});
   EXPECT_EQ(report.exit_code, kBadInput);
   EXPECT_NE(report.err.find("not of the same run"), std::string::npos) << report.err;
+}
+
+TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
+  const std::string before = path("before"), after = path("after");
+  ASSERT_EQ(program({"run", "case1", "case4", "--methods", "epc-gaussian-n2,epc-moment-n4,mcs",
+                     "--time", "20000", "--set", "impulse.mean=0.1", "--out", before})
+                .exit_code,
+            kDone);
+  const auto same = program({"check", before + "/summary.json"});
+  EXPECT_EQ(same.exit_code, kDone) << same.out;
+  EXPECT_EQ(same.err, "");
+  EXPECT_NE(same.out.find("figures of 6 solutions agree."), std::string::npos) << same.out;
+
+  auto summary = nlohmann::ordered_json::parse(std::ifstream(before + "/summary.json"));
+  auto& v2 = summary["cases"][1]["solutions"][1]["moments"]["v2"];
+  v2 = v2.get<double>() * (1 + 1e-6);
+  std::ofstream(before + "/summary.json") << summary;
+  const auto moved = program({"check", before, "--out", after});
+  EXPECT_EQ(moved.exit_code, kNotReached);
+  EXPECT_NE(moved.out.find("1 of "), std::string::npos) << moved.out;
+  EXPECT_NE(moved.out.find("case4  epc-moment-n4"), std::string::npos) << moved.out;
+  const auto json = nlohmann::json::parse(std::ifstream(after + "/check.json"));
+  EXPECT_EQ(json.at("agrees"), false);
+  ASSERT_EQ(json.at("moved").size(), 1u);
+  EXPECT_EQ(json.at("moved").at(0).at("figure"), "E[y'^2]");
+  EXPECT_NEAR(json.at("moved").at(0).at("change").get<double>(), 1e-6, 1e-9);
+
+  // The new run is the next baseline.
+  const auto adopted = program({"check", after, "--json"});
+  EXPECT_EQ(adopted.exit_code, kDone);
+  EXPECT_EQ(nlohmann::json::parse(adopted.out).at("agrees"), true);
+  const auto quiet = program({"check", before, "--quiet"});
+  EXPECT_EQ(quiet.exit_code, kNotReached);
+  EXPECT_EQ(quiet.out, "");
 }
 
 TEST_F(Program, AFileNameNeedNotBeUtf8) {
@@ -284,6 +332,7 @@ TEST_F(Program, HelpAndVersionAreAnswersNotErrors) {
                                                     {"fd", "-h"},
                                                     {"mcs", "--help"},
                                                     {"report", "--help"},
+                                                    {"check", "--help"},
                                                     {"study", "--help"},
                                                     {"--version"}}) {
     const auto [exit_code, out, err] = program(arguments);

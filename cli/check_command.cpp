@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <sstream>
+
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/program.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/solve_and_report.hpp"
+#include "compare/check/baseline.hpp"
+#include "compare/check/check.hpp"
+#include "compare/run_directory.hpp"
+#include "problem/input_error.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kUsage = R"(usage: fpkcheck check BASELINE.json [options]
+
+Solves again what a summary.json describes and compares: statuses, moments, mass, balance of power,
+coefficients of closures, distances, and the curves of the marginals.csv beside it. Any run's
+directory is a baseline: keep the one whose results you trust.
+Deterministic methods are held to --tolerance, the simulation to its standard errors, though the
+same seed normally gives the same numbers. Prints what moved and by how much, and how near the rest
+came to what is allowed.
+Exit code 0 when everything agrees, 1 when something moved, 2 for a baseline that cannot be used.
+
+examples:
+  fpkcheck run mine.ini --out baseline                      make one
+  fpkcheck check baseline/summary.json                      use it
+  fpkcheck check baseline/summary.json --out changed        and keep the new run beside it
+)";
+
+struct CheckArguments {
+  CommonArguments common;
+  compare::Tolerances tolerances;
+  int threads = 0;
+};
+
+boost::program_options::options_description options_of(CheckArguments& arguments) {
+  namespace po = boost::program_options;
+  auto& [common, tolerances, threads] = arguments;
+  po::options_description options("options", 96);
+  options.add_options()  //
+      ("tolerance",
+       po::value(&tolerances.deterministic)
+           ->value_name("T")
+           ->default_value(tolerances.deterministic, "1e-08"),
+       "of moments, densities and distances of deterministic methods; coefficients are allowed 50 "
+       "times it, distances in tails 100 times")("standard-errors",
+                                                 po::value(&tolerances.standard_errors)
+                                                     ->value_name("N")
+                                                     ->default_value(tolerances.standard_errors),
+                                                 "of simulations: of the difference of both runs")(
+          "threads", po::value(&threads)->value_name("N"),
+          "threads to use (default: one per processor)")(
+          "out",
+          po::value<std::string>()->value_name("DIR")->notifier(
+              [&common](const std::string& value) { common.out = value; }),
+          "write check.json there, and summary.json and marginals.csv of the new run")(
+          "quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
+          "json", po::bool_switch(&common.json),
+          "print check.json on standard output, and nothing else there")("help,h", "this text");
+  return options;
+}
+
+void write(const std::filesystem::path& directory, const compare::SavedRun& run,
+           const nlohmann::ordered_json& json) {
+  std::ostringstream csv;
+  compare::write_marginals_csv(csv, run.marginals);
+  compare::write_file(directory / "marginals.csv", csv.str());
+  compare::write_file(directory / "summary.json", compare::json_text(run.summary) + '\n');
+  compare::write_file(directory / "check.json", compare::json_text(json) + '\n');
+}
+
+}  // namespace
+
+int check_command(const std::vector<std::string>& arguments, const std::string& command_line) {
+  const auto begin = std::chrono::steady_clock::now();
+  CheckArguments given;
+  std::vector<std::string> places;
+  if (!parse(arguments, kUsage, options_of(given), places)) return kDone;
+  const auto& [common, tolerances, threads] = given;
+  if (places.size() != 1) {
+    throw InputError("check takes one baseline (the summary.json of a run, or its directory)");
+  }
+  compare::validate(tolerances);
+  if (threads < 0) throw InputError(fmt::format("--threads {} (must not be negative)", threads));
+  const auto baseline = compare::load_baseline(places.front(), threads);
+  if (common.out) compare::make_writable(*common.out);
+
+  ProgressLine progress(common.quiet);
+  const auto run = compare::run_again(baseline, command_line, threads,
+                                      [&](const compare::RunProgress& at) { progress.show(at); });
+  progress.clear();
+
+  auto check = compare::check(baseline.run, run, tolerances, baseline.has_marginals);
+  check.notes = baseline.notes;
+  const auto json = compare::check_json(check, command_line, places.front());
+  if (common.json) {
+    fmt::print("{}\n", compare::json_text(json));
+  } else if (!common.quiet) {
+    fmt::print("{}", compare::check_table(check, terminal_format()));
+    std::fflush(stdout);
+  }
+  if (common.out) write(*common.out, run, json);
+  if (!common.quiet && !common.json) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    fmt::print(
+        "{}{:.1f} s.\n",
+        common.out
+            ? fmt::format("Wrote check.json, summary.json and marginals.csv to {} in ", *common.out)
+            : "Done in ",
+        elapsed.count());
+  }
+  return check.agrees() ? kDone : kNotReached;
+}
+
+}  // namespace fpkcheck::cli
