@@ -54,6 +54,11 @@ double worst(const ErrorEstimate& error, const Moments& moments) {
       {error.y_l1, error.ydot_l1, error.moments.y2 / moments.y2, error.moments.v2 / moments.v2});
 }
 
+void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
+  fine.summary.error = error;
+  fine.solution.extrapolation = {*coarser.density, error.factor};
+}
+
 }  // namespace
 
 ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, const Solution& fine,
@@ -65,7 +70,8 @@ ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, con
   const double fall = std::clamp(observed, kLevelRatio, std::pow(kLevelRatio, order));
   ErrorEstimate error{.y_l1 = y_last / (fall - 1),
                       .ydot_l1 = v_last / (fall - 1),
-                      .observed_order = std::log(observed) / std::log(kLevelRatio)};
+                      .observed_order = std::log(observed) / std::log(kLevelRatio),
+                      .factor = 1 / (fall - 1)};
   for (const auto moment : kMoments) {
     const double before = middle.moments.*moment - coarse.moments.*moment;
     const double last = fine.moments.*moment - middle.moments.*moment;
@@ -86,8 +92,8 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
   const Result coarse = solve(direct(refined(used, 1 / (kLevelRatio * kLevelRatio))));
   if (middle.solution.density && coarse.solution.density) {
-    fine.summary.error =
-        estimate_error(coarse.solution, middle.solution, fine.solution, options.order);
+    add_estimate(fine, middle.solution,
+                 estimate_error(coarse.solution, middle.solution, fine.solution, options.order));
   }
   return fine;
 }
@@ -116,12 +122,12 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
     if (last[0]) {
       const auto error =
           estimate_error(last[0]->solution, last[1]->solution, last[2]->solution, options.order);
-      last[2]->summary.error = error;
+      add_estimate(*last[2], last[1]->solution, error);
       if (worst(error, last[2]->solution.moments) <= *options.tolerance) {
         if (options.stepper == Stepper::direct) return *last[2];
         level.stepper = options.stepper;
         Result stepped = solve(level);
-        stepped.summary.error = error;
+        if (stepped.solution.density) add_estimate(stepped, last[1]->solution, error);
         return stepped;
       }
       if (error.observed_order < options.order - kOrdersMissing &&

@@ -27,13 +27,14 @@ ErrorEstimate estimate_error(const transform::Solution& coarse, const transform:
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
 /// The solution on the grid of the options, with its error estimated from grids of cells wider by
-/// kLevelRatio and its square (direct solves).
+/// kLevelRatio and its square (direct solves). The solution carries its extrapolation.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
 
 /// The solution on the first of a sequence of grids, each with cells narrower by kLevelRatio, whose
 /// error estimate meets options.tolerance: L1 of both marginals, and the second moments relative.
 /// When the differences fall more slowly than with the order of the scheme, cells are graded
-/// towards the origin. Status `not_converged` when the largest grid does not meet it.
+/// towards the origin. Status `not_converged` when the largest grid does not meet it. The solution
+/// carries its extrapolation.
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

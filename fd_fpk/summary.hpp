@@ -15,6 +15,7 @@ struct ErrorEstimate {
   transform::Moments moments = {};       ///< absolute
   double observed_order = 0;             ///< at which the marginals' differences fall
   transform::Moments extrapolated = {};  ///< Richardson limits
+  double factor = 0;                     ///< of the last difference that is still missing
 };
 
 /// What a run of the solver reports beyond its density.

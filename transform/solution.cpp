@@ -29,4 +29,18 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
   return marginal(*solution.density, variable, edges);
 }
 
+Marginal limit_marginal(const Solution& solution, Variable variable,
+                        std::span<const double> edges) {
+  if (!solution.density || !solution.extrapolation) {
+    throw std::logic_error("solution " + solution.id + " has no limit");
+  }
+  const auto& [coarser, factor] = *solution.extrapolation;
+  Marginal limit = marginal(*solution.density, variable, edges);
+  const Marginal before = marginal(coarser, variable, edges);
+  for (std::size_t k = 0; k < limit.size(); ++k) {
+    limit.density[k] += factor * (limit.density[k] - before.density[k]);
+  }
+  return limit;
+}
+
 }  // namespace fpkcheck::transform

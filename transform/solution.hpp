@@ -23,6 +23,13 @@ enum class Status {
 /// The status as written in summary.json.
 std::string_view name(Status status);
 
+/// What a sequence of grids tends to, as far as its last two tell (Richardson):
+/// limit = fine + factor (fine - coarser), with the solution's own density the fine one.
+struct Extrapolation {
+  Density coarser;
+  double factor;  ///< 1/(R - 1) where differences of neighbouring grids fall by R
+};
+
 /// What every solver returns, whatever its method.
 struct Solution {
   std::string id = {};   ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
@@ -37,6 +44,8 @@ struct Solution {
   std::optional<Density> density = {};
   /// Marginals that the solver estimated itself, with intervals (simulation); else empty.
   std::vector<std::pair<Variable, Marginal>> estimated_marginals = {};
+  /// Where the solver also has a coarser grid and estimated its discretisation error.
+  std::optional<Extrapolation> extrapolation = {};
 
   Moments moments = {};
   double mass = 0;             ///< integral of the density as returned
@@ -48,5 +57,9 @@ struct Solution {
 /// edges, else from the density.
 /// @throws std::logic_error when the solution has no density
 Marginal marginal(const Solution& solution, Variable variable, std::span<const double> edges);
+
+/// The marginal of what the solution's grids tend to; averages near 0 may come out negative.
+/// @throws std::logic_error when the solution has no density or no extrapolation
+Marginal limit_marginal(const Solution& solution, Variable variable, std::span<const double> edges);
 
 }  // namespace fpkcheck::transform

@@ -120,6 +120,28 @@ TEST(ErrorEstimate, SlowConvergenceTurnsOnTheGrading) {
   }
 }
 
+TEST(ErrorEstimate, TheLimitOfAManufacturedSequenceIsWhatItTendsTo) {
+  // Waves of amplitude 0.01 F^-4 on grids F times finer tend to the uniform density.
+  const std::vector<double> edges{0, 1, 2, 3, 4};
+  std::vector<Options> asked;
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(3e-3)}) {
+    for (const auto stepper : {Stepper::direct, Stepper::cvode}) {
+      const Options options{
+          .stepper = stepper, .error_estimate = !tolerance, .tolerance = tolerance};
+      const auto solve_one = solver_of_order(4, asked);
+      const auto solution = tolerance ? solve_to_tolerance(solve_one, options).solution
+                                      : solve_with_error_estimate(solve_one, options).solution;
+      const auto fine = transform::marginal(solution, Variable::y, edges);
+      const auto limit = transform::limit_marginal(solution, Variable::y, edges);
+      for (std::size_t k = 0; k < limit.size(); ++k) {
+        EXPECT_GT(std::abs(fine.density[k] - 0.25), 1e-5);
+        EXPECT_NEAR(limit.density[k], 0.25, 1e-12);
+      }
+    }
+  }
+  EXPECT_THROW(transform::limit_marginal(wave(0.1), Variable::y, edges), std::logic_error);
+}
+
 TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
   const auto [solution, summary] = solve(tests::paper_case(1), {.tolerance = 1e-4});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
