@@ -10,14 +10,15 @@ namespace {
 constexpr const char* kUsage = R"(usage: fpkcheck run [CASE ...] [options]
 
 Solves each case (default: the paper's four) by all methods, compares the marginal densities
-p(y) and p(y'), prints a table and draws pictures. Methods, by increasing trust:
+p(y) and p(y'), splits the error of each closure into its causes (error budget), prints
+tables and draws pictures. Methods, by increasing trust:
   epc   the paper's exponential-polynomial closure
         epc-gaussian-n2, epc-gaussian-n4, epc-gaussian-n6, epc-gaussian-n8
   fd    finite differences: white noise, series cut after the 4th derivative, all jumps
-        fd-white, fd-km4, fd-kf
+        fd-white, fd-km4-delta (impact to first order in 1-r, as in epc), fd-km4, fd-kf
   mcs   simulation of the impact system itself
 Exit code 0 when finite differences and simulation reached their solutions: how far the
-closures carry is what the run finds out. With --methods, every method named must reach one.
+closures and the impact to first order carry is what the run finds out. With --methods, every method named must reach one.
 
 examples:
   fpkcheck run

@@ -12,7 +12,8 @@ namespace fpkcheck::cli {
 /// Which solutions must be `ok` for the exit code 0.
 enum class Required {
   all,        ///< each was asked for by name
-  references  ///< finite differences and simulation: how far the closures carry is the question
+  references  ///< finite differences and simulation: how far the closures and the first-order
+              ///< impact carry is the question
 };
 
 /// Solves the cases by the methods, prints the table (or the JSON), and writes the report when a

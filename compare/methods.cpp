@@ -27,7 +27,7 @@ const std::vector<Family>& families() {
        {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"}},
       {"epc-moment", {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}},
       {"epc-polar", {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}},
-      {"fd", {"fd-white", "fd-km4", "fd-kf"}},
+      {"fd", {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"}},
       {"mcs", {"mcs"}}};
   return list;
 }
@@ -71,7 +71,8 @@ Method method_of(const std::string& id, const mcs::Options& simulation) {
   for (const auto equation : {fd_fpk::Equation::white, fd_fpk::Equation::km4,
                               fd_fpk::Equation::km4_pade, fd_fpk::Equation::kf}) {
     for (const auto impact : {problem::Impact::map, problem::Impact::delta}) {
-      const fd_fpk::Options options{.equation = equation, .impact = impact};
+      // The error budget (budget/budget.hpp) sets each difference beside what it is known to.
+      const fd_fpk::Options options{.equation = equation, .impact = impact, .error_estimate = true};
       if (id == fd_fpk::id(options)) return fd_method(options);
     }
   }

@@ -41,7 +41,7 @@ std::optional<Method> saved_method(const nlohmann::ordered_json& solution, int t
 
 /// The methods of a comma-separated list, by increasing trust (epc, fd, mcs), each once. An item is
 /// a solution's id (epc-gaussian-n6, fd-km4, mcs) or a family: epc (orders 2, 4, 6, 8), fd (white,
-/// km4, kf).
+/// km4 with both impacts, kf). Finite differences estimate their discretisation error.
 ///
 /// A further solver joins by one line in the list of families in methods.cpp.
 /// @param simulation options of the simulation, where the list has it

@@ -250,7 +250,7 @@ TEST_F(Program, TheFullRunIsDoneThoughSomeClosuresFindNoDensity) {
   EXPECT_EQ(run.exit_code, kDone) << run.err;
   const auto summary = nlohmann::json::parse(run.out);
   const auto& solutions = summary.at("cases").at(0).at("solutions");
-  ASSERT_EQ(solutions.size(), 14u);
+  ASSERT_EQ(solutions.size(), 15u);
   EXPECT_EQ(solutions.at(3).at("status"), "not_converged");
 }
 

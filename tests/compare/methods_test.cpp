@@ -20,7 +20,7 @@ TEST(Methods, FamiliesStandForTheirMembersByIncreasingTrust) {
   EXPECT_EQ(ids("mcs,fd,epc"),
             (Ids{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8",
                  "epc-moment-n4", "epc-moment-n8", "epc-moment-n12", "epc-polar-n4", "epc-polar-n6",
-                 "epc-polar-n8", "fd-white", "fd-km4", "fd-kf", "mcs"}));
+                 "epc-polar-n8", "fd-white", "fd-km4-delta", "fd-km4", "fd-kf", "mcs"}));
 }
 
 TEST(Methods, ItemsAreTakenOnceAndOrdersByNumber) {
