@@ -35,11 +35,6 @@ double divergence_term(double a, double b) {
   return a == 0 ? kInfinity : b * std::log(b / a) - b + a;
 }
 
-bool known_well(const Marginal& m, std::size_t bin) {
-  if (m.lower.empty() || m.upper.empty()) return true;
-  return m.upper[bin] - m.lower[bin] <= 2 * kWidestRelativeHalfInterval * m.density[bin];
-}
-
 TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, double to) {
   TailDistance tail{from, to, 0, 0, 0};
   for (std::size_t k = 0; k < b.size(); ++k) {
@@ -56,6 +51,11 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
 }
 
 }  // namespace
+
+bool known_well(const Marginal& m, std::size_t bin) {
+  if (m.lower.empty() || m.upper.empty()) return true;
+  return m.upper[bin] - m.lower[bin] <= 2 * kWidestRelativeHalfInterval * m.density[bin];
+}
 
 Distances distances(const Marginal& a, const Marginal& b) {
   require_same_bins(a, b);

@@ -26,6 +26,9 @@ struct Distances {
   std::vector<TailDistance> log10_tail;  ///< decades 0.1 .. 1 down to 1e-6 .. 1e-5
 };
 
+/// False where the 95 % interval of a bin is wider than +-50 % of its density.
+bool known_well(const transform::Marginal& marginal, std::size_t bin);
+
 /// Compares bin by bin. A negative average (a discretisation can have one) counts as it is in l1,
 /// l2 and sup, and as zero in hellinger and kl. KL(b || a) is infinite where b > 0 = a; it is taken
 /// in the form int (b log(b/a) - b + a), which is the usual one for equal masses and never

@@ -125,18 +125,40 @@ void say_whether_the_references_agree(const Json& summary_case,
   sentences.push_back(sentence + '.');
 }
 
+/// Of one solution, or the largest of several.
+struct DiscretisationError {
+  Cost l1{0, 0};
+  double y2 = 0, v2 = 0;
+};
+
+std::optional<DiscretisationError> discretisation_error(const Json& solution) {
+  const auto error = solution.find("error");
+  if (error == solution.end() || !error->is_object()) return std::nullopt;
+  const auto y = number(*error, "y_l1"), ydot = number(*error, "ydot_l1");
+  const auto y2 = number(error->at("moments"), "y2"), v2 = number(error->at("moments"), "v2");
+  if (!y || !ydot || !y2 || !v2) return std::nullopt;
+  return DiscretisationError{{*y, *ydot}, *y2, *v2};
+}
+
 void say_discretisation_errors(const Json& summary_case, std::vector<std::string>& sentences) {
+  if (!summary_case.at("budget").empty()) return;  // it has them
+  std::vector<std::string> ids;
+  DiscretisationError largest;
   for (const auto& solution : summary_case.at("solutions")) {
-    const auto error = solution.find("error");
-    if (error == solution.end() || !error->is_object()) continue;
-    const auto y = number(*error, "y_l1"), ydot = number(*error, "ydot_l1");
-    const auto y2 = number(error->at("moments"), "y2"), v2 = number(error->at("moments"), "v2");
-    if (!y || !ydot || !y2 || !v2) continue;
-    sentences.push_back(fmt::format(
-        "The discretisation error of {}, estimated from two coarser grids: L1 {}, {:.1g} in E[y^2] "
-        "and {:.1g} in E[y'^2].",
-        solution.at("id").get<std::string>(), text({*y, *ydot}), *y2, *v2));
+    const auto error = discretisation_error(solution);
+    if (!error) continue;
+    ids.push_back(solution.at("id").get<std::string>());
+    largest = {{std::max(largest.l1.y, error->l1.y), std::max(largest.l1.ydot, error->l1.ydot)},
+               std::max(largest.y2, error->y2),
+               std::max(largest.v2, error->v2)};
   }
+  if (ids.empty()) return;
+  const bool several = ids.size() > 1;
+  sentences.push_back(fmt::format(
+      "The discretisation error{} of {}, estimated from two coarser grids: {}L1 {}, {:.1g} in "
+      "E[y^2] and {:.1g} in E[y'^2].",
+      several ? "s" : "", fmt::join(ids, ", "), several ? "at most " : "", text(largest.l1),
+      largest.y2, largest.v2));
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace fpkcheck::compare {
 /// Plain sentences that say which approximation costs what in one case, from the distances of the
 /// solutions that are there and ok:
 ///
-///   - the discretisation error of a solution that estimated its own;
+///   - the discretisation error of a solution that estimated its own, or the largest of several;
+///     not where there is an error budget, which has them;
 ///   - white noise instead of impulses, the cut series instead of the jump integral, the
 ///   first-order
 ///     impact instead of the exact one: each against the solution that differs in that alone;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "compare/budget/budget.hpp"
+#include "compare/budget/limits.hpp"
 #include "problem/saved_fields.hpp"
 
 namespace fpkcheck::compare {
@@ -87,7 +89,8 @@ Json case_of(const CaseReport& report) {
   Json json = case_json(report.problem);
   json["solutions"] = solutions;
   json["comparisons"] = comparisons;
-  json["budget"] = Json::array();
+  json["budget"] = to_json(error_budget(report));
+  json["limits"] = limits(json);
   return json;
 }
 

@@ -7,9 +7,11 @@
 #include <functional>
 #include <optional>
 
+#include "compare/budget/table.hpp"
 #include "compare/findings.hpp"
 #include "compare/summary_view.hpp"
 #include "compare/text/columns.hpp"
+#include "compare/text/l1_text.hpp"
 #include "compare/text/wrapped.hpp"
 
 namespace fpkcheck::compare {
@@ -24,12 +26,6 @@ std::string shown(const std::optional<double>& value,
 }
 
 std::string moment_text(double x) { return fmt::format("{:#.4g}", x); }
-
-std::string l1_text(double x) {
-  constexpr double kSmallestShown = 1e-5;
-  if (x == 0) return "0";
-  return x < kSmallestShown ? fmt::format("{:.0e}", x) : fmt::format("{:.5f}", x);
-}
 
 std::string energy_text(double x) { return x == 0 ? "0" : fmt::format("{:.0e}", x); }
 
@@ -97,6 +93,15 @@ constexpr const char* kLegend =
     "excitation term (white: white noise; km4: Kramers-Moyal series to the fourth derivative; "
     "kf: full jump integral) / the impact. energy: residual of the power balance relative to the "
     "input.";
+constexpr const char* kBudgetLegend =
+    "error budget: the L1 distance from each closure to the reference (total) is at most the sum "
+    "of its parts and of the rows discretisation and sampling; tail: mean |log10 p - log10 "
+    "reference|. `closure`: the closure against finite differences of its own equation.";
+
+bool any_budget(const Json& summary) {
+  return std::ranges::any_of(summary.at("cases"),
+                             [](const Json& one) { return !one.at("budget").empty(); });
+}
 
 }  // namespace
 
@@ -119,13 +124,14 @@ std::string table(const Json& summary, std::size_t width) {
   std::string text;
   for (const auto& summary_case : summary.at("cases")) {
     text += wrapped(case_title(summary_case), width, 2) + rows_of(summary_case, width) +
-            reasons(summary_case, width);
+            reasons(summary_case, width) + budget_table(summary_case, width);
     for (const auto& sentence : findings(summary_case)) {
       text += wrapped("  " + sentence, width, 2);
     }
     text += '\n';
   }
-  return text + wrapped(kLegend, width);
+  text += wrapped(kLegend, width);
+  return any_budget(summary) ? text + wrapped(kBudgetLegend, width) : text;
 }
 
 }  // namespace fpkcheck::compare

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "compare/budget/figure.hpp"
 #include "compare/figure/drawing.hpp"
 #include "compare/figure/script.hpp"
 #include "compare/run_directory.hpp"
@@ -20,10 +21,14 @@ std::string picture_stem(std::string case_name) {
   return case_name;
 }
 
+std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
+
 void remove_pictures(const fs::path& directory, const nlohmann::ordered_json& summary) {
   for (const auto& summary_case : summary.at("cases")) {
-    remove_pictures_of(directory / "figures",
-                       picture_stem(summary_case.at("name").get<std::string>()));
+    const auto stem = picture_stem(summary_case.at("name").get<std::string>());
+    for (const auto& each : {stem, budget_stem(stem)}) {
+      remove_pictures_of(directory / "figures", each);
+    }
   }
 }
 
@@ -35,21 +40,9 @@ std::vector<std::string> draw_pictures(const fs::path& directory,
   fs::create_directories(figures);
   std::vector<std::string> warnings;
   bool drawing = true;
-  for (const auto& summary_case : summary.at("cases")) {
-    const auto name = summary_case.at("name").get<std::string>();
-    std::vector<MarginalCurve> own;
-    std::ranges::copy_if(curves, std::back_inserter(own),
-                         [&](const auto& curve) { return curve.case_name == name; });
-    const FigureContent content = figure_content(summary_case, own);
-    const std::string stem = picture_stem(name);
-    remove_pictures_of(figures, stem);
-    if (content.sides.empty()) {
-      warnings.push_back(
-          fmt::format("no picture of {}: none of its solutions has a density", name));
-      continue;
-    }
+  const auto draw_both = [&](const std::string& stem, const std::string& text) {
     const fs::path script = figures / (stem + ".gp");
-    write_file(script, figure_script(summary_case, content, stem));
+    write_file(script, text);
     for (const char* format : {".png", ".svg"}) {
       if (!drawing) break;
       try {
@@ -62,6 +55,24 @@ std::vector<std::string> draw_pictures(const fs::path& directory,
       } catch (const std::runtime_error& error) {
         warnings.emplace_back(error.what());
       }
+    }
+  };
+  remove_pictures(directory, summary);
+  for (const auto& summary_case : summary.at("cases")) {
+    const auto name = summary_case.at("name").get<std::string>();
+    std::vector<MarginalCurve> own;
+    std::ranges::copy_if(curves, std::back_inserter(own),
+                         [&](const auto& curve) { return curve.case_name == name; });
+    const FigureContent content = figure_content(summary_case, own);
+    const std::string stem = picture_stem(name);
+    if (content.sides.empty()) {
+      warnings.push_back(
+          fmt::format("no picture of {}: none of its solutions has a density", name));
+      continue;
+    }
+    draw_both(stem, figure_script(summary_case, content, stem));
+    if (has_budget(summary_case)) {
+      draw_both(budget_stem(stem), budget_script(summary_case, budget_stem(stem)));
     }
   }
   return warnings;

@@ -42,7 +42,7 @@ TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
   for ([[maybe_unused]] const auto& file : fs::directory_iterator(directory.path() / "figures")) {
     ++files;
   }
-  EXPECT_EQ(files, 3u);
+  EXPECT_EQ(files, 6u);  // the densities and the error budget
 }
 
 TEST(Report, AgainIsTheSameReport) {

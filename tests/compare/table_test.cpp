@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "compare/findings.hpp"
@@ -123,6 +124,42 @@ TEST(Table, GivesTheParametersAndTheReasons) {
   EXPECT_FALSE(contains(text, "fd-kf ok:"));
 }
 
+TEST(Table, HasTheErrorBudgetWithTheSentenceThatWasSaved) {
+  Json json = made_up_summary();
+  json["cases"][0]["limits"] = "Nothing limits it.";
+  Json& row = json["cases"][0]["budget"][5];
+  ASSERT_EQ(row["solution"].get<std::string>() + row["variable"].get<std::string>(),
+            "epc-gaussian-n6ydot");
+  row["total"] = 0.01111;
+  row["total_tail"] = 0.2222;
+  row["parts"][0]["l1"] = 0.03333;
+  row["parts"][1]["l1"] = 4.4e-6;
+  const std::string text = table(json, 120);
+  const auto shown = lines(text);
+  const auto title = std::ranges::find_if(
+      shown, [](const auto& line) { return line.starts_with("error budget"); });
+  ASSERT_NE(title, shown.end()) << text;
+  const auto cells_of = [&](const std::string& start) {
+    const auto line =
+        std::find_if(title, shown.end(), [&](const auto& each) { return each.starts_with(start); });
+    std::istringstream in(*line);
+    std::vector<std::string> cells;
+    for (std::string cell; in >> cell;) cells.push_back(cell);
+    return cells;
+  };
+  // Names, then total, closure + impact, truncation of p(y), of p(y'), and the tails.
+  const auto n6 = cells_of("epc-gaussian-n6");
+  ASSERT_EQ(n6.size(), 9u) << text;
+  EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
+            (std::vector<std::string>{"0.01111", "0.03333", "4e-06", "0.222"}));
+  EXPECT_EQ(cells_of("epc-gaussian-n4")[0], "epc-gaussian-n4*");
+  EXPECT_NE(std::find(title, shown.end(), "  Nothing limits it."), shown.end()) << text;
+
+  json["cases"][0]["budget"] = Json::array();
+  json["cases"][0].erase("limits");  // as in older summaries
+  EXPECT_FALSE(contains(table(json, 100), "error budget"));
+}
+
 TEST(Findings, SayWhichApproximationCostsWhat) {
   Json json = made_up_summary();
   set_l1(json, "fd-white", "fd-kf", 0.011, 0.031);
@@ -157,9 +194,20 @@ TEST(Findings, SayWhatIsKnownOfADiscretisationError) {
     solution["error"] = {
         {"y_l1", 2.8e-5}, {"ydot_l1", 2.5e-5}, {"moments", {{"y2", 1.3e-6}, {"v2", 2.4e-6}}}};
   }
+  // The budget has them.
+  EXPECT_FALSE(contains(findings(json["cases"][0])[0], "discretisation"));
+  json["cases"][0]["budget"] = Json::array();
   EXPECT_EQ(findings(json["cases"][0])[0],
             "The discretisation error of fd-kf, estimated from two coarser grids: L1 2.8e-05 in "
             "p(y) and 2.5e-05 in p(y'), 1e-06 in E[y^2] and 2e-06 in E[y'^2].");
+  for (auto& solution : json["cases"][0]["solutions"]) {
+    if (solution["id"] != "fd-km4") continue;
+    solution["error"] = {
+        {"y_l1", 3e-5}, {"ydot_l1", 1e-5}, {"moments", {{"y2", 4e-6}, {"v2", 1e-6}}}};
+  }
+  EXPECT_EQ(findings(json["cases"][0])[0],
+            "The discretisation errors of fd-km4, fd-kf, estimated from two coarser grids: at most "
+            "L1 3e-05 in p(y) and 2.5e-05 in p(y'), 4e-06 in E[y^2] and 2e-06 in E[y'^2].");
 }
 
 TEST(Findings, NameTheClosestClosureOfEachFormulation) {

@@ -57,6 +57,33 @@ TEST(Pictures, TheScriptDrawsTheSameAgainByHand) {
   EXPECT_EQ(contents(figures / "case1.svg"), first);
 }
 
+TEST(Pictures, OfTheErrorBudgetShowABarForEachPartAndTheTotal) {
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  SavedRun run = made_up_run();
+  auto& one = run.summary["cases"][0];
+  one["budget"][0]["parts"][0]["l1"] = 0.04321;
+  one["budget"][0]["total"] = 0.01234;
+  ASSERT_TRUE(draw_pictures(directory.path(), run.summary, run.marginals).empty());
+  const fs::path figures = directory.path() / "figures";
+  EXPECT_TRUE(contents(figures / "case1-budget.png").starts_with("\x89PNG\r\n\x1a\n"));
+  const std::string svg = contents(figures / "case1-budget.svg");
+  for (const char* text : {"gaussian-n4 *", "closure + impact", "truncation", "sampling", "total",
+                           "* no admissible density", "case1: c = 0.1"}) {
+    EXPECT_TRUE(contains(svg, text)) << text;
+  }
+  const std::string script = contents(figures / "case1-budget.gp");
+  // epc-gaussian-n2 is the first of the groups; its bars share 0.8 of the unit.
+  EXPECT_TRUE(contains(script, "$y_l1_0 << EOD\n0.7")) << script;
+  EXPECT_TRUE(contains(script, " 0.04321 ")) << script;
+  EXPECT_TRUE(contains(script, "$y_l1_total << EOD\n0.6000 0.01234 0.8000\n")) << script;
+
+  one["budget"] = nlohmann::ordered_json::array();
+  draw_pictures(directory.path(), run.summary, run.marginals);
+  EXPECT_FALSE(fs::exists(figures / "case1-budget.png"));  // of the run before
+  EXPECT_TRUE(fs::exists(figures / "case1.png"));
+}
+
 TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
   const tests::TemporaryDirectory directory;
   const SavedRun run = made_up_run();
@@ -73,13 +100,13 @@ TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   const SavedRun run = made_up_run();
   for (const char* broken : {"false", "true"}) {  // an exit code; no picture in spite of success
     const auto warnings = draw_pictures(directory.path(), run.summary, run.marginals, broken);
-    ASSERT_EQ(warnings.size(), 2u);
+    ASSERT_EQ(warnings.size(), 4u);
     EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
     std::size_t files = 0;
     for ([[maybe_unused]] const auto& file : fs::directory_iterator(directory.path() / "figures")) {
       ++files;
     }
-    EXPECT_EQ(files, 1u);  // the script
+    EXPECT_EQ(files, 2u);  // the scripts
   }
 }
 
@@ -94,7 +121,7 @@ TEST(Pictures, OfAGnuplotThatStopsHalfWayAreNotKept) {
   fs::permissions(stops, fs::perms::owner_all);
   const SavedRun run = made_up_run();
   const auto warnings = draw_pictures(directory.path(), run.summary, run.marginals, stops.string());
-  ASSERT_EQ(warnings.size(), 2u);
+  ASSERT_EQ(warnings.size(), 4u);
   EXPECT_TRUE(contains(warnings.front(), "code 3 (line 7: undefined function)"))
       << warnings.front();
   EXPECT_FALSE(fs::exists(directory.path() / "figures" / "case1.png"));
