@@ -18,7 +18,8 @@ tables and draws pictures. Methods, by increasing trust:
         fd-white, fd-km4-delta (impact to first order in 1-r, as in epc), fd-km4, fd-kf
   mcs   simulation of the impact system itself
 Exit code 0 when finite differences and simulation reached their solutions: how far the
-closures and the impact to first order carry is what the run finds out. With --methods, every method named must reach one.
+closures and the impact to first order carry is what the run finds out. With --methods, every
+method of the list must reach one.
 
 examples:
   fpkcheck run
