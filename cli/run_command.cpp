@@ -1,7 +1,13 @@
+#include <fmt/format.h>
+
+#include <iterator>
+
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/simulation_options.hpp"
 #include "cli/solve_and_report.hpp"
+#include "compare/foreign/foreign_methods.hpp"
+#include "problem/input_error.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::cli {
@@ -25,6 +31,10 @@ examples:
   fpkcheck run
   fpkcheck run case1 --set system.restitution=0.9 --methods epc-gaussian-n6,fd,mcs
   fpkcheck run mine.ini --out results --seed 7
+  fpkcheck run case1 --against measured_y.csv:lab --against measured_v.csv:lab
+
+A FILE of --against has the columns "abscissa density", "abscissa density standard_error" or
+"lower upper density_or_count" of p(y) or p(y'), with a line of names or not (docs/foreign.md).
 )";
 constexpr const char* kAllMethods = "epc,fd,mcs";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
@@ -36,16 +46,31 @@ int run_command(const std::vector<std::string>& arguments, const std::string& co
   CommonArguments common;
   mcs::Options simulation;
   std::string list;
+  std::vector<std::string> against;
   po::options_description own;
   own.add_options()("methods", po::value(&list)->value_name("LIST"),
                     "families or ids separated by commas (default: epc,fd,mcs)");
+  own.add_options()(
+      "against", po::value(&against)->value_name("FILE[:LABEL]")->composing(),
+      "compare a marginal density from a file as well; of one case; may be repeated: y and y' of "
+      "the same LABEL (default: the file's name) are one solution");
   own.add(simulation_options(simulation));
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
 
   const bool chosen = !list.empty();
-  const auto methods = compare::select_methods(chosen ? list : kAllMethods, simulation);
+  auto methods = compare::select_methods(chosen ? list : kAllMethods, simulation);
   if (common.cases.empty()) {
     for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
+  }
+  if (!against.empty()) {
+    if (common.cases.size() != 1) {
+      throw InputError(fmt::format("--against with {} cases (a file is of one case: name it)",
+                                   common.cases.size()));
+    }
+    // Before the others: nothing is known of how far they may be trusted.
+    auto foreign = compare::foreign_methods(against);
+    methods.insert(methods.begin(), std::make_move_iterator(foreign.begin()),
+                   std::make_move_iterator(foreign.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
   return solve_and_report(common, methods, simulation.threads,

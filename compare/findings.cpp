@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -161,6 +163,78 @@ void say_discretisation_errors(const Json& summary_case, std::vector<std::string
       largest.y2, largest.v2));
 }
 
+/// L1 distances to a reference in the variables that a file gave.
+struct Gap {
+  std::optional<double> y, ydot;
+  bool any() const { return y || ydot; }
+};
+
+std::string text(const Gap& gap) {
+  if (gap.y && gap.ydot) return text(Cost{*gap.y, *gap.ydot});
+  return gap.y ? fmt::format("{:.2g} in p(y)", *gap.y)
+               : fmt::format("{:.2g} in p(y')", gap.ydot.value_or(0));
+}
+
+Gap gap_to(const Json& summary_case, std::string_view id, std::string_view reference) {
+  if (!usable(summary_case, reference)) return {};
+  return {l1_between(summary_case, id, reference, Variable::y),
+          l1_between(summary_case, id, reference, Variable::ydot)};
+}
+
+// What chance does to a solution, where it says so.
+Gap sampling_error(const Json* solution) {
+  if (solution == nullptr || !solution->contains("sampling_l1")) return {};
+  return {number(solution->at("sampling_l1"), "y"), number(solution->at("sampling_l1"), "ydot")};
+}
+
+// The expected error of a difference whose parts are independent.
+std::optional<double> together(const std::optional<double>& own, const std::optional<double>& other,
+                               const std::optional<double>& gap) {
+  if (!own || !gap) return std::nullopt;
+  return std::hypot(*own, other.value_or(0));
+}
+
+// "; its standard errors account for ..., which explains that", where the file has any.
+std::string whether_chance_explains(const Json& solution, const Json* simulation, const Gap& gap) {
+  constexpr double kScatter = 2;  // single runs reach nearly twice the expectation
+  const Gap own = sampling_error(&solution), other = sampling_error(simulation);
+  const Gap chance{together(own.y, other.y, gap.y), together(own.ydot, other.ydot, gap.ydot)};
+  if (!chance.any()) return "";
+  const auto within = [](const auto& difference, const auto& expected) {
+    return !expected || *difference <= kScatter * *expected;
+  };
+  const bool explained = within(gap.y, chance.y) && within(gap.ydot, chance.ydot);
+  return fmt::format("; its standard errors{} account for about {}, which {} that",
+                     other.any() ? " and the simulation's" : "", text(chance),
+                     explained ? "explains" : "does not explain");
+}
+
+void say_how_far_files_are(const Json& summary_case, std::vector<std::string>& sentences) {
+  for (const auto& solution : summary_case.at("solutions")) {
+    if (solution.at("method") != "file") continue;
+    const auto id = solution.at("id").get<std::string>();
+    const Gap to_simulation = gap_to(summary_case, id, "mcs");
+    const Gap to_full = gap_to(summary_case, id, "fd-kf");
+    if (to_simulation.any()) {
+      sentences.push_back(fmt::format(
+          "{} differs from the simulation by L1 {}{}.", id, text(to_simulation),
+          whether_chance_explains(solution, find_solution(summary_case, "mcs"), to_simulation)));
+    }
+    if (to_full.any()) {
+      sentences.push_back(fmt::format("{} differs from the full jump equation (fd-kf) by L1 {}{}.",
+                                      id, text(to_full),
+                                      whether_chance_explains(solution, nullptr, to_full)));
+    }
+    for (const auto& file : solution.at("files")) {
+      const auto& notes = file.at("notes");
+      if (notes.empty()) continue;
+      const std::filesystem::path path(file.at("file").get<std::string>());
+      sentences.push_back(fmt::format("Of {}: {}.", path.filename().string(),
+                                      fmt::join(notes.get<std::vector<std::string>>(), "; ")));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> findings(const Json& summary_case) {
@@ -169,6 +243,7 @@ std::vector<std::string> findings(const Json& summary_case) {
   say_what_approximations_cost(summary_case, sentences);
   say_which_closure_is_closest(summary_case, sentences);
   say_whether_the_references_agree(summary_case, sentences);
+  say_how_far_files_are(summary_case, sentences);
   return sentences;
 }
 

@@ -15,7 +15,9 @@ namespace fpkcheck::compare {
 ///   first-order
 ///     impact instead of the exact one: each against the solution that differs in that alone;
 ///   - the closest exponential-polynomial closure of each formulation;
-///   - the full equation against the simulation, beside the simulation's own sampling error.
+///   - the full equation against the simulation, beside the simulation's own sampling error;
+///   - solutions from files against both, beside what their standard errors explain, and what was
+///     made of the files.
 ///
 /// @param summary_case one element of "cases" in summary.json
 std::vector<std::string> findings(const nlohmann::ordered_json& summary_case);

@@ -120,6 +120,20 @@ std::string case_title(const Json& summary_case) {
   return text;
 }
 
+namespace {
+
+// Files of others are explained where there are any.
+std::string legend(const Json& summary) {
+  for (const auto& summary_case : summary.at("cases")) {
+    for (const auto& solution : summary_case.at("solutions")) {
+      if (solution.at("method") == "file") return std::string(kLegend) + " given: from a file.";
+    }
+  }
+  return kLegend;
+}
+
+}  // namespace
+
 std::string table(const Json& summary, std::size_t width) {
   std::string text;
   for (const auto& summary_case : summary.at("cases")) {
@@ -130,7 +144,7 @@ std::string table(const Json& summary, std::size_t width) {
     }
     text += '\n';
   }
-  text += wrapped(kLegend, width);
+  text += wrapped(legend(summary), width);
   return any_budget(summary) ? text + wrapped(kBudgetLegend, width) : text;
 }
 

@@ -10,6 +10,8 @@ constexpr const char* kBlack = "#000000";
 constexpr const char* kSkyBlue = "#56B4E9";
 constexpr const char* kBlue = "#0072B2";
 constexpr const char* kGreen = "#009E73";
+// Of files, in the order they were given.
+constexpr std::array kGiven{"#DC050C", "#882E72", "#777777"};
 
 // One hue a formulation, darker with the order 2, 4, .. 12.
 using Ramp = std::array<const char*, 6>;
@@ -37,6 +39,10 @@ const Ramp& ramp(const std::string& formulation) {
 CurveStyle curve_style(const nlohmann::ordered_json& solution) {
   const auto method = solution.at("method").get<std::string>();
   if (method == "mcs") return {kBlack, kSolid, 1, true, 3};
+  if (method == "file") {
+    return {kGiven[solution.value("place", std::size_t{0}) % kGiven.size()], "(4,3)", 2.5, false,
+            4};
+  }
   if (method == "fd") return finite_differences(solution.at("id").get<std::string>());
 
   // The higher the order, the more ink.

@@ -17,7 +17,7 @@ struct CurveStyle {
 
 /// Finite differences are solid, the trusted one broad and beneath all others; closures are dashed
 /// by their order, darker with it, and above them; the simulation is points
-/// on top.
+/// above these, and what a file gave is dotted and on top.
 /// @param solution one element of "solutions" in summary.json
 CurveStyle curve_style(const nlohmann::ordered_json& solution);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -69,6 +70,9 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"run", "--threads", "-3"}, "threads"},
       {{"run", "--threads", "two"}, "threads"},
       {{"run", "--metods", "epc"}, "--metods"},
+      {{"run", "case1", "--against", path("absent.csv")}, "is not a readable file"},
+      {{"run", "case1", "--against", path("file")}, "file: no numbers"},
+      {{"run", "--against", path("unknown.ini")}, "--against with 4 cases"},
       {{"epc", "case1", "--order", "3"}, "order"},
       {{"epc", "case1", "--order", "1000"}, "order"},
       {{"epc", "case1", "--order", "0"}, "order"},
@@ -155,6 +159,20 @@ TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
   const auto again = program({"report", out});
   EXPECT_EQ(again.exit_code, kDone);
   EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // the run adds its closing line
+}
+
+TEST_F(Program, ADensityFromAFileIsComparedWithTheMethods) {
+  std::ofstream mine(path("mine.csv"));
+  for (int k = 0; k < 40; ++k) mine << 0.1 * k << ' ' << std::exp(-0.5 * k * k / 40) << '\n';
+  mine.close();
+  const auto run = program({"run", "case1", "--methods", "fd-white", "--against", path("mine.csv"),
+                            "--json", "--out", path("out")});
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  const auto one = nlohmann::json::parse(run.out).at("cases").at(0);
+  EXPECT_EQ(one.at("solutions").at(0).at("id"), "mine");
+  EXPECT_EQ(one.at("comparisons").size(), 1u);  // p(y) of the pair, and nothing in y'
+  EXPECT_EQ(one.at("comparisons").at(0).at("a"), "mine");
+  EXPECT_EQ(program({"report", path("out")}).exit_code, kDone);
 }
 
 TEST_F(Program, ASecondRunLeavesNothingOfTheFirst) {

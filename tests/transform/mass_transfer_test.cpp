@@ -71,6 +71,21 @@ TEST(MassTransfer, KeepsAllMassAndPutsNoneBeyondTheSource) {
   EXPECT_EQ(MassTransfer(source, uniform_edges(6, 9, 3))(masses), std::vector<double>(3));
 }
 
+TEST(MassTransfer, ReachesUpToZeroFromBothSidesAndNotBeyond) {
+  const auto source = uniform_edges(-8, 8, 16);
+  // The polynomial through 0 at seven edges and 1 at the next, half a bin before that.
+  const double half = 0.5 * 1.5 * 2.5 * 3.5 * 4.5 * 5.5 * 6.5 / (1 * 2 * 3 * 4 * 5 * 6 * 7);
+  for (const int side : {-1, 1}) {
+    std::vector<double> masses(16);
+    masses[side < 0 ? 7 : 8] = 1;
+    const auto halves = MassTransfer(source, std::vector<double>{-1, -0.5, 0, 0.5, 1})(masses);
+    EXPECT_NEAR(halves[side < 0 ? 0 : 3], half, 1e-14);
+    EXPECT_NEAR(halves[side < 0 ? 1 : 2], 1 - half, 1e-14);
+    EXPECT_EQ(halves[side < 0 ? 2 : 0], 0);
+    EXPECT_EQ(halves[side < 0 ? 3 : 1], 0);
+  }
+}
+
 TEST(OnCells, OfAGridConvergesWithOrder7OrMoreAndKeepsTheJumpAtTheWall) {
   const auto y_edges = uniform_edges(0, 6, 31), v_edges = uniform_edges(-6, 6, 34);
   for (const Cumulative of_v : {bell_cumulative, jumping_cumulative}) {

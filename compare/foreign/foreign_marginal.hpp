@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/foreign/number_table.hpp"
+#include "transform/marginal.hpp"
+
+namespace fpkcheck::compare {
+
+/// A marginal density that others computed or measured, from a file.
+///
+/// Two columns are abscissa and density; three are lower edge, upper edge and density or count of a
+/// histogram where each bin begins where the one before ended (or the names say so), else abscissa,
+/// density and standard error. Between points the density is Akima's modified interpolant; within
+/// the bins of a histogram it is the slope of the cumulative's monotone cubic. From a first point
+/// of y that is no farther from the wall than from the second, it is continued to the wall by a
+/// straight line. Elsewhere outside the file's range it is 0.
+class ForeignMarginal {
+ public:
+  /// @param table of the columns above
+  /// @throws InputError SOURCE:LINE: what is wrong and what is allowed
+  explicit ForeignMarginal(const NumberTable& table);
+
+  transform::Variable variable() const { return variable_; }
+
+  /// Averages over bins, with 95 % intervals where the file has standard errors.
+  transform::Marginal on(std::span<const double> edges) const;
+
+  /// The integral of x^power over the file's range.
+  double moment(int power) const;
+
+  /// The expected L1 distance from the truth, by the file's standard errors; 0 where it has none.
+  double expected_l1() const;
+  bool has_errors() const { return !errors_.empty(); }
+
+  /// What was read and made of it: file, variable, form, range, normalisation, notes.
+  const nlohmann::ordered_json& description() const { return description_; }
+
+ private:
+  void read_histogram(const NumberTable& table);
+  void read_points(const NumberTable& table);
+  void normalise(bool counts);
+  void note_cut_ends();
+  double cumulative(double x) const;
+
+  transform::Variable variable_;
+  std::vector<double> knots_;       // edges or points
+  std::vector<double> cumulative_;  // at the knots
+  std::function<double(double)> density_;
+  double scale_ = 1;            // of density_, to have mass 1
+  std::vector<double> errors_;  // standard errors at the knots, or empty
+  nlohmann::ordered_json description_;
+};
+
+/// @throws InputError also when the file cannot be read
+ForeignMarginal read_foreign_marginal(const std::filesystem::path& file);
+
+}  // namespace fpkcheck::compare

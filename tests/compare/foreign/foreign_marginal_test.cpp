@@ -1,0 +1,225 @@
+#include "compare/foreign/foreign_marginal.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "problem/input_error.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+using tests::contains;
+using transform::Variable;
+
+ForeignMarginal read(const std::string& text) {
+  std::istringstream in(text);
+  return ForeignMarginal(read_number_table(in, "mine.csv"));
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+double bell(double v) { return std::exp(-v * v / 2) / std::sqrt(2 * M_PI); }
+double bell_below(double v) { return 0.5 * std::erfc(-v / std::sqrt(2.0)); }
+
+std::vector<double> uniform_edges(double a, double b, int n) {
+  std::vector<double> edges;
+  for (int k = 0; k <= n; ++k) edges.push_back(a + (b - a) * k / n);
+  return edges;
+}
+
+// L1 to the normal density (or twice it, on y >= 0).
+double l1_to_bell(const transform::Marginal& m, double factor = 1) {
+  double sum = 0;
+  for (std::size_t b = 0; b < m.size(); ++b) {
+    const double exact = factor * (bell_below(m.edges[b + 1]) - bell_below(m.edges[b]));
+    sum += std::abs(m.density[b] * m.width(b) - exact);
+  }
+  return sum;
+}
+
+std::string points(double scale, const std::string& header, const char* row, double from = -5) {
+  std::string text = header;
+  for (int k = 0; k <= 100; ++k) {
+    const double x = from + 0.1 * k;
+    text += fmt::format(fmt::runtime(row), x, scale * bell(x));
+  }
+  return text;
+}
+
+std::string histogram(double scale, const std::string& header, bool counts) {
+  std::string text = header;
+  for (int k = 0; k < 50; ++k) {
+    const double a = -5 + 0.2 * k, b = a + 0.2;
+    const double mass = scale * (bell_below(b) - bell_below(a));
+    text += counts ? fmt::format("{:.9g},{:.9g},{:.0f}\n", a, b, mass)
+                   : fmt::format("{:.9g},{:.9g},{}\n", a, b, mass / 0.2);
+  }
+  return text;
+}
+
+TEST(ForeignMarginal, IsReadInAnyFormWithNamesOrWithout) {
+  const auto edges = uniform_edges(-6, 6, 77);
+  for (const std::string& text :
+       {points(1, "", "{},{}\n"), points(1, "v,p(v)\n", "{},{}\r\n"),
+        points(1, "\xEF\xBB\xBFVelocity;Density\n", "{};{}\n"),
+        points(1, "# run 7\n\n# y' p\n", "  {}   {} \n"), points(1, "\"v\"\t\"p\"\n", "{}\t{}\n"),
+        points(1, "", "{},+{},0.01\n")}) {
+    const ForeignMarginal marginal = read(text);
+    EXPECT_EQ(marginal.variable(), Variable::ydot) << text.substr(0, 40);
+    EXPECT_EQ(marginal.description().at("form"), "points");
+    EXPECT_LT(l1_to_bell(marginal.on(edges)), 2e-4) << text.substr(0, 40);
+    EXPECT_NEAR(marginal.moment(2), 1, 2e-3);
+    EXPECT_FALSE(marginal.description().contains("normalised_by"));
+  }
+  for (const std::string& text :
+       {histogram(1, "", false), histogram(1, "lower,upper,density\n", false),
+        histogram(1e8, "", true), histogram(1e8, "from,to,count\n", true)}) {
+    const ForeignMarginal marginal = read(text);
+    EXPECT_EQ(marginal.description().at("form"), "histogram");
+    EXPECT_LT(l1_to_bell(marginal.on(edges)), 2e-3) << text.substr(0, 40);
+    EXPECT_LT(l1_to_bell(marginal.on(uniform_edges(-5, 5, 25))), 1e-6) << "where edges coincide";
+  }
+}
+
+TEST(ForeignMarginal, ConvergesWithItsPoints) {
+  const auto error = [](int n, bool bins) {
+    std::string text;
+    for (int k = 0; k <= n - bins; ++k) {
+      const double x = -6 + 12.0 * k / n, next = x + 12.0 / n;
+      text += bins ? fmt::format("{:.12g} {:.12g} {}\n", x, next,
+                                 (bell_below(next) - bell_below(x)) / (next - x))
+                   : fmt::format("{} {}\n", x, bell(x));
+    }
+    return l1_to_bell(read(text).on(uniform_edges(-6, 6, 131)));
+  };
+  const double points_order = std::log2(error(40, false) / error(80, false));
+  EXPECT_GT(points_order, 2) << error(40, false) << " " << error(80, false);
+  EXPECT_LT(points_order, 4.5);
+  const double bins_order = std::log2(error(40, true) / error(80, true));
+  EXPECT_GT(bins_order, 1.5) << error(40, true) << " " << error(80, true);
+  EXPECT_LT(bins_order, 3.5);
+}
+
+TEST(ForeignMarginal, SaysItsVariableByItsNamesOrElseByItsSigns) {
+  const std::string rows = "0 1\n1 1\n2 1\n3 1\n";
+  EXPECT_EQ(read(rows).variable(), Variable::y);
+  EXPECT_EQ(read("ydot p\n" + rows).variable(), Variable::ydot);
+  EXPECT_EQ(read("x p(y')\n" + rows).variable(), Variable::y);  // both: by the signs
+  EXPECT_EQ(read("-1 1\n" + rows).variable(), Variable::ydot);
+  EXPECT_TRUE(contains(refusal("y p\n-1 1\n" + rows), "mine.csv:2: y = -1 (must not be negative)"));
+}
+
+TEST(ForeignMarginal, IsNormalisedOnlyWhereItIsFarFromOne) {
+  const auto edges = uniform_edges(-6, 6, 77);
+  const ForeignMarginal tripled = read(points(3, "", "{} {}\n"));
+  EXPECT_NEAR(tripled.description().at("normalised_by").get<double>(), 3, 1e-3);
+  EXPECT_LT(l1_to_bell(tripled.on(edges)), 2e-4);
+  EXPECT_NEAR(tripled.moment(0), 1, 1e-12);
+  const ForeignMarginal nearly = read(points(0.95, "", "{} {}\n"));
+  EXPECT_FALSE(nearly.description().contains("normalised_by"));
+  EXPECT_NEAR(l1_to_bell(nearly.on(edges)), 0.05, 1e-3);
+}
+
+TEST(ForeignMarginal, CountsOfUnequalBinsAreNotDensities) {
+  const std::string rows = "0,1,10\n1,2,10\n2,4,10\n4,8,10\n";
+  const auto first_bin = [](const std::string& text) {
+    return read(text).on(std::vector<double>{0, 1, 2, 4, 8, 9}).density[0];
+  };
+  EXPECT_NEAR(first_bin("lower,upper,count\n" + rows), 1.0 / 4, 1e-12);
+  EXPECT_NEAR(first_bin(rows), 1.0 / 4, 1e-12);
+  EXPECT_NEAR(first_bin("0,1,0.5\n" + rows.substr(7)), 0.5 / 70.5, 1e-12);  // not whole
+  const auto whole = read("0,0.25,2\n0.25,0.75,1\n0.75,1,0\n1,2,0\n");      // integral 1
+  EXPECT_NEAR(whole.on(std::vector<double>{0, 0.25}).density[0], 2, 1e-12);
+  const auto on = read(rows).on(std::vector<double>{2, 4, 8, 9});
+  EXPECT_NEAR(on.density[0], 0.125, 1e-12);
+  EXPECT_NEAR(on.density[1], 0.0625, 1e-12);
+  EXPECT_EQ(on.density[2], 0);
+}
+
+TEST(ForeignMarginal, EndsWhereTheFileEndsAndSaysSo) {
+  const ForeignMarginal cut = read(points(1, "v p\n", "{} {}\n", -1));  // from -1 to 9
+  const auto on = cut.on(uniform_edges(-3, 3, 6));
+  EXPECT_EQ(on.density[0], 0);
+  EXPECT_EQ(on.density[1], 0);
+  EXPECT_NEAR(on.density[2], (bell_below(0) - bell_below(-1)) / 1 / bell_below(1), 1e-3);
+  ASSERT_EQ(cut.description().at("notes").size(), 2u);  // normalised; cut at -1 alone
+  EXPECT_TRUE(contains(cut.description().at("notes")[1], "p(y') ends at -1 with 0.6"));
+  EXPECT_EQ(cut.description().at("from"), -1);
+  EXPECT_TRUE(read(points(1, "", "{} {}\n")).description().at("notes").empty());
+}
+
+TEST(ForeignMarginal, OfPointsBesideTheWallIsContinuedToIt) {
+  std::string centres, far;
+  for (int k = 0; k < 60; ++k) {
+    const double y = 0.05 + 0.1 * k;
+    centres += fmt::format("{} {}\n", y, 2 * bell(y));
+    if (k >= 3) far += fmt::format("{} {}\n", y, 2 * bell(y));
+  }
+  const auto edges = uniform_edges(0, 6, 60);
+  EXPECT_LT(l1_to_bell(read(centres).on(edges), 2), 1e-3);
+  EXPECT_EQ(read(far).on(edges).density[0], 0);
+  std::string steep;
+  for (int k = 0; k < 60; ++k)
+    steep += fmt::format("{} {}\n", 0.1 + 0.2 * k, std::exp(-0.1 - 0.2 * k));
+  EXPECT_NEAR(read(steep).on(std::vector<double>{0, 0.1}).density[0], (1 - std::exp(-0.1)) / 0.1,
+              6e-3);
+  EXPECT_TRUE(contains(read(far).description().at("notes").back(), "ends at 0.35"));
+}
+
+TEST(ForeignMarginal, HasIntervalsWhereItHasStandardErrors) {
+  const ForeignMarginal marginal = read(points(1, "v p error\n", "{} {} 0.01\n"));
+  const auto on = marginal.on(uniform_edges(-6, 6, 60));
+  ASSERT_EQ(on.lower.size(), 60u);
+  EXPECT_NEAR(on.upper[30] - on.density[30], 0.0196, 1e-5);
+  EXPECT_NEAR(on.density[30] - on.lower[30], 0.0196, 1e-5);
+  EXPECT_EQ(on.upper[0], 0);  // outside
+  EXPECT_GE(on.lower[8], 0);
+  EXPECT_NEAR(marginal.expected_l1(), 0.01 * 10 * std::sqrt(2 / M_PI), 1e-6);
+  EXPECT_TRUE(read(points(1, "", "{} {}\n")).on(uniform_edges(0, 1, 2)).lower.empty());
+}
+
+TEST(ForeignMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {"", "no numbers (must be two or three columns"},
+      {"y p\n", "no numbers"},
+      {"1\n2\n", "mine.csv:1: 1 column (must be two or three)"},
+      {"1 2 3 4\n", "mine.csv:1: 4 columns (must be two or three)"},
+      {"0 1\n1 1 1\n", "mine.csv:2: 3 columns after rows of 2"},
+      {"y p\n0 1\n1 one\n", "mine.csv:3: 'one' is not a number"},
+      {"0 half\n1 1\n", "mine.csv:1: 'half' is not a number"},
+      {"0,0;0,5\n1;0,5\n", "mine.csv:2: '0,5' is not a number"},
+      {"0;1\n1;0,5\n", "mine.csv:2: '0,5' is not a number (with a decimal point)"},
+      {"0 1\n1 nan\n", "mine.csv:2: nan (numbers must be finite)"},
+      {"0 1\n1 inf\n", "mine.csv:2: inf (numbers must be finite)"},
+      {"0 1\n1 1\n\n# more\n2 1\n", "mine.csv:5: 3 rows (must be at least 4)"},
+      {"0 1\n2 1\n1 1\n3 1\n", "mine.csv:3: 1 after 2 (must increase)"},
+      {"0 1\n1 1\n1 1\n3 1\n", "mine.csv:3: 1 after 1 (must increase)"},
+      {"0 1\n1 -0.5\n2 1\n3 1\n", "mine.csv:2: density -0.5 (must not be negative)"},
+      {"0 1 1\n1 1 -1\n2 1 1\n3 1 1\n", "mine.csv:2: standard error -1 (must not be negative)"},
+      {"0 1 1\n1 2 -1\n2 3 1\n3 4 1\n", "mine.csv:2: density or count -1 (must not"},
+      {"lower upper p\n0 1 1\n1 2 1\n2.5 3 1\n3 4 1\n",
+       "mine.csv:4: a bin from 2.5 after one to 2 (bins must join)"},
+      {"0 0\n1 0\n2 0\n3 0\n", "0 everywhere"},
+      {"y p q\n0 1\n1 1\n2 1\n3 1\n", "mine.csv:2: 2 columns under 3 names"},
+  };
+  for (const auto& [text, expected] : bad) {
+    const std::string message = refusal(text);
+    EXPECT_TRUE(contains(message, expected)) << expected << " not in: " << message;
+    EXPECT_TRUE(message.starts_with("mine.csv")) << message;
+    EXPECT_FALSE(contains(message, "\n")) << message;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare
