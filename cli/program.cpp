@@ -24,7 +24,7 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"run", "all methods on all cases, compared: tables, pictures, summary.json", run_command},
+    {"run", "all methods on all cases, compared: tables, report.html, pictures", run_command},
     {"epc", "exponential-polynomial closure, the paper's equations (17)-(26)", epc_command},
     {"fd", "finite differences for the (generalised) Fokker-Planck-Kolmogorov equation",
      fd_command},
@@ -33,7 +33,7 @@ constexpr Command kCommands[] = {
     {"reference", "reference values, agreed on by two discretisations and a simulation",
      reference_command},
     {"check", "a saved run again, compared with what it was: the regression test", check_command},
-    {"report", "tables and pictures again from a saved run", report_command},
+    {"report", "table, report.html and pictures again from a saved run", report_command},
 };
 
 void print_overview() {

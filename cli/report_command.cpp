@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kUsage = R"(usage: fpkcheck report DIR
 
-Prints the table of a saved run and draws its pictures again. Solves nothing.
+Prints the table of a saved run, and makes its report.html and pictures again. Solves nothing.
 )";
 
 }  // namespace

@@ -72,12 +72,13 @@ int solve_and_report(const CommonArguments& common, const std::vector<compare::M
   }
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    fmt::print("\n{}{:.1f} s.\n",
-               common.out
-                   ? fmt::format("Wrote summary.json, marginals.csv{} and figures/ to {} in ",
-                                 run.joints.empty() ? "" : ", joint.nc", *common.out)
-                   : "Done in ",
-               elapsed.count());
+    fmt::print(
+        "\n{}{:.1f} s.\n",
+        common.out
+            ? fmt::format("Wrote report.html, summary.json, marginals.csv{} and figures/ to {} in ",
+                          run.joints.empty() ? "" : ", joint.nc", *common.out)
+            : "Done in ",
+        elapsed.count());
   }
   return reached(cases, required) ? kDone : kNotReached;
 }

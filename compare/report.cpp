@@ -8,6 +8,7 @@
 
 #include "compare/figure/pictures.hpp"
 #include "compare/joint_netcdf.hpp"
+#include "compare/page/page.hpp"
 #include "compare/run_directory.hpp"
 #include "compare/summary.hpp"
 #include "compare/table.hpp"
@@ -22,6 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kSummaryFile = "summary.json";
 constexpr const char* kMarginalsFile = "marginals.csv";
 constexpr const char* kJointFile = "joint.nc";
+constexpr const char* kPageFile = "report.html";
 
 std::ifstream open_saved(const fs::path& file) {
   std::error_code ignored;
@@ -113,6 +115,7 @@ std::vector<std::string> write_report(const fs::path& directory, const SavedRun&
     write_joint_netcdf(directory / kJointFile, run.summary, run.joints);
   }
   write_file(directory / kSummaryFile, json_text(run.summary) + '\n');
+  write_file(directory / kPageFile, report_page(run));
   return draw_pictures(directory, run.summary, run.marginals);
 }
 
@@ -129,6 +132,7 @@ ReportAgain report_again(const fs::path& directory, std::size_t width) {
   const SavedRun run = load_run(directory);
   try {
     require_belonging(run, directory);
+    write_file(directory / kPageFile, report_page(run));
     return {table(run.summary, width), draw_pictures(directory, run.summary, run.marginals)};
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{} is not a whole summary ({}; run again)",

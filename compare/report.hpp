@@ -25,9 +25,9 @@ std::string json_text(const nlohmann::ordered_json& summary);
 /// @param command the command line of the run
 SavedRun make_run(const std::string& command, std::span<const CaseReport> cases);
 
-/// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json and figures/
-/// into a directory that make_writable prepared. Each file is either whole or absent. Pictures and
-/// joint densities of an earlier run there are removed.
+/// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json, report.html
+/// and figures/ into a directory that make_writable prepared. Each file is either whole or absent.
+/// Pictures and joint densities of an earlier run there are removed.
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory, const SavedRun& run);
@@ -46,7 +46,7 @@ struct ReportAgain {
   std::vector<std::string> warnings;  ///< about pictures, one line each
 };
 
-/// The table of a saved run, and its pictures drawn anew; solves nothing.
+/// The table of a saved run, and its page and pictures made anew; solves nothing.
 /// @param width characters per line of the table
 /// @throws InputError as load_run does, when the marginals or joint densities are of another run,
 /// and when the summary lacks what its schema promises

@@ -31,10 +31,11 @@ std::string refusal(const fs::path& directory) {
 TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
   const tests::TemporaryDirectory directory;
   const auto warnings = write_report(directory.path(), made_up_run());
-  EXPECT_EQ(directory.entries().size(), 4u);
+  EXPECT_EQ(directory.entries().size(), 5u);
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "summary.json"));
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "marginals.csv"));
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "joint.nc"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "report.html"));
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   EXPECT_TRUE(warnings.empty()) << warnings.front();
@@ -43,6 +44,17 @@ TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
     ++files;
   }
   EXPECT_EQ(files, 6u);  // the densities and the error budget
+}
+
+TEST(Report, TheSamePageIsMadeAgain) {
+  const tests::TemporaryDirectory directory;
+  write_report(directory.path(), made_up_run());
+  const fs::path page = directory.path() / "report.html";
+  const std::string first = contents(page);
+  EXPECT_TRUE(first.starts_with("<!doctype html>"));
+  fs::remove(page);
+  report_again(directory.path());
+  EXPECT_EQ(contents(page), first);
 }
 
 TEST(Report, AgainIsTheSameReport) {

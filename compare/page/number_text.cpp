@@ -1,0 +1,39 @@
+#include "compare/page/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include "compare/page/html.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+// "1.2e-05" is "1.2e-5".
+std::string without_padded_exponent(std::string text) {
+  const auto e = text.find('e');
+  if (e == std::string::npos || e + 2 >= text.size()) return text;
+  while (text[e + 2] == '0' && e + 3 < text.size()) text.erase(e + 2, 1);
+  if (text[e + 1] == '+') text.erase(e + 1, 1);
+  return text;
+}
+
+}  // namespace
+
+std::string number_text(const std::optional<double>& value, int digits) {
+  return value ? without_padded_exponent(fmt::format("{:.{}g}", *value, digits))
+               : std::string(kNoValue);
+}
+
+std::string seconds_text(const std::optional<double>& seconds) {
+  if (!seconds) return std::string(kNoValue);
+  if (*seconds < 10) return number_text(seconds, 2);
+  return fmt::format("{:.{}f}", *seconds, *seconds < 100 ? 1 : 0);
+}
+
+std::string word(const nlohmann::ordered_json& object, std::string_view key) {
+  if (!object.is_object()) return std::string(kNoValue);
+  const auto found = object.find(key);
+  const bool is_text = found != object.end() && found->is_string();
+  return is_text ? found->get<std::string>() : std::string(kNoValue);
+}
+
+}  // namespace fpkcheck::compare

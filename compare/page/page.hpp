@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "compare/report.hpp"
+
+namespace fpkcheck::compare {
+
+/// report.html: one page that needs nothing but itself, neither files nor the network. The problem
+/// in words and numbers; for each case the solutions, what they say, densities, joint densities,
+/// error budget, convergence and diagnostics; timings, and the command that repeats the run.
+/// Parts that the run did not save, as the joint densities of older ones, are left out.
+/// @throws nlohmann::json::exception when a field of the summary's contract is missing
+std::string report_page(const SavedRun& run);
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,203 @@
+// Draws the plots of the page with plotly.js. All numbers and sentences were made beforehand: the element
+// #plots holds, for each case, "plots" (figures of plotly.js; "@name" stands for a shared array) and "maps"
+// (joint densities). When all is drawn, <html data-plots="drawn">.
+'use strict';
+
+const cases = JSON.parse(document.getElementById('plots').textContent);
+const narrow = () => window.innerWidth < 600;
+
+const font = {family: 'system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif', size: 12, color: '#222'};
+const axis = {gridcolor: '#e4e4e4', zerolinecolor: '#b0b0b0', linecolor: '#555', ticks: 'outside', ticklen: 4,
+              showline: true, automargin: true};
+// Nothing may leave the page: neither a button nor an address to send a plot to.
+const config = () => ({displaylogo: false, displayModeBar: narrow() ? false : 'hover', plotlyServerURL: '',
+                       modeBarButtons: [['toImage', 'zoom2d', 'pan2d', 'zoomIn2d', 'zoomOut2d', 'resetScale2d']]});
+
+// The legend stands below the plot: how many lines it takes decides the height.
+function legendHeight(figure, width) {
+  let lines = 1, used = 0;
+  for (const trace of figure.data) {
+    if (trace.showlegend === false) continue;
+    const entry = 6.3 * trace.name.length + 52;
+    if (used > 0 && used + entry > width) {
+      lines += 1;
+      used = 0;
+    }
+    used += entry;
+  }
+  return 19 * lines + 14;
+}
+
+function sizeOf(div, figure) {
+  const width = div.clientWidth, legend = legendHeight(figure, width);
+  return {width, height: figure.height + legend, bottom: 50 + legend};
+}
+
+function layoutOf(figure, size) {
+  const layout = {
+    font, paper_bgcolor: 'white', plot_bgcolor: 'white', hovermode: narrow() ? 'closest' : 'x unified',
+    // On a phone a finger scrolls the page.
+    dragmode: narrow() ? false : 'zoom',
+    hoverlabel: {font: {size: 11}, namelength: -1},
+    showlegend: true,
+    legend: {orientation: 'h', x: 0, xanchor: 'left', xref: 'container', y: 0, yref: 'container', yanchor: 'bottom',
+             font: {size: 11}, tracegroupgap: 0},
+    width: size.width, height: size.height, margin: {l: 64, r: 14, t: 32, b: size.bottom},
+    ...figure.layout,
+  };
+  for (const key of Object.keys(layout).filter(key => /^[xy]axis/.test(key))) {
+    layout[key] = {...axis, ...layout[key], title: {standoff: 6, ...layout[key].title}};
+  }
+  return layout;
+}
+
+function withArrays(trace, arrays) {
+  const resolved = value => typeof value === 'string' && value.startsWith('@') ? arrays[value.slice(1)] : value;
+  return {...trace, x: resolved(trace.x), y: resolved(trace.y)};
+}
+
+// A solution switched off or on in one plot is so in all plots of its case.
+function followLegend(changed, divs) {
+  const visible = new Map(changed.data.map(trace => [trace.legendgroup, trace.visible ?? true]));
+  for (const div of divs) {
+    if (div === changed || !div.data) continue;
+    const indices = [], values = [];
+    div.data.forEach((trace, index) => {
+      const wanted = visible.get(trace.legendgroup);
+      if (wanted === undefined || wanted === (trace.visible ?? true)) return;
+      indices.push(index);
+      values.push(wanted);
+    });
+    if (indices.length) Plotly.restyle(div, {visible: values}, indices);
+  }
+}
+
+// Each drawable has fit(), which sizes its element, and draw(); both may be called again.
+function drawables(one) {
+  const divs = one.plots.map(plot => document.getElementById(plot.id));
+  const plots = one.plots.map(({figure}, index) => {
+    const div = divs[index];
+    const fit = () => { div.style.height = `${sizeOf(div, figure).height}px`; };
+    const draw = () => {
+      const data = div.data || figure.data.map(trace => withArrays(trace, figure.arrays));
+      const first = !div.data;
+      Plotly.react(div, data, layoutOf(figure, sizeOf(div, figure)), config());
+      if (first) div.on('plotly_restyle', () => followLegend(div, divs));
+    };
+    return {fit, draw};
+  });
+  return one.maps ? [...plots, ...mapDrawables(one.maps)] : plots;
+}
+
+function numbers(array) {
+  const bytes = Uint8Array.from(atob(array.bdata), c => c.charCodeAt(0));
+  return array.dtype === 'f4' ? new Float32Array(bytes.buffer) : new Int16Array(bytes.buffer);
+}
+
+// Both ends stay apart for colour-blind readers, and the middle is paper.
+const diverging = [[0, '#053061'], [0.2, '#2166ac'], [0.4, '#92c5de'], [0.5, '#ffffff'], [0.6, '#f4a582'],
+                   [0.8, '#b2182b'], [1, '#67001f']];
+
+// Row by row, as heat maps want it.
+function rows(values, length) {
+  const result = [];
+  for (let k = 0; k < values.length; k += length) result.push(Array.from(values.slice(k, k + length)));
+  return result;
+}
+
+function mapDrawables(maps) {
+  const part = name => document.getElementById(`${maps.id}-${name}`);
+  const y = Array.from(numbers(maps.y_edges)), v = Array.from(numbers(maps.v_edges));
+  const reference = numbers(maps.density);
+  const peak = reference.reduce((a, b) => Math.max(a, b), 0);
+
+  const differenceOf = one => Float64Array.from(numbers(one.roots), q => Math.sign(q) * (q / 32767) ** 2 * one.largest);
+  const ends = edges => [edges[0], edges.at(-1)];
+  const log10 = p => p > 0 ? Math.log10(p) : null;
+  const chosen = () => maps.differences[part('choice').selectedIndex];
+  const logarithmic = () => part('scale').value === 'logarithmic';
+
+  function draw(name, values, colours, title) {
+    const div = part(name);
+    const trace = {
+      type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), ...colours,
+      colorbar: {orientation: 'h', y: -0.16, yanchor: 'top', thickness: 12, len: 1, title: {text: title, side: 'bottom'},
+                 tickfont: {size: 10}, exponentformat: 'power', nticks: 5},
+      hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${title}: %{z:.4g}<extra></extra>`,
+    };
+    const layout = {
+      font, paper_bgcolor: 'white', plot_bgcolor: 'white', width: div.clientWidth, height: 440,
+      margin: {l: 50, r: 14, t: 32, b: 110}, dragmode: narrow() ? false : 'zoom', showlegend: false,
+      xaxis: {...axis, showgrid: false, range: logarithmic() ? ends(y) : maps.y_bulk, title: {text: 'y', standoff: 4}},
+      yaxis: {...axis, showgrid: false, range: logarithmic() ? ends(v) : maps.v_bulk, title: {text: 'y′', standoff: 4}},
+    };
+    Plotly.react(div, [trace], layout, config());
+  }
+
+  function drawAll() {
+    const difference = differenceOf(chosen());
+    const density = reference.map((p, k) => p + difference[k]);
+    const log = logarithmic();
+    const shown = values => log ? Array.from(values, log10) : Array.from(values);
+    const sequential = {colorscale: 'Viridis', zmin: log ? Math.log10(peak) - maps.decades : 0, zmax: log ? Math.log10(peak) : peak};
+    const title = log ? 'log<sub>10</sub> p' : 'p';
+    draw('reference', shown(reference), sequential, title);
+    draw('chosen', shown(density), sequential, title);
+    const ratio = Array.from(density, (p, k) => p > 0 && reference[k] > 0 ? Math.log10(p / reference[k]) : null);
+    const limit = log ? 1 : chosen().largest || 1;
+    draw('difference', log ? ratio : Array.from(difference), {colorscale: diverging, zmin: -limit, zmax: limit},
+         log ? 'log<sub>10</sub> of the ratio' : 'difference');
+    const name = chosen().solution;
+    part('name').textContent = name;
+    part('caption').textContent = log ? `${name} / ${maps.reference}` : `${name} − ${maps.reference}`;
+  }
+
+  part('choice').addEventListener('change', drawAll);
+  part('scale').addEventListener('change', drawAll);
+  const fit = () => { for (const name of ['reference', 'chosen', 'difference']) part(name).style.height = '440px'; };
+  return [{fit, draw: drawAll}];
+}
+
+const all = cases.flatMap(drawables);
+const waiting = [...all];
+all.forEach(one => one.fit());
+
+// One after another, so that the page can be read and scrolled meanwhile.
+function drawNext() {
+  const next = waiting.shift();
+  if (next) {
+    next.draw();
+    setTimeout(drawNext);
+  } else {
+    document.documentElement.dataset.plots = 'drawn';
+  }
+}
+drawNext();
+
+function redraw() {
+  waiting.length = 0;
+  for (const one of all) {
+    one.fit();
+    one.draw();
+  }
+}
+
+let resized, lastWidth = window.innerWidth;
+window.addEventListener('resize', () => {
+  // On a phone, scrolling changes the height.
+  if (window.innerWidth === lastWidth) return;
+  lastWidth = window.innerWidth;
+  clearTimeout(resized);
+  resized = setTimeout(redraw, 150);
+});
+
+// Paper has a width of its own (page.css).
+window.addEventListener('beforeprint', () => {
+  document.querySelectorAll('details').forEach(details => { details.open = true; });
+  document.body.classList.add('on-paper');
+  redraw();
+});
+window.addEventListener('afterprint', () => {
+  document.body.classList.remove('on-paper');
+  redraw();
+});
