@@ -28,8 +28,7 @@ int report_command(const std::vector<std::string>& arguments, const std::string&
   if (directories.size() != 1) {
     throw InputError("report takes one directory (that of a saved run, e.g. fpkcheck-out)");
   }
-  const auto [table, warnings] =
-      compare::report_again(directories.front(), terminal_format().width);
+  const auto [table, warnings] = compare::report_again(directories.front(), terminal_format());
   fmt::print("{}", table);
   for (const auto& warning : warnings) fmt::print(stderr, "fpkcheck: {}\n", warning);
   return kDone;

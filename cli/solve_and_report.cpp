@@ -62,7 +62,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<compare::M
   if (common.json) {
     fmt::print("{}\n", compare::json_text(run.summary));
   } else if (!common.quiet) {
-    fmt::print("{}", compare::table(run.summary, terminal_format().width));
+    fmt::print("{}", compare::table(run.summary, terminal_format()));
     std::fflush(stdout);
   }
   if (common.out) {

@@ -128,12 +128,12 @@ SavedRun load_run(const fs::path& directory) {
   return run;
 }
 
-ReportAgain report_again(const fs::path& directory, std::size_t width) {
+ReportAgain report_again(const fs::path& directory, const TextFormat& format) {
   const SavedRun run = load_run(directory);
   try {
     require_belonging(run, directory);
     write_file(directory / kPageFile, report_page(run));
-    return {table(run.summary, width), draw_pictures(directory, run.summary, run.marginals)};
+    return {table(run.summary, format), draw_pictures(directory, run.summary, run.marginals)};
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{} is not a whole summary ({}; run again)",
                                  (directory / kSummaryFile).string(), error.what()));

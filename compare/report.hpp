@@ -9,6 +9,7 @@
 #include "compare/case_report.hpp"
 #include "compare/joint_density.hpp"
 #include "compare/marginals_csv.hpp"
+#include "compare/text/format.hpp"
 
 namespace fpkcheck::compare {
 
@@ -47,9 +48,9 @@ struct ReportAgain {
 };
 
 /// The table of a saved run, and its page and pictures made anew; solves nothing.
-/// @param width characters per line of the table
+/// @param format of the table
 /// @throws InputError as load_run does, when the marginals or joint densities are of another run,
 /// and when the summary lacks what its schema promises
-ReportAgain report_again(const std::filesystem::path& directory, std::size_t width = 100);
+ReportAgain report_again(const std::filesystem::path& directory, const TextFormat& format = {});
 
 }  // namespace fpkcheck::compare

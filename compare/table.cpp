@@ -36,7 +36,7 @@ std::string seconds_text(double x) {
 std::vector<Column> columns(const Json& summary_case) {
   std::vector<Column> all{{"", "solution", true, kAlwaysShown},
                           {"", "solves", true, 4},
-                          {"", "status", true, kAlwaysShown},
+                          status_column(),
                           {"", "E[y^2]", false, 5},
                           {"", "E[y'^2]", false, 5},
                           {"L1 to mcs", "p(y)", false, kAlwaysShown},
@@ -72,8 +72,8 @@ std::vector<Column> columns(const Json& summary_case) {
   return all;
 }
 
-std::string rows_of(const Json& summary_case, std::size_t width) {
-  return rows(columns(summary_case), width);
+std::string rows_of(const Json& summary_case, const TextFormat& format) {
+  return rows(columns(summary_case), format);
 }
 
 std::string reasons(const Json& summary_case, std::size_t width) {
@@ -92,7 +92,7 @@ constexpr const char* kLegend =
     "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones. solves: the "
     "excitation term (white: white noise; km4: Kramers-Moyal series to the fourth derivative; "
     "kf: full jump integral) / the impact. energy: residual of the power balance relative to the "
-    "input.";
+    "input. sec: wall-clock time. All else is non-dimensional.";
 constexpr const char* kBudgetLegend =
     "error budget: the L1 distance from each closure to the reference (total) is at most the sum "
     "of its parts and of the rows discretisation and sampling; tail: mean |log10 p - log10 "
@@ -134,11 +134,12 @@ std::string legend(const Json& summary) {
 
 }  // namespace
 
-std::string table(const Json& summary, std::size_t width) {
+std::string table(const Json& summary, const TextFormat& format) {
+  const std::size_t width = format.width;
   std::string text;
   for (const auto& summary_case : summary.at("cases")) {
-    text += wrapped(case_title(summary_case), width, 2) + rows_of(summary_case, width) +
-            reasons(summary_case, width) + budget_table(summary_case, width);
+    text += wrapped(case_title(summary_case), width, 2) + rows_of(summary_case, format) +
+            reasons(summary_case, width) + budget_table(summary_case, format);
     for (const auto& sentence : findings(summary_case)) {
       text += wrapped("  " + sentence, width, 2);
     }

@@ -101,7 +101,7 @@ Column names_column(const std::vector<ClosureBudget>& budgets,
 
 }  // namespace
 
-std::string budget_table(const Json& summary_case, std::size_t width) {
+std::string budget_table(const Json& summary_case, const TextFormat& format) {
   const auto budgets = closure_budgets(summary_case);
   if (budgets.empty()) return "";
   std::vector<std::string> beside, below;
@@ -120,9 +120,9 @@ std::string budget_table(const Json& summary_case, std::size_t width) {
   }
   all.push_back(y.tail("p(y)", below));
   all.push_back(ydot.tail("p(y')", below));
-  std::string text = rows(all, width);
+  std::string text = rows(all, format);
   if (const auto sentence = summary_case.find("limits"); sentence != summary_case.end()) {
-    text += wrapped("  " + sentence->get<std::string>(), width, 2);
+    text += wrapped("  " + sentence->get<std::string>(), format.width, 2);
   }
   return text;
 }
