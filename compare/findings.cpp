@@ -27,11 +27,6 @@ std::string text(const Cost& cost) {
   return fmt::format("{:.2g} in p(y) and {:.2g} in p(y')", cost.y, cost.ydot);
 }
 
-bool usable(const Json& summary_case, std::string_view id) {
-  const Json* solution = find_solution(summary_case, id);
-  return solution != nullptr && is_ok(*solution);
-}
-
 std::optional<Cost> cost(const Json& summary_case, std::string_view id,
                          std::string_view reference) {
   if (!usable(summary_case, id) || !usable(summary_case, reference)) return std::nullopt;

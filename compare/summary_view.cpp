@@ -20,6 +20,11 @@ const Json* find_solution(const Json& summary_case, std::string_view id) {
 
 bool is_ok(const Json& solution) { return solution.at("status") == "ok"; }
 
+bool usable(const Json& summary_case, std::string_view id) {
+  const Json* solution = find_solution(summary_case, id);
+  return solution != nullptr && is_ok(*solution);
+}
+
 std::optional<double> l1_between(const Json& summary_case, std::string_view one,
                                  std::string_view other, transform::Variable variable) {
   for (const auto& comparison : summary_case.at("comparisons")) {

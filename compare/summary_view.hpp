@@ -18,6 +18,9 @@ const nlohmann::ordered_json* find_solution(const nlohmann::ordered_json& summar
 
 bool is_ok(const nlohmann::ordered_json& solution);
 
+/// True when there is a solution with this id, and it is ok.
+bool usable(const nlohmann::ordered_json& summary_case, std::string_view id);
+
 /// The L1 distance between two solutions, whichever of them is the reference.
 std::optional<double> l1_between(const nlohmann::ordered_json& summary_case, std::string_view one,
                                  std::string_view other, transform::Variable variable);

@@ -46,17 +46,6 @@ constexpr std::array kPanels{
     Panel{"(d) velocity, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
           &ClosureBudget::ydot, "total_tail", "tail", "v_tail", 1, 1}};
 
-// Hues of Okabe and Ito; several links together are grey.
-const char* colour(const std::string& part) {
-  if (part == "closure") return "#D55E00";
-  if (part == "impact") return "#E69F00";
-  if (part == "truncation") return "#0072B2";
-  if (part == "white noise") return "#009E73";
-  if (part == "discretisation") return "#56B4E9";
-  if (part == "sampling") return "#CC79A7";
-  return "#999999";
-}
-
 std::string block(const Panel& panel, std::size_t part, bool ok) {
   return fmt::format("${}_{}{}", panel.block, part, ok ? "" : "_not_ok");
 }
@@ -164,10 +153,10 @@ std::string plot(const Panel& panel, const std::vector<std::string>& names) {
   std::vector<std::string> plots;
   for (std::size_t n = 0; n < names.size(); ++n) {
     for (const bool ok : {true, false}) {
-      plots.push_back(
-          fmt::format("{} using 1:2:3 with boxes fillstyle solid {} border rgb '{}' linecolor rgb "
-                      "'{}' notitle",
-                      block(panel, n, ok), ok ? 1.0 : 0.3, colour(names[n]), colour(names[n])));
+      plots.push_back(fmt::format(
+          "{} using 1:2:3 with boxes fillstyle solid {} border rgb '{}' linecolor rgb "
+          "'{}' notitle",
+          block(panel, n, ok), ok ? 1.0 : 0.3, part_colour(names[n]), part_colour(names[n])));
     }
   }
   plots.push_back(totals_block(panel) +
@@ -181,7 +170,7 @@ std::string legend(const std::vector<std::string>& names, bool any_not_ok) {
   std::vector<std::string> parts;
   for (const auto& name : names) {
     parts.push_back(fmt::format("NaN with boxes fillstyle solid linecolor rgb '{}' title {}",
-                                colour(name), gnuplot_literal(name)));
+                                part_colour(name), gnuplot_literal(name)));
   }
   parts.emplace_back("NaN with lines linewidth 2.5 linecolor rgb '#000000' title 'total'");
   if (any_not_ok) {

@@ -10,7 +10,9 @@ using Json = nlohmann::ordered_json;
 
 std::vector<ClosureBudget> closure_budgets(const Json& summary_case) {
   std::vector<ClosureBudget> budgets;
-  for (const auto& row : summary_case.at("budget")) {
+  const auto budget = summary_case.find("budget");
+  if (budget == summary_case.end()) return budgets;
+  for (const auto& row : *budget) {
     const auto id = row.at("solution").get<std::string>();
     auto found = std::ranges::find(budgets, id, &ClosureBudget::solution);
     if (found == budgets.end()) {
@@ -53,6 +55,17 @@ const Json* find_part(const Json* row, const std::string& name) {
     if (part.at("name") == name) return &part;
   }
   return nullptr;
+}
+
+// Hues of Okabe and Ito, which colour-blind readers tell apart.
+const char* part_colour(const std::string& name) {
+  if (name == "closure") return "#D55E00";
+  if (name == "impact") return "#E69F00";
+  if (name == "truncation") return "#0072B2";
+  if (name == "white noise") return "#009E73";
+  if (name == "discretisation") return "#56B4E9";
+  if (name == "sampling") return "#CC79A7";
+  return "#999999";
 }
 
 bool lies_between_references(const Json& part) {

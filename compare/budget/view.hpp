@@ -27,6 +27,9 @@ std::vector<std::string> part_names(const std::vector<ClosureBudget>& budgets);
 /// The part of this name in a row of "budget", or null.
 const nlohmann::ordered_json* find_part(const nlohmann::ordered_json* row, const std::string& name);
 
+/// The colour of a part in every picture; several links together are grey.
+const char* part_colour(const std::string& name);
+
 /// True for what every closure's chain ends with: discretisation and sampling of the references.
 bool lies_between_references(const nlohmann::ordered_json& part);
 

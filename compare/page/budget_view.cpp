@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "compare/budget/view.hpp"
 #include "compare/page/html.hpp"
 #include "compare/page/number_text.hpp"
 #include "compare/summary_view.hpp"
@@ -16,65 +16,51 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<Json> entries_of(const Json& summary_case, const std::string& variable) {
-  std::vector<Json> entries;
-  const auto budget = summary_case.find("budget");
-  if (budget == summary_case.end() || !budget->is_array()) return entries;
-  for (const auto& entry : *budget) {
-    if (word(entry, "variable") == variable && entry.contains("parts")) entries.push_back(entry);
+/// A closure's row of "budget" in one variable.
+struct BudgetRow {
+  std::string label;  ///< the closure's id, marked where it is not ok
+  const Json* json;
+};
+using BudgetRows = std::vector<BudgetRow>;
+
+constexpr const char* kMark = " *";
+
+BudgetRows rows_of(const std::vector<ClosureBudget>& budgets, const std::string& variable) {
+  BudgetRows rows;
+  for (const auto& budget : budgets) {
+    const Json* row = variable == "y" ? budget.y : budget.ydot;
+    if (row != nullptr)
+      rows.push_back({budget.solution + (budget.status == "ok" ? "" : kMark), row});
   }
-  return entries;
+  return rows;
 }
 
-/// The names of all parts, in the order in which they first occur.
-std::vector<std::string> part_names(const std::vector<Json>& entries) {
-  std::vector<std::string> names;
-  for (const auto& entry : entries) {
-    for (const auto& part : entry.at("parts")) {
-      const std::string name = word(part, "name");
-      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-    }
-  }
-  return names;
+bool any_marked(const BudgetRows& rows) {
+  return std::ranges::any_of(rows, [](const auto& row) { return row.label.ends_with(kMark); });
 }
 
-const Json* find_part(const Json& entry, const std::string& name) {
-  for (const auto& part : entry.at("parts")) {
-    if (word(part, "name") == name) return &part;
-  }
-  return nullptr;
-}
-
-std::optional<double> number_of_part(const Json& entry, const std::string& name,
+std::optional<double> number_of_part(const BudgetRow& row, const std::string& name,
                                      std::string_view key) {
-  const Json* part = find_part(entry, name);
+  const Json* part = find_part(row.json, name);
   return part ? number(*part, key) : std::nullopt;
 }
 
-/// Hue and hatching of a part: neither is needed to tell them apart.
-struct BarStyle {
-  const char* colour;
-  const char* pattern;
-};
-
-BarStyle bar_style(std::size_t k) {
-  constexpr std::array<BarStyle, 7> kStyles{{{"#D55E00", ""},
-                                             {"#E69F00", "/"},
-                                             {"#0072B2", ""},
-                                             {"#009E73", "\\"},
-                                             {"#56B4E9", "x"},
-                                             {"#999999", "."},
-                                             {"#CC79A7", "-"}}};
-  return kStyles[k % kStyles.size()];
+// Hatching of a part: its colour alone need not tell it from the others.
+const char* pattern(const std::string& part) {
+  if (part == "impact") return "/";
+  if (part == "white noise") return "|";
+  if (part == "discretisation") return "\\";
+  if (part == "sampling") return "x";
+  return part == "closure" || part == "truncation" ? "" : ".";
 }
 
-Json total_trace(const std::vector<Json>& entries) {
+Json total_trace(const BudgetRows& rows) {
   Json x = Json::array(), y = Json::array();
-  for (const auto& entry : entries) {
-    const auto total = number(entry, "total");
+  for (const auto& row : rows) {
+    const auto total = number(*row.json, "total");
     if (!total || *total <= 0) continue;
     x.push_back(*total);
-    y.push_back(word(entry, "solution"));
+    y.push_back(row.label);
   }
   return {
       {"type", "scatter"},
@@ -88,19 +74,18 @@ Json total_trace(const std::vector<Json>& entries) {
       {"hovertemplate", "%{y}: total %{x:.3g}"}};
 }
 
-Json bars(const std::vector<Json>& entries, const std::string& name, std::size_t k) {
+Json bars(const BudgetRows& rows, const std::string& name) {
   Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
-  for (const auto& entry : entries) {
-    const Json* part = find_part(entry, name);
+  for (const auto& row : rows) {
+    const Json* part = find_part(row.json, name);
     if (part == nullptr) continue;
     const auto l1 = number(*part, "l1");
     if (!l1 || *l1 <= 0) continue;  // nothing to draw on a logarithmic axis
     x.push_back(*l1);
-    y.push_back(word(entry, "solution"));
+    y.push_back(row.label);
     errors.push_back(number(*part, "uncertainty").value_or(0));
     steps.push_back(fmt::format("{} \u2192 {}", word(*part, "from"), word(*part, "to")));
   }
-  const BarStyle style = bar_style(k);
   return {{"type", "bar"},
           {"orientation", "h"},
           {"name", name},
@@ -110,37 +95,37 @@ Json bars(const std::vector<Json>& entries, const std::string& name, std::size_t
           {"customdata", steps},
           {"error_x", {{"type", "data"}, {"array", errors}, {"thickness", 1}, {"width", 2}}},
           {"marker",
-           {{"color", style.colour},
+           {{"color", part_colour(name)},
             {"pattern",
-             {{"shape", style.pattern},
+             {{"shape", pattern(name)},
               {"fillmode", "overlay"},
               {"fgcolor", "#ffffff"},
               {"size", 6}}}}},
           {"hovertemplate", "%{y}: %{x:.3g}<br>%{customdata}"}};
 }
 
-Json log_range(const std::vector<Json>& entries, const std::vector<std::string>& names) {
+Json log_range(const BudgetRows& rows, const std::vector<std::string>& names) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   const auto include = [&](const std::optional<double>& value) {
     if (!value || *value <= 0) return;
     least = std::min(least, *value);
     most = std::max(most, *value);
   };
-  for (const auto& entry : entries) {
-    include(number(entry, "total"));
-    for (const auto& name : names) include(number_of_part(entry, name, "l1"));
+  for (const auto& row : rows) {
+    include(number(*row.json, "total"));
+    for (const auto& name : names) include(number_of_part(row, name, "l1"));
   }
   if (most == 0) return {-4, 0};
   return {std::log10(least) - 0.5, std::log10(most) + 0.3};
 }
 
-Json figure(const std::vector<Json>& entries, const std::string& variable) {
-  const auto names = part_names(entries);
+Json figure(const BudgetRows& rows, const std::vector<std::string>& names,
+            const std::string& variable) {
   Json data = Json::array();
-  for (std::size_t k = 0; k < names.size(); ++k) data.push_back(bars(entries, names[k], k));
-  data.push_back(total_trace(entries));
+  for (const auto& name : names) data.push_back(bars(rows, name));
+  data.push_back(total_trace(rows));
   Json solutions = Json::array();
-  for (const auto& entry : entries) solutions.push_back(word(entry, "solution"));
+  for (const auto& row : rows) solutions.push_back(row.label);
   return {{"height", 140 + 44 * solutions.size()},
           {"arrays", Json::object()},
           {"data", data},
@@ -152,7 +137,7 @@ Json figure(const std::vector<Json>& entries, const std::string& variable) {
              {{"type", "log"},
               {"dtick", 1},
               {"exponentformat", "power"},
-              {"range", log_range(entries, names)},
+              {"range", log_range(rows, names)},
               {"title", {{"text", fmt::format("L1 in p({})", variable_text(variable))}}}}},
             {"yaxis",
              {{"autorange", "reversed"},
@@ -161,42 +146,42 @@ Json figure(const std::vector<Json>& entries, const std::string& variable) {
               {"categoryarray", solutions}}}}}};
 }
 
-std::string with_uncertainty(const Json& entry, const std::string& name) {
-  std::string text = number_text(number_of_part(entry, name, "l1"), 2);
-  const auto uncertainty = number_of_part(entry, name, "uncertainty");
+std::string with_uncertainty(const BudgetRow& row, const std::string& name) {
+  std::string text = number_text(number_of_part(row, name, "l1"), 2);
+  const auto uncertainty = number_of_part(row, name, "uncertainty");
   if (uncertainty) text += " \u00b1 " + number_text(uncertainty, 1);
   return text;
 }
 
-std::string l1_table(const std::vector<Json>& entries, const std::string& variable) {
-  const auto names = part_names(entries);
+std::string l1_table(const BudgetRows& rows, const std::vector<std::string>& names,
+                     const std::string& variable) {
   std::vector<HtmlColumn> columns{{"solution", Align::left}, {"total"}};
   for (const auto& name : names) columns.push_back({name});
   columns.push_back({"sampling: chance expects"});
   columns.push_back({"in 99 runs of 100 below"});
-  for (const auto& entry : entries) {
+  for (const auto& row : rows) {
     auto column = columns.begin();
     const auto put = [&](const std::string& text) { (column++)->cells.push_back(text); };
-    put(word(entry, "solution"));
-    put(number_text(number(entry, "total"), 2));
-    for (const auto& name : names) put(with_uncertainty(entry, name));
-    put(number_text(number_of_part(entry, "sampling", "expected"), 2));
-    put(number_text(number_of_part(entry, "sampling", "in_99"), 2));
+    put(row.label);
+    put(number_text(number(*row.json, "total"), 2));
+    for (const auto& name : names) put(with_uncertainty(row, name));
+    put(number_text(number_of_part(row, "sampling", "expected"), 2));
+    put(number_text(number_of_part(row, "sampling", "in_99"), 2));
   }
   return table_html(fmt::format("Error budget of p({}): L1", variable_text(variable)),
                     std::move(columns));
 }
 
-std::string tail_table(const std::vector<Json>& entries, const std::string& variable) {
-  const auto names = part_names(entries);
+std::string tail_table(const BudgetRows& rows, const std::vector<std::string>& names,
+                       const std::string& variable) {
   std::vector<HtmlColumn> columns{{"solution", Align::left}, {"total"}};
   for (const auto& name : names) columns.push_back({name});
-  for (const auto& entry : entries) {
+  for (const auto& row : rows) {
     auto column = columns.begin();
     const auto put = [&](const std::string& text) { (column++)->cells.push_back(text); };
-    put(word(entry, "solution"));
-    put(number_text(number(entry, "total_tail"), 2));
-    for (const auto& name : names) put(number_text(number_of_part(entry, name, "tail"), 2));
+    put(row.label);
+    put(number_text(number(*row.json, "total_tail"), 2));
+    for (const auto& name : names) put(number_text(number_of_part(row, name, "tail"), 2));
   }
   return table_html(fmt::format("Error budget of the tail of p({}): mean |\u0394 log10 p|",
                                 variable_text(variable)),
@@ -206,22 +191,26 @@ std::string tail_table(const std::vector<Json>& entries, const std::string& vari
 }  // namespace
 
 std::vector<Plot> budget_plots(const Json& summary_case, const std::string& prefix) {
+  const auto budgets = closure_budgets(summary_case);
   std::vector<Plot> plots;
   for (const std::string variable : {"y", "ydot"}) {
-    const auto entries = entries_of(summary_case, variable);
-    if (entries.empty()) continue;
+    const auto rows = rows_of(budgets, variable);
+    if (rows.empty()) continue;
     plots.push_back({prefix + "-budget-" + variable,
-                     fmt::format("Error budget of p({})", variable_text(variable)),
-                     figure(entries, variable)});
+                     fmt::format("Error budget of p({}){}", variable_text(variable),
+                                 any_marked(rows) ? "; *: not admissible" : ""),
+                     figure(rows, part_names(budgets), variable)});
   }
   return plots;
 }
 
 std::string budget_tables(const Json& summary_case) {
+  const auto budgets = closure_budgets(summary_case);
+  const auto names = part_names(budgets);
   std::string html;
   for (const std::string variable : {"y", "ydot"}) {
-    const auto entries = entries_of(summary_case, variable);
-    if (!entries.empty()) html += l1_table(entries, variable) + tail_table(entries, variable);
+    const auto rows = rows_of(budgets, variable);
+    if (!rows.empty()) html += l1_table(rows, names, variable) + tail_table(rows, names, variable);
   }
   return html;
 }

@@ -13,11 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using transform::Variable;
 
-bool usable(const Json& summary_case, std::string_view id) {
-  const Json* solution = find_solution(summary_case, id);
-  return solution != nullptr && is_ok(*solution);
-}
-
 double distance(const Json& summary_case, std::string_view id, std::string_view reference) {
   const auto y = l1_between(summary_case, id, reference, Variable::y);
   const auto ydot = l1_between(summary_case, id, reference, Variable::ydot);

@@ -170,7 +170,7 @@ class DensityPlot {
                 {"dtick", 1},
                 {"exponentformat", "power"},
                 {"range", {std::log10(kSmallestShown), std::log10(3 * r.largest_density)}},
-                {"title", {{"text", "log " + p}}}}}};
+                {"title", {{"text", p + ", logarithmic"}}}}}};
     if (with_difference) {
       json["xaxis3"] = x_axis(kDifference, r.linear_from, r.linear_to);
       json["yaxis3"] = {{"domain", domain(kDifference)},
