@@ -20,8 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSummaryFile = "summary.json";
-constexpr const char* kMarginalsFile = "marginals.csv";
 constexpr const char* kJointFile = "joint.nc";
 constexpr const char* kPageFile = "report.html";
 

@@ -13,6 +13,10 @@
 
 namespace fpkcheck::compare {
 
+/// Names of the files a run saves what it found in.
+inline constexpr const char* kSummaryFile = "summary.json";
+inline constexpr const char* kMarginalsFile = "marginals.csv";
+
 /// What a run saves; tables and pictures are made from it alone.
 struct SavedRun {
   nlohmann::ordered_json summary;

@@ -16,9 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSummaryFile = "summary.json";
-constexpr const char* kMarginalsFile = "marginals.csv";
-
 // A solution from a file cannot be solved again: it goes, with its distances and curves.
 void leave_out(SavedRun& run, Json& one_case, const std::string& id) {
   const auto erase = [](Json& list, const auto& unwanted) {
