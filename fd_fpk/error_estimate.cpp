@@ -56,7 +56,32 @@ double worst(const ErrorEstimate& error, const Moments& moments) {
 
 void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
   fine.summary.error = error;
-  fine.solution.extrapolation = {*coarser.density, error.factor};
+  if (error.observed_order >= kLeastOrderOfALimit) {
+    fine.solution.extrapolation = {*coarser.density, error.factor};
+  }
+}
+
+void require_small(const ErrorEstimate& error, Solution& solution) {
+  const double l1 = std::max(error.y_l1, error.ydot_l1);
+  if (solution.status != Status::ok || l1 <= kUnresolvedError) return;
+  solution.status = Status::inadmissible;
+  solution.reason = fmt::format(
+      "the discretisation error is estimated as {:.1g} in L1, with an observed order of {:.1f}: the "
+      "grid does not resolve the density (ask for a tolerance, or refine)",
+      l1, error.observed_order);
+}
+
+// The best there is when a finer grid gave nothing.
+Result given_up(Result best, const Options& options, const std::string& reason) {
+  best.solution.status = Status::not_converged;
+  const std::string reached = best.summary.error
+                                  ? fmt::format("the error estimate is {:.1e}",
+                                                worst(*best.summary.error, best.solution.moments))
+                                  : std::string("there is no error estimate yet");
+  best.solution.reason =
+      fmt::format("{} on {} x {} cells, {:.1e} was asked for (the next grid: {})", reached,
+                  best.summary.nx, best.summary.nv, *options.tolerance, reason);
+  return best;
 }
 
 }  // namespace
@@ -94,6 +119,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   if (middle.solution.density && coarse.solution.density) {
     add_estimate(fine, middle.solution,
                  estimate_error(coarse.solution, middle.solution, fine.solution, options.order));
+    require_small(*fine.summary.error, fine.solution);
   }
   return fine;
 }
@@ -105,17 +131,14 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
   Options level = refined(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
   std::array<std::optional<Result>, 3> last;  // coarse, middle, fine
+  std::optional<Result> estimated;            // the finest before the cells were graded
   while (true) {
     Result result = solve(direct(level));
     if (!result.solution.density) {
-      if (!last[2]) return result;
-      Result& best = *last[2];
-      best.solution.status = Status::not_converged;
-      best.solution.reason = fmt::format(
-          "the error estimate is {:.1e} on {} x {} cells, {:.1e} was asked for (the next grid: {})",
-          best.summary.error ? worst(*best.summary.error, best.solution.moments) : 1.0,
-          best.summary.nx, best.summary.nv, *options.tolerance, result.solution.reason);
-      return best;
+      if (!last[2] && !estimated) return result;
+      // Graded grids that have no estimate yet do not replace uniform ones that have.
+      const bool newer = last[2] && (last[2]->summary.error || !estimated);
+      return given_up(newer ? *last[2] : *estimated, options, result.solution.reason);
     }
     std::ranges::rotate(last, last.begin() + 1);
     last[2] = std::move(result);
@@ -133,6 +156,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
       if (error.observed_order < options.order - kOrdersMissing &&
           last[2]->summary.origin_refinement == 1) {
         level.origin_refinement = kOriginRefinement;
+        estimated = std::move(last[2]);
         last = {};
         continue;  // the same width far out, three levels anew
       }

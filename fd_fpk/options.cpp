@@ -9,6 +9,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
+constexpr double kSmallestTolerance = 1e-10;
+
 // A line needs room for the one-sided stencils on either side of x2 = 0.
 constexpr int kSmallestLine = 16;
 constexpr int kLargestLine = 2000;
@@ -66,6 +68,9 @@ void validate(const Options& options) {
           fmt::format("regularisation length {} (must be positive, or 0 for the literal scheme)",
                       options.regularisation_length.value_or(0)));
   require_positive(options.tolerance, "tolerance");
+  require(!options.tolerance || *options.tolerance >= kSmallestTolerance,
+          fmt::format("tolerance {} (rounding ends at about {})", options.tolerance.value_or(0),
+                      kSmallestTolerance));
   require(!options.tolerance || (!options.nx && !options.nv),
           "tolerance with a given nx or nv (the tolerance picks the grid: leave them out)");
   require(options.wall_density > 0 && options.wall_density < 1,

@@ -95,10 +95,12 @@ void require_empty_walls(const Grid& grid, Result& result) {
 void require_resolved(transform::Solution& solution) {
   if (solution.status != Status::ok) return;
   if (solution.min_density < kMostNegative) {
+    const bool first_order_impact = solution.impact == problem::Impact::delta;
     solution.reason = fmt::format(
-        "the density is negative down to {:.1g} of its peak: the grid does not resolve it "
-        "(refine with nx and nv)",
-        solution.min_density);
+        "the density is negative down to {:.1g} of its peak: {}", solution.min_density,
+        first_order_impact ? "the grid does not resolve it, or the impact to first order in 1-r, "
+                             "which keeps no sign, has no density (compare with a finer grid)"
+                           : "the grid does not resolve it (refine with nx and nv)");
   } else if (std::abs(solution.energy_residual) > kEnergyAllowed) {
     solution.reason = fmt::format(
         "the balance of power is missed by {:.1g} of the input: the grid does not resolve the "

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/program_options.hpp>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "problem/input_error.hpp"
 #include "problem/named_cases.hpp"
@@ -97,6 +100,27 @@ double number(const Values& values, const std::string& key) {
   return value;
 }
 
+// A case's name goes into tables, file names, JSON, netCDF names and pictures.
+void require_presentable(const std::string& name) {
+  constexpr std::size_t kLongest = 100;
+  const bool plain =
+      std::ranges::none_of(name, [](unsigned char c) { return std::iscntrl(c) != 0; });
+  bool utf8 = true;
+  try {
+    std::ignore = nlohmann::json(name).dump();
+  } catch (const nlohmann::json::exception&) {
+    utf8 = false;
+  }
+  if (plain && utf8 && !name.empty() && name.size() <= kLongest) return;
+  throw InputError(fmt::format(
+      "the case's name, that of its file, {} (rename the file: 1 .. {} bytes of UTF-8 without "
+      "control characters)",
+      !utf8    ? "is not UTF-8"
+      : !plain ? "holds control characters"
+               : fmt::format("has {} bytes", name.size()),
+      kLongest));
+}
+
 }  // namespace
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
@@ -142,8 +166,9 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
     throw InputError(fmt::format("no case '{}' (neither a readable file nor one of {})",
                                  name_or_path, fmt::join(names, ", ")));
   }
-  return read_case(ini, std::filesystem::path(name_or_path).stem().string(), name_or_path,
-                   overrides);
+  const std::string name = std::filesystem::path(name_or_path).stem().string();
+  require_presentable(name);
+  return read_case(ini, name, name_or_path, overrides);
 }
 
 }  // namespace fpkcheck::problem

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <string_view>
 #include <system_error>
@@ -93,7 +94,13 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
 
 std::string gnuplot_string(const std::string& text) {
   std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  for (const char c : text) {
+    if (std::iscntrl(static_cast<unsigned char>(c))) {
+      quoted += ' ';  // a string ends at the end of its line, and what follows would be a command
+    } else {
+      quoted += c == '\'' ? "''" : std::string(1, c);
+    }
+  }
   return quoted + "'";
 }
 

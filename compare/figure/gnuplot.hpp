@@ -18,7 +18,7 @@ struct GnuplotOutcome {
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script);
 
-/// A text as a gnuplot string constant.
+/// A text as a gnuplot string constant; control characters become blanks.
 std::string gnuplot_string(const std::string& text);
 
 /// As gnuplot_string, with the marks of enhanced text escaped: it is shown letter by letter.

@@ -105,16 +105,44 @@ class Study {
 struct OrderOfScheme {
   int order;
   std::vector<Level> levels;
-  std::optional<RichardsonLimit> limit;  ///< of the last three levels, where all have a density
+  std::optional<RichardsonLimit> limit = {};  ///< of the last three levels
+  std::string no_limit = {};                  ///< why there is none
 };
 
-std::optional<RichardsonLimit> limit_of(const OrderOfScheme& scheme) {
+// Only where the finest density is ok, and where they converge: else the extrapolation leads away.
+void find_limit(OrderOfScheme& scheme) {
   const auto count = scheme.levels.size();
   for (std::size_t k = count - 3; k < count; ++k) {
-    if (!scheme.levels[k].marginals) return std::nullopt;
+    const auto& solution = scheme.levels[k].entry.solution;
+    const bool finest = k + 1 == count;
+    if (!scheme.levels[k].marginals || (finest && solution.status != transform::Status::ok)) {
+      scheme.no_limit = fmt::format("one of the three finest grids is {} ({})",
+                                    transform::name(solution.status), solution.reason);
+      return;
+    }
   }
-  return richardson_limit(*scheme.levels[count - 3].marginals, *scheme.levels[count - 2].marginals,
-                          *scheme.levels[count - 1].marginals, kGridLevelRatio, scheme.order);
+  for (std::size_t k = count - 2; k < count; ++k) {
+    const Json &before = scheme.levels[k - 1].entry.details, &here = scheme.levels[k].entry.details;
+    if (before.at("nx") == here.at("nx") && before.at("nv") == here.at("nv")) {
+      scheme.no_limit = fmt::format(
+          "two of the three finest levels have the same {} x {} cells, the "
+          "fewest there are (begin with a larger --coarsest)",
+          here.at("nx").get<int>(), here.at("nv").get<int>());
+      return;
+    }
+  }
+  const Marginals &coarse = *scheme.levels[count - 3].marginals,
+                  &middle = *scheme.levels[count - 2].marginals,
+                  &fine = *scheme.levels[count - 1].marginals;
+  const double observed = observed_orders(coarse, middle, fine, kGridLevelRatio).l1;
+  if (!(observed >= kLeastOrderOfALimit)) {
+    scheme.no_limit = fmt::format(
+        "the differences fall at order {:.2g} only, and the limit takes {} (refine the origin, or "
+        "take finer levels)",
+        observed, kLeastOrderOfALimit);
+    return;
+  }
+  scheme.limit = richardson_limit(coarse, middle, fine, kGridLevelRatio, scheme.order);
 }
 
 Json l1_of(const std::optional<Marginals>& marginals, const std::optional<Marginals>& truth) {
@@ -249,8 +277,8 @@ Json study_grid(const std::string& command, const problem::Problem& problem,
 
   std::vector<OrderOfScheme> schemes;
   for (const int order : orders) {
-    schemes.push_back({order, study.grids_of_order(order), {}});
-    schemes.back().limit = limit_of(schemes.back());
+    schemes.push_back({.order = order, .levels = study.grids_of_order(order)});
+    find_limit(schemes.back());
   }
   std::optional<Marginals> truth;
   if (schemes.back().limit) truth = schemes.back().limit->value;
@@ -263,6 +291,7 @@ Json study_grid(const std::string& command, const problem::Problem& problem,
     limits.push_back(limit_json(scheme, truth));
   }
   for (const auto& method : others) {
+    if (!truth) break;  // nothing to measure them by
     const Entry entry = study.solve(method, method.id);
     std::optional<Marginals> own;
     if (entry.solution.density) own = study.marginals_of(entry);
@@ -280,6 +309,7 @@ Json study_grid(const std::string& command, const problem::Problem& problem,
                                    {"ratio", kGridLevelRatio},
                                    {"truth",
                                     {{"order", truth ? Json(schemes.back().order) : Json()},
+                                     {"reason", schemes.back().no_limit},
                                      {"known_to", known_to(schemes, truth)}}},
                                    {"limits", limits},
                                    {"rows", rows},

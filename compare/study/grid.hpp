@@ -35,7 +35,9 @@ void validate(const GridStudyOptions& options);
 /// the contents of study-grid.json: program, name, system and impulse of the case as in
 /// summary.json, and
 ///  - truth: the Richardson limit at the highest order, with the L1 distances to the limit at the
-///    next order (`y`, `ydot`), which is how far it is known; null without a second order;
+///    next order (`y`, `ydot`), which is how far it is known; null without a second order. Without
+///    densities that are ok, or at an observed order below kLeastOrderOfALimit, there is none
+///    (`reason`), and no other method is run;
 ///  - limits: per order the limits of the moments and the L1 distances of the marginals to truth;
 ///  - rows: per order and level the cells, the L1 distances of the marginals to truth, the observed
 ///    order log |u_1 - u_0| / |u_2 - u_1| / log ratio of the last three levels in L1, E[y^2] and
@@ -56,7 +58,8 @@ std::string grid_csv(const nlohmann::ordered_json& report);
 /// @param format the least important columns go where the rows do not fit
 std::string grid_table(const nlohmann::ordered_json& report, const TextFormat& format = {});
 
-/// A gnuplot script: L1 distance over the cell width by order, and over the time by all methods.
+/// A gnuplot script: L1 distance over the cell width by order, and over the time by all methods;
+/// empty where there is nothing to draw.
 std::string grid_figure(const nlohmann::ordered_json& report, const std::string& file_stem);
 
 }  // namespace fpkcheck::compare

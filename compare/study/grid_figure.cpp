@@ -161,6 +161,9 @@ std::string grid_figure(const Json& report, const std::string& file_stem) {
   const auto fd = grids(report);
   auto all = fd;
   for (auto& series : others(report)) all.push_back(std::move(series));
+  if (std::ranges::all_of(all, [](const Series& series) { return series.points.empty(); })) {
+    return "";
+  }
   std::string text = figure_output(file_stem, {.width = 1300, .height = 950});
   for (const auto& series : all) text += block(series);
   text += fmt::format(

@@ -182,7 +182,8 @@ std::string title(const Json& report) {
 std::string truth_sentence(const Json& report) {
   const Json& truth = report.at("truth");
   if (truth.at("order").is_null()) {
-    return "There is no limit: one of the three finest grids of the highest order has no density.";
+    return fmt::format("There is no limit at the highest order: {}.",
+                       truth.at("reason").get<std::string>());
   }
   const auto y = number(truth.at("known_to"), "y"), ydot = number(truth.at("known_to"), "ydot");
   std::string text = fmt::format("The limit is that of order {}", truth.at("order").get<int>());

@@ -49,9 +49,10 @@ RichardsonLimit richardson_limit(const Marginals& coarse, const Marginals& middl
                                   extrapolated(middle.ydot, fine.ydot, factor), fine.moments},
                         .error = {}};
   for (const auto& [name, moment] : kRichardsonMoments) {
+    const double before = middle.moments.*moment - coarse.moments.*moment;
     const double step = factor * (fine.moments.*moment - middle.moments.*moment);
     limit.value.moments.*moment += step;
-    limit.error.*moment = std::abs(step);
+    limit.error.*moment = std::max(std::abs(step), factor * std::abs(before) / fall);
   }
   return limit;
 }

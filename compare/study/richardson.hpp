@@ -33,11 +33,16 @@ struct ObservedOrders {
 ObservedOrders observed_orders(const Marginals& coarse, const Marginals& middle,
                                const Marginals& fine, double ratio);
 
+/// Order observed below which three levels do not tell what they tend to.
+inline constexpr double kLeastOrderOfALimit = 1.5;
+
 /// u_2 + (u_2 - u_1) / (R - 1), with R = |u_1 - u_0| / |u_2 - u_1| from the marginals in L1, kept
 /// between that of order 1 and that of the scheme: the error of u_2 is then |u_2 - u_1| / (R - 1).
 struct RichardsonLimit {
   Marginals value;
-  transform::Moments error;  ///< what was added to the moments of u_2, in absolute value
+  /// Of the moments of u_2: what was added to them, or what the difference before lets expect
+  /// where the last one passes through 0 by chance; in absolute value.
+  transform::Moments error;
 };
 RichardsonLimit richardson_limit(const Marginals& coarse, const Marginals& middle,
                                  const Marginals& fine, double ratio, int order_of_scheme);

@@ -142,6 +142,55 @@ TEST(ErrorEstimate, TheLimitOfAManufacturedSequenceIsWhatItTendsTo) {
   EXPECT_THROW(transform::limit_marginal(wave(0.1), Variable::y, edges), std::logic_error);
 }
 
+// Differences that hardly fall tell how large the error is, but not what the grids tend to.
+TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
+  for (const double order : {1.3, 1.7}) {
+    std::vector<Options> asked;
+    const auto solution =
+        solve_with_error_estimate(solver_of_order(order, asked),
+                                  {.stepper = Stepper::direct, .error_estimate = true})
+            .solution;
+    EXPECT_EQ(solution.extrapolation.has_value(), order > kLeastOrderOfALimit) << order;
+  }
+}
+
+TEST(ErrorEstimate, ALargeOneIsInadmissible) {
+  for (const double amplitude : {0.004, 0.02}) {  // L1 of p(y): 8 times that
+    const auto solve_one = [&](const Options& options) {
+      Result result;
+      result.solution = wave(amplitude * std::pow(options.refinement, -4));
+      result.solution.status = Status::ok;
+      return result;
+    };
+    const auto solution =
+        solve_with_error_estimate(solve_one, {.stepper = Stepper::direct, .error_estimate = true})
+            .solution;
+    EXPECT_EQ(solution.status, amplitude < 0.01 ? Status::ok : Status::inadmissible);
+  }
+}
+
+// The first graded grid has no density: what the uniform ones reached is the result.
+TEST(ErrorEstimate, WhatWasReachedBeforeTheGradingIsNotLost) {
+  const auto solve_one = [](const Options& options) {
+    Result result;
+    result.summary.origin_refinement = options.origin_refinement.value_or(1);
+    if (result.summary.origin_refinement > 1) {
+      result.solution.status = Status::failed;
+      result.solution.reason = "too many cells";
+    } else {
+      result.solution = wave(0.01 / options.refinement);
+      result.solution.status = Status::ok;
+    }
+    return result;
+  };
+  const auto result =
+      solve_to_tolerance(solve_one, {.stepper = Stepper::direct, .tolerance = 1e-4});
+  EXPECT_EQ(result.solution.status, Status::not_converged);
+  EXPECT_TRUE(result.solution.density.has_value());
+  EXPECT_NE(result.solution.reason.find("the error estimate is 8"), std::string::npos)
+      << result.solution.reason;
+}
+
 TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
   const auto [solution, summary] = solve(tests::paper_case(1), {.tolerance = 1e-4});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;

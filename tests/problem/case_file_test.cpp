@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include <sstream>
 
 #include "problem/input_error.hpp"
@@ -77,6 +80,27 @@ TEST(CaseFile, NoSuchCaseListsTheNamedOnes) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("case1, case2, case3, case4"), std::string::npos);
   }
+}
+
+// The name goes into tables, JSON, netCDF and pictures, none of which holds every byte.
+TEST(CaseFile, AFileWhoseNameCannotBeShownIsRefused) {
+  const auto directory = std::filesystem::path(testing::TempDir());
+  const auto refusal = [&](const std::string& stem) -> std::string {
+    const auto file = directory / (stem + ".ini");
+    std::ofstream(file) << kGood;
+    std::string message = "accepted";
+    try {
+      load_case(file.string());
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    std::filesystem::remove(file);
+    return message;
+  };
+  EXPECT_NE(refusal("a\nb").find("control characters"), std::string::npos);
+  EXPECT_NE(refusal("a\xff").find("not UTF-8"), std::string::npos);
+  EXPECT_NE(refusal(std::string(150, 'x')).find("has 150 bytes"), std::string::npos);
+  EXPECT_EQ(refusal("lab 3, größer <b>"), "accepted");
 }
 
 TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {

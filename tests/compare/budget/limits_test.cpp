@@ -42,7 +42,7 @@ TEST(Limits, GroupClosuresByTheLargestPartAndByTheReference) {
             "What limits each closure: the closure itself in epc-gaussian-n2 and -n4 "
             "(inadmissible) (80 to 90 % of the sum of the parts); the impact to first order in 1-r "
             "in epc-gaussian-n6 (77 %); the reference in epc-gaussian-n8 and epc-polar-n8, which "
-            "lie within its sampling error.");
+            "lie within its sampling error in L1.");
 }
 
 TEST(Limits, BothVariablesMustLieWithinTheErrorOfTheReference) {
@@ -68,11 +68,21 @@ TEST(Limits, WithoutASimulationTheDiscretisationErrorIsTheMeasure) {
   one["budget"][0]["parts"][1]["uncertainty"] = 3e-5;
   EXPECT_EQ(limits(one),
             "What limits each closure: the reference in epc-polar-n8, which lies within its "
-            "discretisation error.");
+            "discretisation error in L1.");
   one["budget"][0]["total"] = 5e-5;
   EXPECT_EQ(limits(one),
             "What limits each closure: the closure itself in epc-polar-n8 (57 % of the sum of the "
             "parts).");
+}
+
+TEST(Limits, ADisagreementOfTheReferencesIsNotCalledSampling) {
+  Json one = no_budget();
+  add(one, "epc-polar-n8", 1e-5, 2e-5, 7e-4);
+  ASSERT_EQ(limits(one).find("further apart"), std::string::npos);
+  for (auto& row : one["budget"]) row["parts"].back()["l1"] = 9e-4;  // 99 of 100 below 8e-4
+  const auto text = limits(one);
+  EXPECT_NE(text.find("further apart than 99 of 100 simulations"), std::string::npos) << text;
+  EXPECT_EQ(text.find("lies within"), std::string::npos) << text;
 }
 
 TEST(Limits, NothingToSayWithoutABudget) { EXPECT_EQ(limits(no_budget()), ""); }

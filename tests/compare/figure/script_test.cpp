@@ -92,6 +92,8 @@ TEST(Figure, NoTwoCurvesLookTheSame) {
 
 TEST(GnuplotString, QuotesAndEscapes) {
   EXPECT_EQ(gnuplot_string("it's"), "'it''s'");
+  // A string ends with its line: what came after would be a command.
+  EXPECT_EQ(gnuplot_string("x'\nsystem(\"rm\")\r#\x1b"), "'x'' system(\"rm\") # '");
   EXPECT_EQ(gnuplot_literal("a_b^{c}"), "'a\\_b\\^\\{c\\}'");
 }
 

@@ -25,7 +25,7 @@ const Json& white_noise_study() {
                                         {.equation = fd_fpk::Equation::white,
                                          .orders = {5, 3},
                                          .levels = 4,
-                                         .coarsest = 0.35,
+                                         .coarsest = 0.5,
                                          .simulation = {.time = 3e3}},
                                         {});
   return report;
@@ -90,6 +90,16 @@ TEST(GridStudy, ShowsTheOtherMethodsOfTheSameEquationWithTheirCost) {
   const auto figure = grid_figure(white_noise_study(), "study-grid");
   EXPECT_NE(figure.find("closure, moment-white"), std::string::npos);
   EXPECT_NE(figure.find("simulation"), std::string::npos);
+}
+
+// All levels come to the smallest grid there is: nothing converges, and nothing is claimed.
+TEST(GridStudy, HasNoTruthWithoutALimit) {
+  const Json report = study_grid("fpkcheck study grid", tests::paper_case(1),
+                                 {.orders = {5}, .levels = 3, .coarsest = 0.02}, {});
+  EXPECT_TRUE(report.at("truth").at("order").is_null());
+  EXPECT_TRUE(report.at("others").empty());
+  EXPECT_NE(grid_table(report).find("There is no limit at the highest order: "), std::string::npos);
+  EXPECT_EQ(grid_figure(report, "study-grid"), "");
 }
 
 TEST(GridStudy, RefusesWhatCannotBeStudied) {

@@ -48,6 +48,14 @@ TEST(Richardson, SeesTheOrderOfASequence) {
   }
 }
 
+// A moment that happens to be the same on the last two levels is not known exactly.
+TEST(Richardson, DoesNotTakeAChanceAgreementOfMomentsForAccuracy) {
+  auto fine = at(0.5, 3);
+  fine.moments.y2 = at(1 / kRatio, 3).moments.y2;
+  const auto limit = richardson_limit(at(1, 3), at(1 / kRatio, 3), fine, kRatio, 5);
+  EXPECT_NEAR(limit.error.y2, 0.1 / 8, 1e-12);  // what a sequence of this order would have
+}
+
 // Differences that fall faster than the scheme can are chance: the limit must not be overrated.
 TEST(Richardson, DoesNotExtrapolateByMoreThanTheSchemeHas) {
   const auto coarse = at(1, 7), middle = at(1 / kRatio, 7), fine = at(0.5, 7);
