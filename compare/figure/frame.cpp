@@ -30,12 +30,15 @@ std::string figure_output(const std::string& file_stem, const FigureSize& size) 
 std::string figure_title(const nlohmann::ordered_json& summary_case) {
   const auto& system = summary_case.at("system");
   const auto& impulse = summary_case.at("impulse");
-  return gnuplot_literal(
-      fmt::format("{}: c = {:g}, k = {:g}, μ = {:g}, r = {:g}, λ = {:g}, λE[Y²] = {:g}",
-                  summary_case.at("name").get<std::string>(), system.at("damping").get<double>(),
-                  system.at("stiffness").get<double>(), system.at("cubic").get<double>(),
-                  system.at("restitution").get<double>(), impulse.at("rate").get<double>(),
-                  impulse.at("intensity").get<double>()));
+  const auto law = impulse.at("law").get<std::string>();
+  const double mean = impulse.at("mean").get<double>();
+  return gnuplot_literal(fmt::format(
+      "{}: c = {:g}, k = {:g}, μ = {:g}, r = {:g}, λ = {:g}, λE[Y²] = {:g}{}{}",
+      summary_case.at("name").get<std::string>(), system.at("damping").get<double>(),
+      system.at("stiffness").get<double>(), system.at("cubic").get<double>(),
+      system.at("restitution").get<double>(), impulse.at("rate").get<double>(),
+      impulse.at("intensity").get<double>(), mean == 0 ? "" : fmt::format(", E[Y] = {:g}", mean),
+      law == "gaussian" ? "" : fmt::format(", {} impulses", law)));
 }
 
 }  // namespace fpkcheck::compare
