@@ -48,6 +48,13 @@ std::string interval_end(const std::vector<double>& ends, std::size_t k) {
   return ends.empty() ? "" : fmt::format("{}", ends[k]);
 }
 
+// Version control may have changed line ends to CRLF.
+bool next_line(std::istream& in, std::string& line) {
+  if (!std::getline(in, line)) return false;
+  if (line.ends_with('\r')) line.pop_back();
+  return true;
+}
+
 class RowReader {
  public:
   explicit RowReader(std::string_view source) : source_(source) {}
@@ -124,11 +131,11 @@ void write_marginals_csv(std::ostream& out, std::span<const MarginalCurve> curve
 std::vector<MarginalCurve> read_marginals_csv(std::istream& in, std::string_view source) {
   RowReader row(source);
   std::string line;
-  if (!std::getline(in, line) || line != kHeader) {
+  if (!next_line(in, line) || line != kHeader) {
     row.fail(fmt::format("not a file of marginals (the header must be {})", kHeader));
   }
   std::vector<MarginalCurve> curves;
-  for (int line_number = 2; std::getline(in, line); ++line_number) {
+  for (int line_number = 2; next_line(in, line); ++line_number) {
     row.read(line, line_number, curves);
   }
   return curves;

@@ -7,8 +7,9 @@
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
 #include <fstream>
-#include <numbers>
 
+#include "compare/foreign/bin_errors.hpp"
+#include "compare/foreign/column_meaning.hpp"
 #include "problem/input_error.hpp"
 
 // After fpclassify: pchip of Boost 1.74 calls isnan without having declared it.
@@ -19,47 +20,6 @@ namespace fpkcheck::compare {
 namespace {
 
 using transform::Variable;
-
-bool any_of(const NumberTable& table, std::initializer_list<std::string_view> known) {
-  return std::ranges::any_of(table.names, [&](const std::string& name) {
-    return std::ranges::find(known, name) != known.end();
-  });
-}
-
-Variable variable_of(const NumberTable& table) {
-  const bool velocity = any_of(table, {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'",
-                                       "p(ydot)", "p(y')", "p(v)", "p_ydot", "p_v"});
-  const bool displacement = any_of(table, {"y", "x", "displacement", "p(y)", "p_y", "p(x)"});
-  if (velocity != displacement) return velocity ? Variable::ydot : Variable::y;
-  return std::ranges::any_of(table.rows, [](const auto& row) { return row.front() < 0; })
-             ? Variable::ydot
-             : Variable::y;
-}
-
-// Edges are often sums of widths, and off by a rounding.
-bool join(const std::vector<double>& bin, const std::vector<double>& next) {
-  constexpr double kRounding = 1e-6;
-  return std::abs(next[0] - bin[1]) <= kRounding * std::abs(bin[1] - bin[0]);
-}
-
-bool is_histogram(const NumberTable& table) {
-  if (table.columns() != 3) return false;
-  if (any_of(table, {"lower", "upper", "left", "right", "from", "to", "count", "counts"})) {
-    return true;
-  }
-  for (std::size_t k = 1; k < table.rows.size(); ++k) {
-    if (!join(table.rows[k - 1], table.rows[k])) return false;
-  }
-  return true;
-}
-
-// Counts are whole and do not integrate to 1.
-bool are_counts(const NumberTable& table, double integral) {
-  if (any_of(table, {"count", "counts", "frequency", "n"})) return true;
-  return integral > 2 && std::ranges::all_of(table.rows, [](const auto& row) {
-           return row.back() == std::floor(row.back());
-         });
-}
 
 void require_rows(const NumberTable& table, Variable variable) {
   constexpr std::size_t kFewest = 4;  // of the interpolants
@@ -73,7 +33,10 @@ void require_rows(const NumberTable& table, Variable variable) {
       table.fail(k, fmt::format("{:g} after {:g} (must increase)", x, table.rows[k - 1][0]));
     }
     if (variable == Variable::y && x < 0) {
-      table.fail(k, fmt::format("y = {:g} (must not be negative)", x));
+      // Only names can have said so.
+      table.fail(k, fmt::format("y = {:g} under the names '{}' (must not be negative; name the "
+                                "abscissa 'v' if the density is that of y')",
+                                x, fmt::join(table.names, ",")));
     }
   }
 }
@@ -117,19 +80,19 @@ void ForeignMarginal::read_histogram(const NumberTable& table) {
     }
     knots_.push_back(upper);
   }
-  double as_density = 0;
-  for (const auto& row : table.rows) as_density += row[2] * (row[1] - row[0]);
-  const bool counts = are_counts(table, as_density);
+  const BinValue value = bin_value(table);
+  description_["values"] = name(value);
   cumulative_ = {0};
   for (const auto& row : table.rows) {
-    cumulative_.push_back(cumulative_.back() + row[2] * (counts ? 1 : row[1] - row[0]));
+    cumulative_.push_back(cumulative_.back() +
+                          row[2] * (value == BinValue::density ? row[1] - row[0] : 1));
   }
   using Monotone = boost::math::interpolators::pchip<std::vector<double>>;
   auto x = knots_, below = cumulative_;
   density_ = [cubic = Monotone(std::move(x), std::move(below))](double at) {
     return cubic.prime(at);
   };
-  normalise(counts);
+  normalise(value);
 }
 
 void ForeignMarginal::read_points(const NumberTable& table) {
@@ -145,7 +108,6 @@ void ForeignMarginal::read_points(const NumberTable& table) {
     const double at_wall = values[0] - (values[1] - values[0]) / spacing * first;
     knots_.insert(knots_.begin(), 0);
     values.insert(values.begin(), std::max(at_wall, 0.0));
-    if (has_errors()) errors_.insert(errors_.begin(), errors_.front());
   }
   using Akima = boost::math::interpolators::makima<std::vector<double>>;
   auto x = knots_;
@@ -156,10 +118,10 @@ void ForeignMarginal::read_points(const NumberTable& table) {
   for (std::size_t k = 1; k < knots_.size(); ++k) {
     cumulative_.push_back(cumulative_.back() + integral(density_, knots_[k - 1], knots_[k]));
   }
-  normalise(false);
+  normalise(BinValue::density);
 }
 
-void ForeignMarginal::normalise(bool counts) {
+void ForeignMarginal::normalise(BinValue value) {
   constexpr double kNearOne = 0.1;
   const double total = cumulative_.back();
   const std::string file = description_.at("file").get<std::string>();
@@ -167,14 +129,20 @@ void ForeignMarginal::normalise(bool counts) {
   description_["from"] = knots_.front();
   description_["to"] = knots_.back();
   description_["integral"] = total;
-  description_["notes"] = nlohmann::ordered_json::array();
-  if (counts || std::abs(total - 1) > kNearOne) {
+  std::vector<std::string> notes;
+  if (value == BinValue::probability) {
+    notes.push_back("its probabilities per bin were divided by the widths of the bins");
+  }
+  if (value == BinValue::count || std::abs(total - 1) > kNearOne) {
     scale_ = 1 / total;
     description_["normalised_by"] = total;
-    description_["notes"].push_back(
-        counts ? fmt::format("its counts were divided by their sum, {:g}", total)
-               : fmt::format("it was divided by its integral, {:.4g}", total));
+    notes.push_back(value == BinValue::density
+                        ? fmt::format("it was divided by its integral, {:.4g}", total)
+                        : fmt::format("its {} were divided by their sum, {:g}",
+                                      value == BinValue::count ? "counts" : "probabilities",
+                                      total));
   }
+  description_["notes"] = notes;
   note_cut_ends();
 }
 
@@ -210,24 +178,20 @@ transform::Marginal ForeignMarginal::on(std::span<const double> edges) const {
     const double upper = cumulative(edges[b + 1]);
     result.density.push_back(std::max(scale_ * (upper - below) / result.width(b), 0.0));
     below = upper;
-    if (!has_errors()) continue;
-
-    // The error of the interpolant's average is nearly that of the points it lies between.
-    constexpr double kTwoSided95 = 1.959964;
-    const double centre = result.centre(b);
-    double error = 0;
-    if (centre >= knots_.front() && centre <= knots_.back()) {
-      const auto last = std::ssize(knots_) - 1;
-      const auto k = std::clamp<std::ptrdiff_t>(
-          std::ranges::upper_bound(knots_, centre) - knots_.begin(), 1, last);
-      error = std::lerp(errors_[k - 1], errors_[k],
-                        (centre - knots_[k - 1]) / (knots_[k] - knots_[k - 1]));
-    }
-    const double half = kTwoSided95 * scale_ * error;
-    result.lower.push_back(std::max(result.density.back() - half, 0.0));
-    result.upper.push_back(result.density.back() + half);
+  }
+  if (!has_errors()) return result;
+  constexpr double kTwoSided95 = 1.959964;
+  const auto errors = bin_errors(knots_, errors_, edges);
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    const double half = kTwoSided95 * scale_ * errors[b].standard();
+    result.lower.push_back(std::max(result.density[b] - half, 0.0));
+    result.upper.push_back(result.density[b] + half);
   }
   return result;
+}
+
+double ForeignMarginal::share_beyond(double lower, double upper) const {
+  return std::clamp(1 - (cumulative(upper) - cumulative(lower)) / cumulative_.back(), 0.0, 1.0);
 }
 
 double ForeignMarginal::moment(int power) const {
@@ -239,12 +203,9 @@ double ForeignMarginal::moment(int power) const {
   return scale_ * sum;
 }
 
-double ForeignMarginal::expected_l1() const {
-  double sum = 0;  // by trapezoids; E|e| = sqrt(2/pi) sigma
-  for (std::size_t k = 1; k < errors_.size(); ++k) {
-    sum += (errors_[k - 1] + errors_[k]) / 2 * (knots_[k] - knots_[k - 1]);
-  }
-  return scale_ * sum * std::sqrt(2 / std::numbers::pi);
+BinSamplingL1 ForeignMarginal::sampling_l1(std::span<const double> edges) const {
+  const auto [expected, in_99] = compare::sampling_l1(bin_errors(knots_, errors_, edges));
+  return {scale_ * expected, scale_ * in_99};
 }
 
 ForeignMarginal read_foreign_marginal(const std::filesystem::path& file) {

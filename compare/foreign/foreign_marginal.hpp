@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/foreign/bin_errors.hpp"
+#include "compare/foreign/column_meaning.hpp"
 #include "compare/foreign/number_table.hpp"
 #include "transform/marginal.hpp"
 
@@ -14,12 +16,11 @@ namespace fpkcheck::compare {
 
 /// A marginal density that others computed or measured, from a file.
 ///
-/// Two columns are abscissa and density; three are lower edge, upper edge and density or count of a
-/// histogram where each bin begins where the one before ended (or the names say so), else abscissa,
-/// density and standard error. Between points the density is Akima's modified interpolant; within
-/// the bins of a histogram it is the slope of the cumulative's monotone cubic. From a first point
-/// of y that is no farther from the wall than from the second, it is continued to the wall by a
-/// straight line. Elsewhere outside the file's range it is 0.
+/// Two columns are abscissa and density; three are those of a histogram (is_histogram), else
+/// abscissa, density and standard error. Between points the density is Akima's modified
+/// interpolant; within the bins of a histogram it is the slope of the cumulative's monotone cubic.
+/// From a first point of y that is no farther from the wall than from the second, it is continued
+/// to the wall by a straight line. Elsewhere outside the file's range it is 0.
 class ForeignMarginal {
  public:
   /// @param table of the columns above
@@ -34,8 +35,12 @@ class ForeignMarginal {
   /// The integral of x^power over the file's range.
   double moment(int power) const;
 
-  /// The expected L1 distance from the truth, by the file's standard errors; 0 where it has none.
-  double expected_l1() const;
+  /// The share of its mass that lies outside lower <= x <= upper.
+  double share_beyond(double lower, double upper) const;
+
+  /// The L1 distance from the truth over bins that the file's standard errors let one expect.
+  /// Where has_errors().
+  BinSamplingL1 sampling_l1(std::span<const double> edges) const;
   bool has_errors() const { return !errors_.empty(); }
 
   /// What was read and made of it: file, variable, form, range, normalisation, notes.
@@ -44,7 +49,7 @@ class ForeignMarginal {
  private:
   void read_histogram(const NumberTable& table);
   void read_points(const NumberTable& table);
-  void normalise(bool counts);
+  void normalise(BinValue value);
   void note_cut_ends();
   double cumulative(double x) const;
 
@@ -53,7 +58,7 @@ class ForeignMarginal {
   std::vector<double> cumulative_;  // at the knots
   std::function<double(double)> density_;
   double scale_ = 1;            // of density_, to have mass 1
-  std::vector<double> errors_;  // standard errors at the knots, or empty
+  std::vector<double> errors_;  // standard errors of the file's points (the last knots), or empty
   nlohmann::ordered_json description_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -53,6 +54,19 @@ void require_free(const std::string& label) {
 
 double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
 
+// The comparison does not see what lies there.
+void say_what_lies_beyond(const ForeignMarginal& marginal, const std::vector<double>& bins,
+                          Json& file) {
+  constexpr double kSmall = 1e-3;
+  const double share = marginal.share_beyond(bins.front(), bins.back());
+  file["beyond_axes"] = share;
+  if (share <= kSmall) return;
+  file["notes"].push_back(fmt::format(
+      "{:.3g} % of it lies beyond the axes of the comparison, {} = {:.3g} to {:.3g}, and does not "
+      "count (other units?)",
+      100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back()));
+}
+
 // @param place among the solutions from files, to tell them apart in pictures
 Entry entry(const std::string& label, std::size_t place,
             const std::vector<ForeignMarginal>& marginals, const ComparisonAxes& axes) {
@@ -67,16 +81,26 @@ Entry entry(const std::string& label, std::size_t place,
     (of_y ? m.y1 : m.v1) = marginal.moment(1);
     (of_y ? m.y2 : m.v2) = marginal.moment(2);
     (of_y ? m.y4 : m.v4) = marginal.moment(4);
-    auto on_axes = marginal.on(edges(axes, marginal.variable()));
-    if (&marginal == &marginals.front()) {
-      solution.mass = marginal.moment(0);
-      const auto [least, most] = std::ranges::minmax(on_axes.density);
-      solution.min_density = most > 0 ? least / most : 0;
-    }
+    const auto& bins = edges(axes, marginal.variable());
+    auto on_axes = marginal.on(bins);
+    const double mass = marginal.moment(0);
+    const auto [least, most] = std::ranges::minmax(on_axes.density);
+    const double min_density = most > 0 ? least / most : 0;
+    const bool first = &marginal == &marginals.front();
+    // Of several files the worse.
+    if (first || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
+    if (first || min_density < solution.min_density) solution.min_density = min_density;
     if (marginal.has_errors()) {
-      sampling[std::string(transform::name(marginal.variable()))] = marginal.expected_l1();
+      const std::string variable(transform::name(marginal.variable()));
+      const auto [expected, in_99] = marginal.sampling_l1(bins);
+      sampling[variable] = expected;
+      sampling[variable + "_99"] = in_99;
     }
-    files.push_back(marginal.description());
+    Json file = marginal.description();
+    file["mass"] = mass;
+    file["min_density"] = min_density;
+    say_what_lies_beyond(marginal, bins, file);
+    files.push_back(std::move(file));
     solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
   }
   Json details{{"files", files}, {"place", place}};

@@ -40,6 +40,22 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
+// Names without units: "velocity [m/s]", "v (m/s)"; but p(y) is a name.
+std::string without_units(const std::string& line) {
+  std::string kept;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const bool blank_before = kept.empty() || kept.back() == ' ' || kept.back() == '\t';
+    const char closing = line[k] == '[' ? ']' : line[k] == '(' && blank_before ? ')' : '\0';
+    const auto end = closing != '\0' ? line.find(closing, k) : std::string::npos;
+    if (end == std::string::npos) {
+      kept += line[k];
+    } else {
+      k = end;
+    }
+  }
+  return kept;
+}
+
 std::optional<double> number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
@@ -82,13 +98,13 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     line = trimmed(line);
     if (line.empty()) continue;
     if (line.front() == '#') {
-      if (table.rows.empty()) comment = split(trimmed(line.substr(1)));
+      if (table.rows.empty()) comment = split(trimmed(without_units(line.substr(1))));
       continue;
     }
     const auto fields = split(line);
     if (table.rows.empty() && table.names.empty() &&
         std::ranges::none_of(fields, [](const auto& field) { return number(field).has_value(); })) {
-      table.names = lower_case(fields);
+      table.names = lower_case(split(trimmed(without_units(line))));
       continue;
     }
     std::vector<double> row;

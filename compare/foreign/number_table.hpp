@@ -9,8 +9,8 @@ namespace fpkcheck::compare {
 /// Columns of numbers in a text file made by others: fields separated by semicolons, tabs, commas
 /// or blanks, lines that start with # left out. A line of names may come first, also as a comment.
 struct NumberTable {
-  std::string source;                     ///< how messages name the file
-  std::vector<std::string> names;         ///< of the columns, in lower case; or empty
+  std::string source;              ///< how messages name the file
+  std::vector<std::string> names;  ///< of the columns, in lower case, without units; or empty
   std::vector<std::vector<double>> rows;  ///< all of the same length, finite
   std::vector<int> lines;                 ///< the line number of each row, from 1
 

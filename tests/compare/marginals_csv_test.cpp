@@ -22,6 +22,16 @@ TEST(MarginalsCsv, ReadsBackExactlyWhatItWrote) {
   EXPECT_EQ(read_marginals_csv(csv, "m.csv"), curves);
 }
 
+TEST(MarginalsCsv, IsReadWithTheLineEndsOfOtherSystems) {
+  const auto curves = marginal_curves(std::vector<CaseReport>{tests::full_report()});
+  std::stringstream csv;
+  write_marginals_csv(csv, curves);
+  std::string crlf;
+  for (const char c : csv.str()) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  std::istringstream in(crlf);
+  EXPECT_EQ(read_marginals_csv(in, "m.csv"), curves);
+}
+
 TEST(MarginalsCsv, TellsNeighbouringCurvesApart) {
   const std::vector<MarginalCurve> curves{{"a", "s", "y", {0.5}, {1}, {}, {}},
                                           {"a", "s", "ydot", {0.5}, {2}, {}, {}},

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <random>
 
 #include "compare/findings.hpp"
 #include "compare/report.hpp"
@@ -115,6 +117,88 @@ TEST_F(ForeignMethods, TheirErrorsExplainTheDifferenceOrNot) {
   report_.entries.back().solution.id = "mcs";
   EXPECT_TRUE(contains(sentence(1e-5), "which does not explain that")) << sentence(1e-5);
   EXPECT_FALSE(contains(sentence(0), "explain")) << sentence(0);
+}
+
+TEST_F(ForeignMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
+  // sigma of relative 5 %, 30 points a bin, bias of 8 % in turns.
+  const auto sentence = [&](double bias) {
+    const auto& density = std::get<transform::SmoothDensity>(*report_.entries[6].solution.density);
+    const double end = report_.axes.y_edges.back();
+    constexpr int kPoints = 3000;
+    std::vector<double> fine{0};
+    for (int k = 0; k < kPoints; ++k) fine.push_back(end * (k + 1) / kPoints);
+    const auto exact = transform::marginal(density, Variable::y, fine);
+    const fs::path file = directory_.path() / "dense.csv";
+    std::ofstream out(file);
+    std::mt19937_64 engine(3);
+    std::normal_distribution<double> normal;
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      const double sign = exact.centre(k) < end / 10 ? 1 : -1;
+      out << fmt::format("{} {} {}\n", exact.centre(k),
+                         exact.density[k] * (1 + sign * bias + 0.05 * normal(engine)),
+                         0.05 * exact.density[k]);
+    }
+    out.close();
+    const auto run = run_with({file.string()});
+    for (const auto& text : findings(run.summary["cases"][0])) {
+      if (contains(text, "dense differs from the full")) return text;
+    }
+    return std::string();
+  };
+  EXPECT_TRUE(contains(sentence(0), "which explains that")) << sentence(0);
+  EXPECT_TRUE(contains(sentence(0.02), "which does not explain that")) << sentence(0.02);
+}
+
+TEST_F(ForeignMethods, SayWhatLiesBeyondTheAxes) {
+  const double end = report_.axes.y_edges.back();
+  const auto file_of = [&](double length) {  // of an exponential density of this mean
+    const fs::path file = directory_.path() / "far.csv";
+    std::ofstream out(file);
+    for (int k = 0; k <= 400; ++k) {
+      const double y = length * k / 20;
+      out << fmt::format("{} {}\n", y, std::exp(-y / length) / length);
+    }
+    return file.string();
+  };
+  const auto note = [&](const SavedRun& run) {
+    std::string all;
+    for (const auto& text : findings(run.summary["cases"][0])) {
+      if (text.starts_with("Of far.csv")) all += text;
+    }
+    return all;
+  };
+  const auto share = [&](const SavedRun& run) {
+    return run.summary["cases"][0]["solutions"][0]["files"][0]["beyond_axes"].get<double>();
+  };
+  const SavedRun within = run_with({file_of(end / 10)}), far = run_with({file_of(end / 2)});
+  EXPECT_NEAR(share(within), std::exp(-10), 1e-5);
+  EXPECT_EQ(note(within), "");
+  EXPECT_NEAR(share(far), std::exp(-2), 1e-4);
+  EXPECT_TRUE(contains(note(far), "13.5 % of it lies beyond the axes of the comparison, y = 0 to "))
+      << note(far);
+}
+
+TEST_F(ForeignMethods, TheWorseOfTwoFilesStandsForBoth) {
+  const auto shorter = [&](const std::string& name, Variable variable, double factor) {
+    std::ifstream in(write("whole.csv", variable));
+    const fs::path file = directory_.path() / name;
+    std::ofstream out(file);
+    double a, b, p;
+    while (in >> a >> b >> p) out << fmt::format("{} {} {}\n", a, b, factor * p);
+    return file.string();
+  };
+  for (const bool bad_first : {true, false}) {
+    const auto y = shorter("y.csv", Variable::y, bad_first ? 0.94 : 1);
+    const auto v = shorter("v.csv", Variable::ydot, bad_first ? 1 : 0.95);
+    const SavedRun run = run_with({y + ":lab", v + ":lab"});
+    const auto& lab = run.summary["cases"][0]["solutions"][0];
+    EXPECT_NEAR(lab["mass"], bad_first ? 0.94 : 0.95, 1e-6);
+    EXPECT_NEAR(lab["files"][0]["mass"], bad_first ? 0.94 : 1, 1e-6);
+    EXPECT_NEAR(lab["files"][1]["mass"], bad_first ? 1 : 0.95, 1e-6);
+    const double of_y = lab["files"][0]["min_density"], of_v = lab["files"][1]["min_density"];
+    EXPECT_NE(of_y, of_v);
+    EXPECT_EQ(lab["min_density"], std::min(of_y, of_v));
+  }
 }
 
 TEST_F(ForeignMethods, AreReportedOnAgainFromTheSavedRun) {
