@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "compare/check/figures.hpp"
 #include "compare/summary.hpp"
 #include "problem/input_error.hpp"
 
@@ -33,6 +34,27 @@ void leave_out(SavedRun& run, Json& one_case, const std::string& id) {
   });
 }
 
+// A simulation is judged by its own errors: without them, or cut short, it is no baseline.
+void require_whole_simulation(const Json& solution) {
+  if (solution.value("interrupted", false)) {
+    throw InputError("the simulation was interrupted (run again, to its end)");
+  }
+  if (solution.at("moments").is_null()) return;
+  const auto require_positive = [](const Json& value, const std::string& name) {
+    if (value.is_number() && value.get<double>() > 0) return;
+    throw InputError(fmt::format("{} = {} (must be a positive number: run again, and longer)", name,
+                                 value.dump()));
+  };
+  for (const char* list : {"standard_errors", "sampling_l1"}) {
+    for (const auto& [key, value] : solution.at(list).items()) {
+      require_positive(value, fmt::format("{}.{}", list, key));
+    }
+  }
+  for (const char* key : {"effective_samples", "effective_samples_y2"}) {
+    require_positive(solution.at(key), key);
+  }
+}
+
 // The methods of a case, and the solutions that have none.
 std::pair<CaseAgain, std::vector<std::string>> plan(const Json& one_case, int threads) {
   const auto name = one_case.at("name").get<std::string>();
@@ -43,6 +65,7 @@ std::pair<CaseAgain, std::vector<std::string>> plan(const Json& one_case, int th
     if (!ids.insert(id).second) throw InputError(id + " is there twice (run again)");
     try {
       if (auto method = saved_method(solution, threads)) {
+        if (is_simulation(solution)) require_whole_simulation(solution);
         result.first.methods.push_back(std::move(*method));
       } else {
         result.second.push_back(id);

@@ -42,10 +42,12 @@ Check check(const SavedRun& baseline, const SavedRun& now, const Tolerances& tol
     const CaseOfRun was{one, baseline.marginals}, is{*again, now.marginals};
     result.solutions += one.at("solutions").size();
     std::ranges::move(solution_figures(was, is, tolerances), std::back_inserter(result.figures));
+    std::ranges::move(detail_figures(was, is, tolerances), std::back_inserter(result.figures));
     if (with_marginals) {
       std::ranges::move(marginal_figures(was, is, tolerances), std::back_inserter(result.figures));
     }
     std::ranges::move(distance_figures(was, is, tolerances), std::back_inserter(result.figures));
+    std::ranges::move(budget_figures(was, is, tolerances), std::back_inserter(result.figures));
   }
   return result;
 } catch (const Json::exception& error) {

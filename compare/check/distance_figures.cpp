@@ -83,10 +83,31 @@ class PairFigures {
   void add_tail() {
     const Json& was = pair_.at("log10_tail");
     const Json& is = again_.at("log10_tail");
-    for (std::size_t k = 0; k < std::min(was.size(), is.size()); ++k) {
+    if (was.size() != is.size()) {
+      const auto decades = [](const Json& tail) { return fmt::format("{} decades", tail.size()); };
+      figures_.push_back(
+          {baseline_.summary.at("name").get<std::string>(), pair_.at("a").get<std::string>(),
+           fmt::format("tail {} to {}", density_name(pair_), pair_.at("b").get<std::string>()),
+           FigureKind::tail, decades(was), decades(is), kInfinity, tolerances_.tail()});
+      return;
+    }
+    for (std::size_t k = 0; k < was.size(); ++k) {
       push(fmt::format("tail {:.0e} {} to {}", was[k].at("from").get<double>(), density_name(pair_),
                        pair_.at("b").get<std::string>()),
            FigureKind::tail, was[k].at("mean_abs"), is[k].at("mean_abs"), 1, tolerances_.tail());
+      add_bins(was[k], is[k]);
+    }
+  }
+
+  // Of which densities, and how many bins: a figure only where they are others.
+  void add_bins(const Json& was, const Json& is) {
+    for (const char* key : {"from", "to", "bins", "left_out"}) {
+      const double a = was.at(key).get<double>(), b = is.at(key).get<double>();
+      constexpr double kSame = 1e-9;
+      if (std::abs(b - a) <= kSame * std::abs(a)) continue;
+      push(fmt::format("tail {:.0e} {} to {}: {}", was.at("from").get<double>(),
+                       density_name(pair_), pair_.at("b").get<std::string>(), key),
+           FigureKind::tail, was.at(key), is.at(key), 0, tolerances_.tail());
     }
   }
 
@@ -113,13 +134,14 @@ double allowed_l1(const Json& baseline, const Json& now, const std::string& vari
                   double standard_errors) {
   // Expectation, and what 99 runs of 100 stay below: of the difference of both runs.
   const auto both = [&](const std::string& key) {
-    return std::hypot(baseline.at("sampling_l1").at(key).get<double>(),
-                      now.at("sampling_l1").at(key).get<double>());
+    return std::hypot(number(baseline.at("sampling_l1"), key).value_or(NAN),
+                      number(now.at("sampling_l1"), key).value_or(NAN));
   };
   constexpr double kQuantile99 = 2.326;  // of the normal law
   const double expected = both(variable);
   const double deviation = (both(variable + "_99") - expected) / kQuantile99;
-  return expected + standard_errors * std::max(deviation, 0.0);
+  const double allowed = expected + standard_errors * std::max(deviation, 0.0);
+  return std::isfinite(allowed) ? allowed : 0;
 }
 
 std::vector<Figure> distance_figures(const CaseOfRun& baseline, const CaseOfRun& now,

@@ -5,7 +5,7 @@ namespace fpkcheck::compare {
 std::string_view name(FigureKind kind) {
   switch (kind) {
     case FigureKind::status:
-      return "status";
+      return "status and words";
     case FigureKind::moment:
       return "moments";
     case FigureKind::mass:
@@ -18,6 +18,10 @@ std::string_view name(FigureKind kind) {
       return "distances";
     case FigureKind::tail:
       return "distances in tails";
+    case FigureKind::detail:
+      return "details";
+    case FigureKind::budget:
+      return "error budget";
     case FigureKind::marginal:
       return "marginals";
     case FigureKind::simulated:
@@ -26,6 +30,8 @@ std::string_view name(FigureKind kind) {
       return "simulated bins";
     case FigureKind::simulated_l1:
       return "simulated L1";
+    case FigureKind::simulated_error:
+      return "simulation's errors";
   }
   return "";
 }
@@ -34,6 +40,8 @@ std::string_view unit(FigureKind kind) {
   switch (kind) {
     case FigureKind::moment:
     case FigureKind::coefficient:
+    case FigureKind::detail:
+    case FigureKind::simulated_error:
       return "relative";
     case FigureKind::marginal:
       return "of the peak";

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "compare/check/figures.hpp"
 #include "compare/summary_view.hpp"
@@ -29,15 +27,6 @@ bool on_the_same_bins(const MarginalCurve& one, const MarginalCurve& other) {
   const double extent = std::abs(one.abscissa.back());
   return std::ranges::equal(one.abscissa, other.abscissa,
                             [&](double x, double y) { return std::abs(x - y) <= kSame * extent; });
-}
-
-// The deviation that the largest of n independent normal numbers exceeds as rarely as a single one
-// exceeds `standard_errors`.
-double of_the_largest(double standard_errors, std::size_t n) {
-  const double rare = std::erfc(standard_errors / std::numbers::sqrt2);
-  return std::numbers::sqrt2 *
-         boost::math::erfc_inv(std::max(rare / static_cast<double>(std::max<std::size_t>(n, 1)),
-                                        std::numeric_limits<double>::min()));
 }
 
 Figure figure(const MarginalCurve& curve, const std::string& name, FigureKind kind) {
@@ -91,7 +80,7 @@ Figure largest_change_in_standard_errors(const MarginalCurve& was, const Margina
     result.baseline = was.density[k];
     result.now = is.density[k];
   }
-  result.allowed = of_the_largest(tolerances.standard_errors, known);
+  result.allowed = tolerances.of_the_largest(known);
   return result;
 }
 

@@ -17,9 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // What a coefficient may do to a density, relative to its peak, before it is more than rounding.
 constexpr double kRounding = 1e-14;
-// Of the formulation `moment` beyond this order: its quadrature depends on the path of the search,
-// and that may turn on the last digit.
-constexpr int kSettledOrder = 8;
+// Where the quadrature depends on the path of the search.
 constexpr double kPathRounding = 3e-9;
 
 class SolutionFigures {
@@ -54,7 +52,8 @@ class SolutionFigures {
 
   void add(const std::string& name, FigureKind kind, const Json& was, const Json& is, double change,
            double allowed) {
-    figures_.push_back({case_name_, id_, name, kind, was, is, change, allowed});
+    figures_.push_back(
+        {case_name_, id_, name, kind, was, is, std::isnan(change) ? kInfinity : change, allowed});
   }
 
   // A number that JSON has as null is not finite: it must stay so.
@@ -110,16 +109,16 @@ class SolutionFigures {
   }
 
   double standard_error(const char* key) const {
-    return std::hypot(baseline_.at("standard_errors").at(key).get<double>(),
-                      now_.at("standard_errors").at(key).get<double>());
+    return std::hypot(number(baseline_.at("standard_errors"), key).value_or(NAN),
+                      number(now_.at("standard_errors"), key).value_or(NAN));
   }
 
   // 1 - mass is the share of the samples outside the bins; with n that are as good as independent
   // it has the variance of a share, and one sample more may always be there.
   double error_of_mass() const {
     const auto variance = [](const Json& solution) {
-      const double n = solution.at("effective_samples").get<double>();
-      return (solution.at("outside").get<double>() + 1 / n) / n;
+      const double n = number(solution, "effective_samples").value_or(NAN);
+      return (number(solution, "outside").value_or(NAN) + 1 / n) / n;
     };
     return std::sqrt(variance(baseline_) + variance(now_));
   }
@@ -161,9 +160,8 @@ class SolutionFigures {
     const auto summit = [](int p) { return p == 0 ? 1 : std::pow(p / std::exp(1.0), p / 2.0); };
     const auto [p, q] = powers;
     const double effect = std::pow(*y2, p / 2.0) * std::pow(*v2, q / 2.0) * summit(p) * summit(q);
-    const bool depends_on_path = baseline_.value("formulation", std::string()) == "moment" &&
-                                 baseline_.value("order", 0) > kSettledOrder;
-    return (depends_on_path ? kPathRounding : kRounding) / (effect * Tolerances{}.coefficient());
+    return (depends_on_path(baseline_) ? kPathRounding : kRounding) /
+           (effect * Tolerances{}.coefficient());
   }
 
   std::string case_name_, id_;
@@ -176,6 +174,12 @@ class SolutionFigures {
 }  // namespace
 
 bool is_simulation(const Json& solution) { return solution.at("method") == "mcs"; }
+
+bool depends_on_path(const Json& solution) {
+  constexpr int kSettledOrder = 8;
+  return solution.value("formulation", std::string()) == "moment" &&
+         solution.value("order", 0) > kSettledOrder;
+}
 
 std::vector<Figure> solution_figures(const CaseOfRun& baseline, const CaseOfRun& now,
                                      const Tolerances& tolerances) {

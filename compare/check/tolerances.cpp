@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "problem/input_error.hpp"
 
@@ -15,6 +19,13 @@ void require_positive(double value, const char* option) {
 }
 
 }  // namespace
+
+double Tolerances::of_the_largest(std::size_t n) const {
+  const double rare = std::erfc(standard_errors / std::numbers::sqrt2);
+  return std::numbers::sqrt2 *
+         boost::math::erfc_inv(std::max(rare / static_cast<double>(std::max<std::size_t>(n, 1)),
+                                        std::numeric_limits<double>::min()));
+}
 
 void validate(const Tolerances& tolerances) {
   require_positive(tolerances.deterministic, "--tolerance");

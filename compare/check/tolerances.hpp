@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace fpkcheck::compare {
 
 /// By how much a figure may move before `check` calls it a change. docs/checking.md holds the
@@ -18,6 +20,9 @@ struct Tolerances {
   /// Of mean |log10| differences by decades, absolute: rounding moves those of densities 1e-6 of
   /// their peak by up to 3e-8.
   double tail() const { return 100 * deterministic; }
+  /// The deviation that the largest of n independent normal numbers exceeds as rarely as a single
+  /// one exceeds `standard_errors`.
+  double of_the_largest(std::size_t n) const;
 };
 
 /// @throws InputError naming the option that is no positive number

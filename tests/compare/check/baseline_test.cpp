@@ -106,6 +106,20 @@ TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
                  [](Json& json) { json["cases"] = Json::array(); });
 }
 
+TEST_F(BaselineTest, ASimulationMustBeWholeAndKnowItsErrors) {
+  const auto mcs = [](Json& json) -> Json& { return json["cases"][0]["solutions"].back(); };
+  expect_message("case1: mcs: the simulation was interrupted (run again, to its end)",
+                 [&](Json& json) { mcs(json)["interrupted"] = true; });
+  for (const Json& bad : {Json(), Json(0.0), Json(-1e-4), Json("small")}) {
+    expect_message("case1: mcs: standard_errors.y2 = " + bad.dump() + " (must be a positive",
+                   [&](Json& json) { mcs(json)["standard_errors"]["y2"] = bad; });
+    expect_message("sampling_l1.ydot_99 = ",
+                   [&](Json& json) { mcs(json)["sampling_l1"]["ydot_99"] = bad; });
+    expect_message("effective_samples = ",
+                   [&](Json& json) { mcs(json)["effective_samples"] = bad; });
+  }
+}
+
 TEST_F(BaselineTest, CurvesOfAnotherRunAreRefused) {
   std::ofstream(folder_ / "marginals.csv")
       << "case,solution,variable,abscissa,density,lower,upper\ncase1,fd-kf,y,0.1,1,,\n";

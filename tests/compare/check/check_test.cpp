@@ -175,11 +175,150 @@ TEST(Check, DoesNotMindRounding) {
   const auto moved = moved_by([&](SavedRun& run) {
     disturb(run.summary["cases"][0]["solutions"], 1e-12, random);
     disturb(run.summary["cases"][0]["comparisons"], 1e-12, random);
+    disturb(run.summary["cases"][0]["budget"], 1e-12, random);
     for (auto& curve : run.marginals) {
       for (double& density : curve.density) density *= 1 + 1e-12;
     }
   });
   EXPECT_TRUE(moved.empty()) << moved.front().solution << " " << moved.front().name;
+}
+
+// A number anywhere in the first case, by its JSON pointer without "/cases/0".
+Json& at(SavedRun& run, const std::string& pointer) {
+  return run.summary.at(Json::json_pointer("/cases/0" + pointer));
+}
+
+std::string place_of(const std::string& id) {
+  const auto& solutions = paper_baseline().summary["cases"][0]["solutions"];
+  for (std::size_t k = 0; k < solutions.size(); ++k) {
+    if (solutions[k]["id"] == id) return fmt::format("/solutions/{}", k);
+  }
+  throw std::logic_error("no " + id);
+}
+
+TEST(Check, FindsWhatOnlyTheMethodKnows) {
+  const std::string fd = place_of("fd-kf"), epc = place_of("epc-moment-n8"), mcs = place_of("mcs");
+  for (const std::string& number : {fd + "/impact_rate",
+                                    fd + "/min_density",
+                                    fd + "/wall_density/y",
+                                    fd + "/x1_max",
+                                    fd + "/nx",
+                                    fd + "/error/y_l1",
+                                    fd + "/error/moments/y2",
+                                    fd + "/error/observed_order",
+                                    fd + "/error/extrapolated/v4",
+                                    epc + "/support/y_max",
+                                    epc + "/support/least_radius",
+                                    epc + "/support/cut_off",
+                                    epc + "/distance_to_previous",
+                                    epc + "/tail/level",
+                                    mcs + "/impact_rate",
+                                    mcs + "/joint_moments/5/mean",
+                                    mcs + "/quantiles/y/4/value",
+                                    mcs + "/quantiles/ydot/9/value",
+                                    mcs + "/upcrossings/1/rate",
+                                    mcs + "/peaks/2/rate",
+                                    mcs + "/upcrossings/1/level",
+                                    mcs + "/quantiles/y/4/probability",
+                                    mcs + "/sampling_interval"}) {
+    for (const double relative : {0.5, -0.2}) {
+      EXPECT_EQ(moved_by([&](SavedRun& run) { scale(at(run, number), relative); }).size(), 1u)
+          << number;
+    }
+  }
+  for (const std::string& word :
+       {fd + "/equation", fd + "/impact", epc + "/leading_form", epc + "/tail/kind"}) {
+    EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, word) = "another"; }).size(), 1u) << word;
+  }
+  for (const std::string& part : {fd + "/error", epc + "/support", mcs + "/quantiles/y"}) {
+    EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, part) = nullptr; }).size(), 1u) << part;
+  }
+  for (const std::string& list : {mcs + "/peaks", mcs + "/joint_moments", mcs + "/upcrossings"}) {
+    EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, list).erase(0); }).size(), 1u) << list;
+  }
+  EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, fd).erase("impact_rate"); }).size(), 1u);
+  EXPECT_GE(moved_by([&](SavedRun& run) {
+              for (Json& level : at(run, mcs + "/upcrossings")) scale(level["rate"], 1);
+            }).size(),
+            8u);
+}
+
+TEST(Check, ARelativeMillionthOfADetailIsFound) {
+  for (const std::string& number :
+       {place_of("fd-kf") + "/impact_rate", place_of("fd-kf") + "/error/extrapolated/y4",
+        place_of("epc-polar-n6") + "/support/v_max"}) {
+    EXPECT_EQ(moved_by([&](SavedRun& run) { scale(at(run, number), 1e-6); }).size(), 1u) << number;
+  }
+}
+
+TEST(Check, FindsTheTailThatALogarithmOfIsNotThere) {
+  EXPECT_GT(moved_by([](SavedRun& run) {
+              for (Json& pair : run.summary["cases"][0]["comparisons"]) {
+                pair["log10_tail"] = Json::array();
+              }
+            }).size(),
+            50u);
+  EXPECT_EQ(moved_by([](SavedRun& run) {
+              Json& bins = at(run, "/comparisons/0/log10_tail/1/bins");
+              bins = bins.get<int>() + 1;
+            }).size(),
+            1u);
+}
+
+TEST(Check, FindsAnotherBudget) {
+  const std::string row = "/budget/0";
+  for (const std::string& number :
+       {row + "/total", row + "/total_tail", row + "/tail/bins", row + "/parts/0/l1",
+        row + "/parts/0/tail", row + "/parts/0/uncertainty", row + "/parts/4/l1",
+        row + "/parts/4/expected", row + "/parts/4/in_99"}) {
+    // In step with the size: also where the number is 3e-5.
+    EXPECT_EQ(moved_by([&](SavedRun& run) { scale(at(run, number), 0.01); }).size(), 1u) << number;
+  }
+  EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, row + "/parts").erase(1); }).size(), 1u);
+  EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, row + "/parts/1/name") = "?"; }).size(), 1u);
+  EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, row + "/reference") = "fd-kf"; }).size(), 1u);
+  EXPECT_EQ(moved_by([&](SavedRun& run) { at(run, "").erase("budget"); }).size(),
+            paper_baseline().summary["cases"][0]["budget"].size());
+}
+
+TEST(Check, ABudgetToAnotherSimulationIsJudgedByItsSampling) {
+  const auto by = [](const char* number, double relative) {
+    const auto moved = moved_by([&](SavedRun& run) {
+      scale(at(run, place_of("mcs") + "/moments/y2"), 1e-6);  // another simulation
+      scale(at(run, std::string("/budget/0/parts/") + number), relative);
+    });
+    return moved.size();
+  };
+  EXPECT_EQ(by("4/l1", 0.5), 0u);
+  EXPECT_EQ(by("4/l1", 5), 1u);
+  EXPECT_EQ(by("4/expected", 0.05), 0u);
+  EXPECT_EQ(by("4/expected", 3), 1u);
+  EXPECT_EQ(by("0/tail", 1), 0u);
+  EXPECT_EQ(by("0/tail", 9), 1u);
+  EXPECT_EQ(by("0/l1", 1e-5), 1u);  // chance has no part in it
+}
+
+TEST(Check, WhatASimulationSaysOfItsErrorsIsComparedToo) {
+  const std::string mcs = place_of("mcs");
+  for (const std::string& error :
+       {mcs + "/standard_errors/y2", mcs + "/standard_errors/energy_residual",
+        mcs + "/sampling_l1/y", mcs + "/sampling_l1/ydot_99", mcs + "/impact_rate_error",
+        mcs + "/joint_moments/3/standard_error", mcs + "/peaks/1/standard_error"}) {
+    for (const double factor : {2.0, 0.5, 100.0, 0.01}) {
+      EXPECT_EQ(moved_by([&](SavedRun& run) { scale(at(run, error), factor - 1); }).size(), 1u)
+          << error << factor;
+    }
+    EXPECT_TRUE(moved_by([&](SavedRun& run) { scale(at(run, error), 0.3); }).empty()) << error;
+    EXPECT_GE(moved_by([&](SavedRun& run) { at(run, error) = nullptr; }).size(), 1u) << error;
+  }
+  EXPECT_EQ(moved_by([&](SavedRun& run) { scale(at(run, mcs + "/effective_samples"), 3); }).size(),
+            1u);
+  // Wide errors do not hide what they would hide.
+  EXPECT_GE(moved_by([&](SavedRun& run) {
+              for (Json& error : at(run, mcs + "/standard_errors")) scale(error, 99);
+              scale(at(run, mcs + "/moments/y2"), 0.02);
+            }).size(),
+            7u);
 }
 
 TEST(Check, ACoefficientThatIsZeroButForRoundingMayBeAnyZero) {
@@ -206,6 +345,9 @@ TEST(Check, TimesAndCountsAreNotCompared) {
                 solution(run, "fd-kf")["steps"] = 7;
                 solution(run, "epc-gaussian-n6")["iterations"] = 70;
                 solution(run, "mcs")["threads"] = 96;
+                solution(run, "fd-kf")["residual"] = 1e-9;
+                solution(run, "epc-gaussian-n6")["condition"] = nullptr;
+                solution(run, "mcs")["reason"] = "in other words";
               }).empty());
 }
 
