@@ -70,9 +70,11 @@ void write(const std::filesystem::path& directory, const compare::SavedRun& run,
            const nlohmann::ordered_json& json) {
   std::ostringstream csv;
   compare::write_marginals_csv(csv, run.marginals);
-  compare::write_file(directory / "marginals.csv", csv.str());
-  compare::write_file(directory / "summary.json", compare::json_text(run.summary) + '\n');
-  compare::write_file(directory / "check.json", compare::json_text(json) + '\n');
+  compare::PendingFiles files;
+  files.add(directory / "marginals.csv", csv.str());
+  files.add(directory / "summary.json", compare::json_text(run.summary) + '\n');
+  files.add(directory / "check.json", compare::json_text(json) + '\n');
+  files.commit();
 }
 
 }  // namespace

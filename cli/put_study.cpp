@@ -15,8 +15,10 @@ namespace fpkcheck::cli {
 namespace {
 
 void write(const std::filesystem::path& directory, const StudyOutput& study) {
-  compare::write_file(directory / (study.stem + ".json"), compare::json_text(study.report) + '\n');
-  compare::write_file(directory / (study.stem + ".csv"), study.csv);
+  compare::PendingFiles files;
+  files.add(directory / (study.stem + ".json"), compare::json_text(study.report) + '\n');
+  files.add(directory / (study.stem + ".csv"), study.csv);
+  files.commit();
   if (study.figure.empty()) return;
   compare::remove_pictures_of(directory / "figures", study.stem);
   for (const auto& warning :

@@ -57,8 +57,10 @@ int reference_command(const std::vector<std::string>& arguments, const std::stri
   const std::string text = compare::reference_markdown(references, command_line);
   if (common.out) {
     const std::filesystem::path directory(*common.out);
-    compare::write_file(directory / "reference.md", text);
-    compare::write_file(directory / "reference.csv", compare::reference_csv(references));
+    compare::PendingFiles files;
+    files.add(directory / "reference.md", text);
+    files.add(directory / "reference.csv", compare::reference_csv(references));
+    files.commit();
     if (!common.quiet) fmt::print("Wrote reference.md and reference.csv to {}.\n", *common.out);
   } else {
     fmt::print("{}", text);

@@ -91,9 +91,9 @@ void read_case(const NetCdfReader& file, const std::string& name,
 
 }  // namespace
 
-void write_joint_netcdf(const fs::path& path, const Json& summary,
-                        std::span<const JointDensity> joints) {
-  replace_file(path, [&](const fs::path& temporary) {
+void add_joint_netcdf(PendingFiles& files, const fs::path& path, const Json& summary,
+                      std::span<const JointDensity> joints) {
+  files.add(path, [&](const fs::path& temporary) {
     try {
       NetCdfWriter file(temporary);
       file.attribute("Conventions", "CF-1.8");
@@ -116,6 +116,13 @@ void write_joint_netcdf(const fs::path& path, const Json& summary,
       throw std::runtime_error(fmt::format("cannot write {} ({})", path.string(), error.what()));
     }
   });
+}
+
+void write_joint_netcdf(const fs::path& path, const Json& summary,
+                        std::span<const JointDensity> joints) {
+  PendingFiles file;
+  add_joint_netcdf(file, path, summary, joints);
+  file.commit();
 }
 
 std::vector<JointDensity> read_joint_netcdf(const fs::path& path) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/joint_density.hpp"
+#include "compare/run_directory.hpp"
 
 namespace fpkcheck::compare {
 
@@ -20,12 +21,16 @@ namespace fpkcheck::compare {
 ///                  NaN where a solution has no density
 ///
 /// The attributes of p_NAME hold the case's own name, its system and its impulses; those of the
-/// file the command. All is non-dimensional. The file is either whole or as it was.
+/// file the command. All is non-dimensional.
 /// @param summary summary.json of the run
 /// @param joints at least one; all of a case on the same cells
-/// @throws std::runtime_error on one line when it cannot be written
+/// @throws std::runtime_error on one line when it cannot be written; the file is then as it was
 void write_joint_netcdf(const std::filesystem::path& file, const nlohmann::ordered_json& summary,
                         std::span<const JointDensity> joints);
+
+/// The same, as one of several files that replace others together.
+void add_joint_netcdf(PendingFiles& files, const std::filesystem::path& file,
+                      const nlohmann::ordered_json& summary, std::span<const JointDensity> joints);
 
 /// Reads what write_joint_netcdf wrote.
 /// @throws InputError on one line: the file and what is wrong

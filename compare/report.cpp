@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -59,13 +60,23 @@ Json load_summary(const fs::path& file) {
 
 namespace {
 
-void remove_pictures_of_earlier_run(const fs::path& directory) {
+// The summary of the run that was saved there; nothing where there is none of ours: then the
+// pictures are not ours either.
+std::optional<Json> earlier_summary(const fs::path& directory) {
   std::error_code ignored;
-  if (!fs::exists(directory / kSummaryFile, ignored)) return;
+  if (!fs::exists(directory / kSummaryFile, ignored)) return std::nullopt;
   try {
-    remove_pictures(directory, load_summary(directory / kSummaryFile));
-  } catch (const std::exception&) {
-    // Not a summary of ours: then the pictures are not ours either.
+    return load_summary(directory / kSummaryFile);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+void remove_pictures_of(const Json& earlier, const fs::path& directory) {
+  try {
+    remove_pictures(directory, earlier);
+  } catch (const Json::exception&) {
+    // Not a whole summary: the pictures it does not name stay.
   }
 }
 
@@ -102,18 +113,20 @@ std::string json_text(const Json& summary) {
 }
 
 std::vector<std::string> write_report(const fs::path& directory, const SavedRun& run) {
-  remove_pictures_of_earlier_run(directory);
+  const auto earlier = earlier_summary(directory);
+  PendingFiles files;
   std::ostringstream csv;
   write_marginals_csv(csv, run.marginals);
-  write_file(directory / kMarginalsFile, csv.str());
+  files.add(directory / kMarginalsFile, csv.str());
   if (run.joints.empty()) {
-    std::error_code ignored;
-    fs::remove(directory / kJointFile, ignored);
+    files.remove(directory / kJointFile);
   } else {
-    write_joint_netcdf(directory / kJointFile, run.summary, run.joints);
+    add_joint_netcdf(files, directory / kJointFile, run.summary, run.joints);
   }
-  write_file(directory / kSummaryFile, json_text(run.summary) + '\n');
-  write_file(directory / kPageFile, report_page(run));
+  files.add(directory / kSummaryFile, json_text(run.summary) + '\n');
+  files.add(directory / kPageFile, report_page(run));
+  files.commit();
+  if (earlier) remove_pictures_of(*earlier, directory);
   return draw_pictures(directory, run.summary, run.marginals);
 }
 

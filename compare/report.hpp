@@ -31,8 +31,8 @@ std::string json_text(const nlohmann::ordered_json& summary);
 SavedRun make_run(const std::string& command, std::span<const CaseReport> cases);
 
 /// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json, report.html
-/// and figures/ into a directory that make_writable prepared. Each file is either whole or absent.
-/// Pictures and joint densities of an earlier run there are removed.
+/// and figures/ into a directory that make_writable prepared. The files replace those of
+/// an earlier run together, or not at all; its pictures and joint densities are removed.
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory, const SavedRun& run);

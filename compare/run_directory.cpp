@@ -37,8 +37,12 @@ void write_plainly(const fs::path& path, std::string_view text) {
   out.close();  // a full disk may show only here
   if (!out) {
     const auto why = std::error_code(errno != 0 ? errno : EIO, std::generic_category());
-    throw std::runtime_error(fmt::format("cannot write {} ({})", path.string(), why.message()));
+    throw std::system_error(why);
   }
+}
+
+std::runtime_error cannot_write(const fs::path& target, const std::error_code& why) {
+  return std::runtime_error(fmt::format("cannot write {} ({})", target.string(), why.message()));
 }
 
 // The directories on the way that are not there yet, outermost first.
@@ -78,25 +82,60 @@ void make_writable(const fs::path& directory) {
   }
 }
 
-void replace_file(const fs::path& target,
-                  const std::function<void(const fs::path& temporary)>& produce) {
-  const fs::path temporary = temporary_beside(target);
+PendingFiles::~PendingFiles() {
   std::error_code ignored;
-  try {
-    produce(temporary);
-    fs::rename(temporary, target);
-  } catch (const fs::filesystem_error& error) {
-    fs::remove(temporary, ignored);
-    throw std::runtime_error(
-        fmt::format("cannot write {} ({})", target.string(), error.code().message()));
-  } catch (...) {
-    fs::remove(temporary, ignored);
-    throw;
+  for (const auto& file : pending_) fs::remove(file.temporary, ignored);
+}
+
+void PendingFiles::add(const fs::path& target, const Produce& produce) {
+  // Noted first: what is half written when `produce` throws goes as well.
+  pending_.push_back({temporary_beside(target), target});
+  produce(pending_.back().temporary);
+}
+
+void PendingFiles::add(const fs::path& target, std::string_view text) {
+  add(target, [&](const fs::path& temporary) {
+    try {
+      write_plainly(temporary, text);
+    } catch (const std::system_error& error) {
+      throw cannot_write(target, error.code());
+    }
+  });
+}
+
+void PendingFiles::remove(const fs::path& target) { unwanted_.push_back(target); }
+
+void PendingFiles::commit() {
+  // All that can be known to go wrong, before the first target is replaced.
+  for (const auto& [temporary, target] : pending_) {
+    std::error_code error;
+    if (!fs::exists(temporary, error)) {
+      throw cannot_write(target, std::make_error_code(std::errc::no_such_file_or_directory));
+    }
+    if (fs::is_directory(target, error)) {
+      throw cannot_write(target, std::make_error_code(std::errc::is_a_directory));
+    }
   }
+  for (const auto& [temporary, target] : pending_) {
+    std::error_code error;
+    fs::rename(temporary, target, error);
+    if (error) throw cannot_write(target, error);
+  }
+  pending_.clear();
+  std::error_code ignored;
+  for (const auto& target : unwanted_) fs::remove(target, ignored);
+}
+
+void replace_file(const fs::path& target, const PendingFiles::Produce& produce) {
+  PendingFiles file;
+  file.add(target, produce);
+  file.commit();
 }
 
 void write_file(const fs::path& target, std::string_view text) {
-  replace_file(target, [&](const fs::path& temporary) { write_plainly(temporary, text); });
+  PendingFiles file;
+  file.add(target, text);
+  file.commit();
 }
 
 }  // namespace fpkcheck::compare

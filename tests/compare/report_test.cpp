@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "compare/run_directory.hpp"
 #include "compare/table.hpp"
@@ -68,6 +69,34 @@ TEST(Report, AgainIsTheSameReport) {
   fs::remove_all(directory.path() / "figures");
   EXPECT_EQ(report_again(directory.path(), 80).table, table(run.summary, 80));
   EXPECT_EQ(contents(directory.path() / "figures" / "case1.gp"), script);
+}
+
+std::map<std::string, std::string> files_of(const fs::path& directory) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.is_regular_file()) files[entry.path().string()] = contents(entry.path());
+  }
+  return files;
+}
+
+TEST(Report, ThatCannotBeWrittenLeavesTheEarlierRunWholeAndNothingHalf) {
+  const tests::TemporaryDirectory directory;
+  write_report(directory.path(), made_up_run("earlier"));
+  const auto before = files_of(directory.path());
+  SavedRun damaged = made_up_run("later");
+  // The page, which is made last, needs them.
+  damaged.summary["cases"][0].erase("solutions");
+  damaged.joints.clear();
+  EXPECT_ANY_THROW(write_report(directory.path(), damaged));
+  EXPECT_TRUE(files_of(directory.path()) == before);
+
+  // The page's place is taken: known only when the files are renamed.
+  fs::remove(directory.path() / "report.html");
+  fs::create_directories(directory.path() / "report.html" / "inside");
+  auto without_page = before;
+  without_page.erase((directory.path() / "report.html").string());
+  EXPECT_THROW(write_report(directory.path(), made_up_run("later")), std::runtime_error);
+  EXPECT_TRUE(files_of(directory.path()) == without_page);
 }
 
 TEST(Report, OfADirectoryWithoutARunIsRefusedInOneLine) {

@@ -84,6 +84,42 @@ TEST(ReplaceFile, ThatFailsLeavesTheTargetAndNoHalfFile) {
   EXPECT_EQ(directory.entries(), std::vector<std::string>{"f"});
 }
 
+TEST(PendingFiles, ReplaceTheirTargetsTogether) {
+  const tests::TemporaryDirectory directory;
+  for (const char* name : {"a", "b", "c"}) write_file(directory.path() / name, "old");
+  PendingFiles files;
+  files.add(directory.path() / "a", "new");
+  files.remove(directory.path() / "c");
+  files.add(directory.path() / "b", "new");
+  EXPECT_EQ(tests::contents(directory.path() / "a"), "old");
+  EXPECT_EQ(tests::contents(directory.path() / "c"), "old");
+  files.commit();
+  EXPECT_EQ(tests::contents(directory.path() / "a"), "new");
+  EXPECT_EQ(tests::contents(directory.path() / "b"), "new");
+  EXPECT_EQ(directory.entries().size(), 2u);
+}
+
+TEST(PendingFiles, OfWhichOneFailsLeaveAllAsTheyWere) {
+  const tests::TemporaryDirectory directory;
+  for (const char* name : {"a", "c"}) write_file(directory.path() / name, "old");
+  fs::create_directories(directory.path() / "taken" / "inside");
+  {
+    PendingFiles files;
+    files.add(directory.path() / "a", "new");
+    files.remove(directory.path() / "c");
+    files.add(directory.path() / "taken", "new");
+    EXPECT_THROW(files.commit(), std::runtime_error);
+  }
+  {
+    PendingFiles files;
+    files.add(directory.path() / "a", "new");
+    EXPECT_THROW(files.add(directory.path() / "absent" / "b", "new"), std::runtime_error);
+  }
+  EXPECT_EQ(tests::contents(directory.path() / "a"), "old");
+  EXPECT_EQ(tests::contents(directory.path() / "c"), "old");
+  EXPECT_EQ(directory.entries().size(), 3u);
+}
+
 TEST(ReplaceFile, OfADirectoryOrByNothingIsAnError) {
   const tests::TemporaryDirectory directory;
   fs::create_directories(directory.path() / "taken" / "inside");
