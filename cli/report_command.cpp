@@ -12,7 +12,7 @@
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck report DIR
+constexpr const char* kUsage = R"(usage: fpkcheck report DIR [options]
 
 Prints the table of a saved run, and makes its report.html and pictures again. Solves nothing.
 )";
@@ -23,13 +23,14 @@ int report_command(const std::vector<std::string>& arguments, const std::string&
   namespace po = boost::program_options;
   std::vector<std::string> directories;
   po::options_description options("options", 96);
-  options.add_options()("help,h", "this text");
+  bool quiet = false;
+  options.add_options()("quiet,q", po::bool_switch(&quiet), "no table")("help,h", "this text");
   if (!parse(arguments, kUsage, options, directories)) return kDone;
   if (directories.size() != 1) {
     throw InputError("report takes one directory (that of a saved run, e.g. fpkcheck-out)");
   }
   const auto [table, warnings] = compare::report_again(directories.front(), terminal_format());
-  fmt::print("{}", table);
+  if (!quiet) fmt::print("{}", table);
   for (const auto& warning : warnings) fmt::print(stderr, "fpkcheck: {}\n", warning);
   return kDone;
 }

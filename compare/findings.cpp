@@ -138,7 +138,8 @@ std::optional<DiscretisationError> discretisation_error(const Json& solution) {
 }
 
 void say_discretisation_errors(const Json& summary_case, std::vector<std::string>& sentences) {
-  if (!summary_case.at("budget").empty()) return;  // it has them
+  const auto budget = summary_case.find("budget");               // older runs have none
+  if (budget != summary_case.end() && !budget->empty()) return;  // it has them
   std::vector<std::string> ids;
   DiscretisationError largest;
   for (const auto& solution : summary_case.at("solutions")) {

@@ -139,15 +139,30 @@ SavedRun load_run(const fs::path& directory) {
   return run;
 }
 
+namespace {
+
+// Without the prefix "[json.exception.out_of_range.403] ", which tells the reader nothing.
+std::string said_by(const Json::exception& error) {
+  const std::string text = error.what();
+  const auto end = text.find("] ");
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
+}  // namespace
+
 ReportAgain report_again(const fs::path& directory, const TextFormat& format) {
   const SavedRun run = load_run(directory);
   try {
     require_belonging(run, directory);
-    write_file(directory / kPageFile, report_page(run));
-    return {table(run.summary, format), draw_pictures(directory, run.summary, run.marginals)};
+    // Both before anything is written: a summary that lacks something is found out by then.
+    const std::string page = report_page(run);
+    ReportAgain again{table(run.summary, format), {}};
+    write_file(directory / kPageFile, page);
+    again.warnings = draw_pictures(directory, run.summary, run.marginals);
+    return again;
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{} is not a whole summary ({}; run again)",
-                                 (directory / kSummaryFile).string(), error.what()));
+                                 (directory / kSummaryFile).string(), said_by(error)));
   }
 }
 

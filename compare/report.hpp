@@ -54,7 +54,7 @@ struct ReportAgain {
 /// The table of a saved run, and its page and pictures made anew; solves nothing.
 /// @param format of the table
 /// @throws InputError as load_run does, when the marginals or joint densities are of another run,
-/// and when the summary lacks what its schema promises
+/// and when the summary lacks what its schema promises: nothing is written then
 ReportAgain report_again(const std::filesystem::path& directory, const TextFormat& format = {});
 
 }  // namespace fpkcheck::compare

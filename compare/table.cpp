@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "compare/budget/table.hpp"
 #include "compare/findings.hpp"
+#include "compare/legend.hpp"
 #include "compare/summary_view.hpp"
 #include "compare/text/columns.hpp"
 #include "compare/text/l1_text.hpp"
@@ -72,10 +74,6 @@ std::vector<Column> columns(const Json& summary_case) {
   return all;
 }
 
-std::string rows_of(const Json& summary_case, const TextFormat& format) {
-  return rows(columns(summary_case), format);
-}
-
 std::string reasons(const Json& summary_case, std::size_t width) {
   std::string text;
   for (const auto& solution : summary_case.at("solutions")) {
@@ -88,19 +86,8 @@ std::string reasons(const Json& summary_case, std::size_t width) {
   return text;
 }
 
-constexpr const char* kLegend =
-    "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones. solves: the "
-    "excitation term (white: white noise; km4: Kramers-Moyal series to the fourth derivative; "
-    "kf: full jump integral) / the impact. energy: residual of the power balance relative to the "
-    "input. sec: wall-clock time. All else is non-dimensional.";
-constexpr const char* kBudgetLegend =
-    "error budget: the L1 distance from each closure to the reference (total) is at most the sum "
-    "of its parts and of the rows discretisation and sampling; tail: mean |log10 p - log10 "
-    "reference|. `closure`: the closure against finite differences of its own equation.";
-
-bool any_budget(const Json& summary) {
-  return std::ranges::any_of(summary.at("cases"),
-                             [](const Json& one) { return !one.at("budget").empty(); });
+void append(std::vector<Column>& all, std::vector<Column> more) {
+  all.insert(all.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
 }
 
 }  // namespace
@@ -120,33 +107,25 @@ std::string case_title(const Json& summary_case) {
   return text;
 }
 
-namespace {
-
-// Files of others are explained where there are any.
-std::string legend(const Json& summary) {
-  for (const auto& summary_case : summary.at("cases")) {
-    for (const auto& solution : summary_case.at("solutions")) {
-      if (solution.at("method") == "file") return std::string(kLegend) + " given: from a file.";
-    }
-  }
-  return kLegend;
-}
-
-}  // namespace
-
 std::string table(const Json& summary, const TextFormat& format) {
   const std::size_t width = format.width;
   std::string text;
+  std::vector<Column> results, budgets;
   for (const auto& summary_case : summary.at("cases")) {
-    text += wrapped(case_title(summary_case), width, 2) + rows_of(summary_case, format) +
+    const auto shown = fitting(columns(summary_case), format);
+    text += wrapped(case_title(summary_case), width, 2) + rows(shown, format) +
             reasons(summary_case, width) + budget_table(summary_case, format);
     for (const auto& sentence : findings(summary_case)) {
       text += wrapped("  " + sentence, width, 2);
     }
     text += '\n';
+    append(results, shown);
+    append(budgets, budget_columns(summary_case, format));
   }
-  text += wrapped(legend(summary), width);
-  return any_budget(summary) ? text + wrapped(kBudgetLegend, width) : text;
+  for (const auto& legend : {results_legend(results), budget_legend(budgets)}) {
+    if (!legend.empty()) text += wrapped(legend, width);
+  }
+  return text;
 }
 
 }  // namespace fpkcheck::compare

@@ -9,7 +9,8 @@ namespace fpkcheck::compare {
 
 /// The terminal table, from the contents of summary.json alone: for each case a line of parameters,
 /// a row per solution, the reasons of the solutions that are not ok, and what the distances say
-/// (findings.hpp). Plain ASCII, a dash for what is absent.
+/// (findings.hpp); in the end what the columns that are shown mean (legend.hpp).
+/// Plain ASCII, a dash for what is absent.
 /// @param format where the rows do not fit, the least important columns go:
 ///              the energy residual, then the distance to fd-kf, the seconds, the equation, the
 ///              moments

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "compare/budget/view.hpp"
@@ -101,9 +102,9 @@ Column names_column(const std::vector<ClosureBudget>& budgets,
 
 }  // namespace
 
-std::string budget_table(const Json& summary_case, const TextFormat& format) {
+std::vector<Column> budget_columns(const Json& summary_case, const TextFormat& format) {
   const auto budgets = closure_budgets(summary_case);
-  if (budgets.empty()) return "";
+  if (budgets.empty()) return {};
   std::vector<std::string> beside, below;
   for (const auto& name : part_names(budgets)) {
     (shown_as_row(budgets, name) ? below : beside).push_back(name);
@@ -120,7 +121,13 @@ std::string budget_table(const Json& summary_case, const TextFormat& format) {
   }
   all.push_back(y.tail("p(y)", below));
   all.push_back(ydot.tail("p(y')", below));
-  std::string text = rows(all, format);
+  return fitting(std::move(all), format);
+}
+
+std::string budget_table(const Json& summary_case, const TextFormat& format) {
+  const auto columns = budget_columns(summary_case, format);
+  if (columns.empty()) return "";
+  std::string text = rows(columns, format);
   if (const auto sentence = summary_case.find("limits"); sentence != summary_case.end()) {
     text += wrapped("  " + sentence->get<std::string>(), format.width, 2);
   }

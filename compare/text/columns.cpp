@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fpkcheck::compare {
 namespace {
@@ -12,14 +13,6 @@ std::size_t total_width(const std::vector<Column>& shown_columns, std::size_t ga
   std::size_t total = 0;
   for (const auto& column : shown_columns) total += column.width() + gap;
   return total - std::min(total, gap);
-}
-
-void drop_until_it_fits(std::vector<Column>& all, std::size_t width) {
-  while (total_width(all, 1) > width) {
-    const int least = std::ranges::min_element(all, {}, &Column::importance)->importance;
-    if (least == kAlwaysShown) return;
-    std::erase_if(all, [&](const Column& column) { return column.importance == least; });
-  }
 }
 
 std::string without_trailing_spaces(std::string line) {
@@ -83,8 +76,17 @@ std::size_t Column::width() const {
 
 Column status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
 
+std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& format) {
+  while (total_width(columns, 1) > format.width) {
+    const int least = std::ranges::min_element(columns, {}, &Column::importance)->importance;
+    if (least == kAlwaysShown) break;
+    std::erase_if(columns, [&](const Column& column) { return column.importance == least; });
+  }
+  return columns;
+}
+
 std::string rows(std::vector<Column> columns, const TextFormat& format) {
-  drop_until_it_fits(columns, format.width);
+  columns = fitting(std::move(columns), format);
   if (columns.empty()) return "";
   const std::string gap(total_width(columns, 2) <= format.width ? 2 : 1, ' ');
   std::string head;

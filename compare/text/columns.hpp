@@ -30,6 +30,9 @@ inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 /// The column of a table that holds the solutions' statuses.
 Column status_column();
 
+/// The columns that are shown: where all do not fit into the width, the least important ones go.
+std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& format);
+
 /// The columns side by side under their headers, one line per row. Where they do not fit into the
 /// width, the least important ones go.
 std::string rows(std::vector<Column> columns, const TextFormat& format);

@@ -99,6 +99,32 @@ TEST(Report, ThatCannotBeWrittenLeavesTheEarlierRunWholeAndNothingHalf) {
   EXPECT_TRUE(files_of(directory.path()) == without_page);
 }
 
+TEST(Report, OfADamagedSummaryIsRefusedAndNothingIsWritten) {
+  const tests::TemporaryDirectory directory;
+  const SavedRun run = made_up_run();
+  write_report(directory.path(), run);
+  write_file(directory.path() / "report.html", "as it was");
+  const auto damaged = [&](const auto& damage) {
+    auto summary = run.summary;
+    damage(summary["cases"][0]);
+    write_file(directory.path() / "summary.json", json_text(summary));
+    const std::string message = refusal(directory.path());
+    EXPECT_EQ(contents(directory.path() / "report.html"), "as it was") << message;
+    EXPECT_FALSE(contains(message, "json.exception")) << message;
+    EXPECT_FALSE(contains(message, "\n")) << message;
+    return message;
+  };
+  EXPECT_TRUE(contains(damaged([](auto& one) { one["budget"] = 3; }), "not a whole summary"));
+  EXPECT_TRUE(contains(damaged([](auto& one) { one["solutions"][0].erase("moments"); }),
+                       "not a whole summary (key 'moments' not found; run again)"));
+  // Older runs have none.
+  auto older = run.summary;
+  older["cases"][0].erase("budget");
+  older["cases"][0].erase("limits");
+  write_file(directory.path() / "summary.json", json_text(older));
+  EXPECT_EQ(refusal(directory.path()), "accepted");
+}
+
 TEST(Report, OfADirectoryWithoutARunIsRefusedInOneLine) {
   const tests::TemporaryDirectory directory;
   EXPECT_TRUE(contains(refusal(directory.path()), "no run in"));

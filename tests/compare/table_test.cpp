@@ -160,6 +160,35 @@ TEST(Table, HasTheErrorBudgetWithTheSentenceThatWasSaved) {
   EXPECT_FALSE(contains(table(json, 100), "error budget"));
 }
 
+TEST(Table, ExplainsTheColumnsThatAreShownAndNoOther) {
+  // The lines break anywhere.
+  const auto words = [](const std::string& text) {
+    std::string joined;
+    std::istringstream in(text);
+    for (std::string word; in >> word;) joined += word + ' ';
+    return joined;
+  };
+  const Json json = made_up_summary();
+  const std::string wide = words(table(json, 140)), narrow = words(table(json, 80));
+  for (const char* part : {"L1: integral", "white: white noise", "energy: residual",
+                           "sec: wall-clock", "its parts and of the row discretisation + sampling;",
+                           "closure: against", "impact: to first order", "trunc.: the series",
+                           "tail: mean", "*: the closure found no admissible density"}) {
+    EXPECT_TRUE(contains(wide, part)) << part << "\n" << wide;
+  }
+  EXPECT_FALSE(contains(narrow, "energy: residual")) << narrow;
+  EXPECT_FALSE(contains(narrow, "tail: mean")) << narrow;
+
+  auto report = tests::full_report();
+  report.entries.erase(report.entries.begin() + 1, report.entries.end());
+  report = report_on_case(report.problem, report.axes, report.entries);
+  const std::string one = words(table(summary("", std::vector<CaseReport>{report}), 100));
+  EXPECT_TRUE(contains(one, "km4: Kramers-Moyal")) << one;
+  for (const char* absent : {"L1", "reference", "error budget", "white noise", "kf:", "*"}) {
+    EXPECT_FALSE(contains(one, absent)) << absent << "\n" << one;
+  }
+}
+
 TEST(Findings, SayWhichApproximationCostsWhat) {
   Json json = made_up_summary();
   set_l1(json, "fd-white", "fd-kf", 0.011, 0.031);
