@@ -6,6 +6,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
@@ -91,11 +92,14 @@ int check_command(const std::vector<std::string>& arguments, const std::string& 
   compare::validate(tolerances);
   if (threads < 0) throw InputError(fmt::format("--threads {} (must not be negative)", threads));
   const auto baseline = compare::load_baseline(places.front(), threads);
-  if (common.out) compare::make_writable(*common.out);
+  compare::MadeDirectories made;
+  if (common.out) made = compare::make_writable(*common.out);
 
+  const InterruptionGuard guard;
   ProgressLine progress(common.quiet);
   const auto run = compare::run_again(baseline, command_line, threads,
                                       [&](const compare::RunProgress& at) { progress.show(at); });
+  throw_if_interrupted();
   progress.clear();
 
   auto check = compare::check(baseline.run, run, tolerances, baseline.has_marginals);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "compare/summary.hpp"
 #include "problem/input_error.hpp"
 
@@ -52,7 +53,7 @@ commands:
 A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
 `fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.
 Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
-2 bad input.
+2 bad input; 130 Ctrl-C.
 )");
 }
 
@@ -92,6 +93,9 @@ int run_program(const Arguments& arguments) {
       throw std::runtime_error("standard output could not be written");
     }
     return exit_code;
+  } catch (const Interrupted& interruption) {
+    fmt::print(stderr, "fpkcheck: {}\n", interruption.what());
+    return kInterrupted;
   } catch (const InputError& error) {
     fmt::print(stderr, "fpkcheck: {}\n", error.what());
     return kBadInput;

@@ -8,8 +8,9 @@ namespace fpkcheck::cli {
 /// Exit codes of every command.
 enum ExitCode {
   kDone = 0,
-  kNotReached = 1,  ///< ran, but a solver did not reach what was asked, or a check failed
-  kBadInput = 2     ///< bad input or usage; nothing was solved
+  kNotReached = 1,    ///< ran, but a solver did not reach what was asked, or a check failed
+  kBadInput = 2,      ///< bad input or usage; nothing was solved
+  kInterrupted = 130  ///< by Ctrl-C; nothing was written
 };
 
 /// Runs the command that `arguments` (without the program's name) ask for. Results go to standard

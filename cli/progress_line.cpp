@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+#include "cli/interruption.hpp"
+
 namespace fpkcheck::cli {
 namespace {
 
@@ -40,6 +42,7 @@ ProgressLine::ProgressLine(bool silent) : active_(!silent && isatty(STDERR_FILEN
 ProgressLine::~ProgressLine() { clear(); }
 
 void ProgressLine::show(const compare::RunProgress& progress) {
+  throw_if_interrupted();
   if (!active_) return;
   const auto now = std::chrono::steady_clock::now();
   const auto began = began_.try_emplace({progress.case_name, progress.method}, now).first->second;

@@ -25,6 +25,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// @throws Interrupted (interruption.hpp), silent or not
   void show(const compare::RunProgress& progress);
   /// Erases the line, so that results begin on a clean one.
   void clear();

@@ -51,11 +51,12 @@ void put_study(const CommonArguments& common, const StudyOutput& study,
       elapsed.count());
 }
 
-problem::Problem case_of_study(const CommonArguments& common) {
+StudyStart start_of_study(const CommonArguments& common) {
   auto problems = load_cases(common);
   if (problems.size() != 1) throw InputError("a study takes one case");
-  if (common.out) compare::make_writable(*common.out);
-  return std::move(problems.front());
+  compare::MadeDirectories made;
+  if (common.out) made = compare::make_writable(*common.out);
+  return {std::move(problems.front()), std::move(made)};
 }
 
 }  // namespace fpkcheck::cli

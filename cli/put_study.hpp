@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command_line.hpp"
+#include "compare/run_directory.hpp"
 
 namespace fpkcheck::cli {
 
@@ -22,8 +23,14 @@ struct StudyOutput {
 void put_study(const CommonArguments& common, const StudyOutput& study,
                std::chrono::steady_clock::time_point begin);
 
+/// What a study begins with.
+struct StudyStart {
+  problem::Problem problem;
+  compare::MadeDirectories made;  ///< for its results
+};
+
 /// The one case that a study takes; the directory for its results is prepared.
 /// @throws InputError when there is not exactly one
-problem::Problem case_of_study(const CommonArguments& common);
+StudyStart start_of_study(const CommonArguments& common);
 
 }  // namespace fpkcheck::cli

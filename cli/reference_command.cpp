@@ -48,7 +48,8 @@ int reference_command(const std::vector<std::string>& arguments, const std::stri
   if (!(options.simulation_time >= 0)) {
     throw InputError(fmt::format("--time {} (must be a positive number)", options.simulation_time));
   }
-  if (common.out) compare::make_writable(*common.out);
+  compare::MadeDirectories made;
+  if (common.out) made = compare::make_writable(*common.out);
   std::vector<compare::Reference> references;
   for (const auto& problem : problems) {
     if (!common.quiet) fmt::print(stderr, "reference of {} ...\n", problem.name);

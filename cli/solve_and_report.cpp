@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "compare/report.hpp"
@@ -51,11 +52,14 @@ int solve_and_report(const CommonArguments& common, const std::vector<compare::M
                      int threads, Required required, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
   const auto problems = load_cases(common);
-  if (common.out) compare::make_writable(*common.out);
+  compare::MadeDirectories made;
+  if (common.out) made = compare::make_writable(*common.out);
 
+  const InterruptionGuard guard;
   ProgressLine progress(common.quiet);
   const auto cases = compare::run_cases(problems, methods, threads,
                                         [&](const compare::RunProgress& at) { progress.show(at); });
+  throw_if_interrupted();
   progress.clear();
 
   const auto run = compare::make_run(command_line, cases);

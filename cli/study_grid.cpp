@@ -2,6 +2,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/command_line.hpp"
+#include "cli/interruption.hpp"
 #include "cli/lists.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
@@ -76,11 +77,14 @@ int study_grid(const std::vector<std::string>& arguments, const std::string& com
   options.impact = choice(impact_name, "--impact", {Impact::map, Impact::delta});
   options.orders = integers("--orders", order_list);
   compare::validate(options);
-  const auto problem = case_of_study(common);
+  const auto start = start_of_study(common);
+  const auto& problem = start.problem;
 
+  const InterruptionGuard guard;
   ProgressLine line(common.quiet);
   const auto report = compare::study_grid(command_line, problem, options,
                                           [&](const auto& progress) { line.show(progress); });
+  throw_if_interrupted();
   line.clear();
   put_study(common,
             {.stem = "study-grid",

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/command_line.hpp"
+#include "cli/interruption.hpp"
 #include "cli/lists.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
@@ -77,11 +78,14 @@ int study_order(const std::vector<std::string>& arguments, const std::string& co
   }
   const compare::OrderStudyOptions options{formulations(formulation_list),
                                            integers("--orders", order_list)};
-  const auto problem = case_of_study(common);
+  const auto start = start_of_study(common);
+  const auto& problem = start.problem;
 
+  const InterruptionGuard guard;
   ProgressLine line(common.quiet);
   const auto report = compare::study_orders(command_line, problem, options,
                                             [&](const auto& progress) { line.show(progress); });
+  throw_if_interrupted();
   line.clear();
   put_study(common,
             {.stem = "study-order",

@@ -1,6 +1,7 @@
 #include <chrono>
 
 #include "cli/command_line.hpp"
+#include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/put_study.hpp"
@@ -42,8 +43,10 @@ bool reached(const fd_fpk::RegularisationStudy& study, const problem::Problem& p
 
 int study(const CommonArguments& common, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto problem = case_of_study(common);
+  const auto start = start_of_study(common);
+  const auto& problem = start.problem;
 
+  const InterruptionGuard guard;
   ProgressLine line(common.quiet);
   const auto study = fd_fpk::study_regularisation(problem, {}, [&](int row, int rows) {
     line.show({.done = static_cast<std::size_t>(row),
@@ -52,6 +55,7 @@ int study(const CommonArguments& common, const std::string& command_line) {
                .method = "regularisation",
                .fraction = 0});
   });
+  throw_if_interrupted();
   line.clear();
 
   const auto report = compare::regularisation_report(command_line, problem, study);

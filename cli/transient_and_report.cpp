@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
@@ -22,9 +23,11 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
     throw InputError(
         fmt::format("--until with {} cases (a density over time is of one case)", problems.size()));
   }
-  if (common.out) compare::make_writable(*common.out);
+  compare::MadeDirectories made;
+  if (common.out) made = compare::make_writable(*common.out);
 
   const auto& problem = problems.front();
+  const InterruptionGuard guard;
   ProgressLine progress(common.quiet);
   transient.progress = [&](double fraction) {
     progress.show({.done = 0,
@@ -34,6 +37,7 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
                    .fraction = fraction});
   };
   auto result = fd_fpk::integrate(problem, options, transient);
+  throw_if_interrupted();
   progress.clear();
 
   const compare::TransientRun run{command_line, problem, options, transient, std::move(result)};

@@ -58,10 +58,15 @@ std::vector<fs::path> missing_parts(const fs::path& directory) {
 
 }  // namespace
 
-void make_writable(const fs::path& directory) {
+MadeDirectories::~MadeDirectories() {
+  std::error_code not_empty;
+  for (auto part = made_.rbegin(); part != made_.rend(); ++part) fs::remove(*part, not_empty);
+}
+
+MadeDirectories make_writable(const fs::path& directory) {
   if (directory.empty()) throw InputError("--out is empty (name a directory)");
   const fs::path figures = directory / "figures";
-  const auto missing = missing_parts(figures);
+  MadeDirectories made(missing_parts(figures));
   try {
     fs::create_directories(figures);
     for (const auto& place : {directory, figures}) {
@@ -72,9 +77,8 @@ void make_writable(const fs::path& directory) {
     }
     std::error_code not_empty;
     fs::remove(figures, not_empty);  // until there is something to put into it
+    return made;
   } catch (const std::exception& error) {
-    std::error_code ignored;
-    for (auto part = missing.rbegin(); part != missing.rend(); ++part) fs::remove(*part, ignored);
     const auto* system_error = dynamic_cast<const std::system_error*>(&error);
     throw InputError(fmt::format(
         "cannot write into directory '{}' ({}); choose another with --out", directory.string(),

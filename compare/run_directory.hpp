@@ -3,16 +3,35 @@
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Writing so that a file is either whole or absent: beside the target first, then renamed.
 namespace fpkcheck::compare {
 
+/// Directories that were made for results. Those that nothing was put into go with their owner.
+class MadeDirectories {
+ public:
+  MadeDirectories() = default;
+  /// @param made outermost first
+  explicit MadeDirectories(std::vector<std::filesystem::path> made) : made_(std::move(made)) {}
+  MadeDirectories(MadeDirectories&& other) noexcept : made_(std::exchange(other.made_, {})) {}
+  MadeDirectories& operator=(MadeDirectories&& other) noexcept {
+    std::swap(made_, other.made_);
+    return *this;
+  }
+  ~MadeDirectories();
+
+ private:
+  std::vector<std::filesystem::path> made_;
+};
+
 /// Creates the directory with its parents, proves that files can be written in it and in figures/
 /// below it, and removes what a stopped run may have left half written there. What it created it
 /// removes again when that fails.
+/// @return what it created
 /// @throws InputError on one line
-void make_writable(const std::filesystem::path& directory);
+[[nodiscard]] MadeDirectories make_writable(const std::filesystem::path& directory);
 
 /// Files that belong together: each is written beside its target, and all replace their targets at
 /// once. Without commit() the targets stay as they were and the partial files go.

@@ -1,12 +1,16 @@
 #include "cli/program.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 namespace fpkcheck::cli {
 namespace {
@@ -159,6 +163,9 @@ TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
   const auto again = program({"report", out});
   EXPECT_EQ(again.exit_code, kDone);
   EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // the run adds its closing line
+  const auto quiet = program({"report", out, "-q"});
+  EXPECT_EQ(quiet.exit_code, kDone);
+  EXPECT_EQ(quiet.out, "");
 }
 
 TEST_F(Program, ADensityFromAFileIsComparedWithTheMethods) {
@@ -234,6 +241,30 @@ TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
   const auto quiet = program({"check", before, "--quiet"});
   EXPECT_EQ(quiet.exit_code, kNotReached);
   EXPECT_EQ(quiet.out, "");
+}
+
+TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
+  std::jthread user([](const std::stop_token& stop) {
+    // Once: a second one would end the tests.
+    while (!stop.stop_requested()) {
+      struct sigaction now = {};
+      sigaction(SIGINT, nullptr, &now);
+      if (now.sa_handler != SIG_DFL) {
+        kill(getpid(), SIGINT);
+        return;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  });
+  const auto run = program({"run", "case1", "--methods", "mcs", "--out", path("a") + "/b"});
+  user.request_stop();
+  EXPECT_EQ(run.exit_code, kInterrupted);
+  EXPECT_EQ(run.err, "fpkcheck: interrupted; nothing was written\n");
+  EXPECT_EQ(run.out, "");
+  EXPECT_FALSE(fs::exists(path("a")));
+  // And the next is not.
+  EXPECT_EQ(program({"run", "case1", "--methods", "epc-gaussian-n2", "--out", path("a")}).exit_code,
+            kDone);
 }
 
 TEST_F(Program, AFileNameNeedNotBeUtf8) {

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 std::string refusal(const fs::path& directory) {
   try {
-    make_writable(directory);
+    const auto made = make_writable(directory);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -22,10 +22,23 @@ std::string refusal(const fs::path& directory) {
 TEST(RunDirectory, IsMadeWithItsParentsAndLeftEmpty) {
   const tests::TemporaryDirectory parent;
   const fs::path directory = parent.path() / "a" / "b";
-  make_writable(directory);
+  const auto made = make_writable(directory);
   EXPECT_TRUE(fs::is_directory(directory));
   EXPECT_TRUE(fs::is_empty(directory));
-  make_writable(directory);  // again is fine
+  { const auto none = make_writable(directory); }  // again is fine, and makes nothing
+  EXPECT_TRUE(fs::is_directory(directory));
+}
+
+TEST(RunDirectory, GoesAgainWhenNothingIsPutIntoIt) {
+  const tests::TemporaryDirectory parent;
+  { const auto made = make_writable(parent.path() / "a" / "b"); }
+  EXPECT_TRUE(parent.entries().empty());
+  {
+    const auto made = make_writable(parent.path() / "a" / "b");
+    write_file(parent.path() / "a" / "f", "text");
+  }
+  EXPECT_FALSE(fs::exists(parent.path() / "a" / "b"));
+  EXPECT_TRUE(fs::exists(parent.path() / "a" / "f"));
 }
 
 TEST(RunDirectory, ThatCannotBeIsRefusedInOneLineAndNothingIsLeft) {
