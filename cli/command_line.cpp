@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 
@@ -60,6 +61,9 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   for (const auto& name : common.cases) {
     problems.push_back(problem::load_case(name, common.overrides));
     // Pictures are filed under a plainer name, so that is what must not be shared.
+    if (std::ranges::count(common.cases, name) > 1) {
+      throw InputError(fmt::format("{} is named twice (name it once)", name));
+    }
     if (!names.insert(compare::picture_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
           "two cases are called '{}' or alike (results are filed by that name: rename one)",

@@ -70,7 +70,7 @@ int epc_command(const std::vector<std::string>& arguments, const std::string& co
   po::options_description own;
   own.add_options()  //
       ("order", po::value(&options.order)->value_name("N")->default_value(options.order),
-       "degree n of the polynomial, even")(
+       "degree n of the polynomial, even: 2 .. 12; of moment 2 .. 16")(
           "formulation", po::value(&formulation_name)->value_name("F")->default_value("gaussian"),
           "gaussian, moment or polar, see above")(
           "equation", po::value(&equation_name)->value_name("E"),

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <optional>
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -18,8 +19,9 @@ constexpr const char* kUsage = R"(usage: fpkcheck run [CASE ...] [options]
 Solves each case (default: the paper's four) by all methods, compares the marginal densities
 p(y) and p(y'), splits the error of each closure into its causes (error budget), prints
 tables and draws pictures. Methods, by increasing trust:
-  epc   the paper's exponential-polynomial closure
-        epc-gaussian-n2, epc-gaussian-n4, epc-gaussian-n6, epc-gaussian-n8
+  epc   exponential-polynomial closures
+        epc-gaussian-n2, -n4, -n6, -n8 (the paper's: impact to first order in 1-r)
+        epc-moment-n4, -n8, -n12 and epc-polar-n4, -n6, -n8 (exact moment equations)
   fd    finite differences: white noise, series cut after the 4th derivative, all jumps
         fd-white, fd-km4-delta (impact to first order in 1-r, as in epc), fd-km4, fd-kf
   mcs   simulation of the impact system itself
@@ -45,10 +47,12 @@ int run_command(const std::vector<std::string>& arguments, const std::string& co
   namespace po = boost::program_options;
   CommonArguments common;
   mcs::Options simulation;
-  std::string list;
+  std::optional<std::string> list;
   std::vector<std::string> against;
   po::options_description own;
-  own.add_options()("methods", po::value(&list)->value_name("LIST"),
+  own.add_options()("methods",
+                    po::value<std::string>()->value_name("LIST")->notifier(
+                        [&list](const std::string& value) { list = value; }),
                     "families or ids separated by commas (default: epc,fd,mcs)");
   own.add_options()(
       "against", po::value(&against)->value_name("FILE[:LABEL]")->composing(),
@@ -57,8 +61,8 @@ int run_command(const std::vector<std::string>& arguments, const std::string& co
   own.add(simulation_options(simulation));
   if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
 
-  const bool chosen = !list.empty();
-  auto methods = compare::select_methods(chosen ? list : kAllMethods, simulation);
+  const bool chosen = list.has_value();
+  auto methods = compare::select_methods(list.value_or(kAllMethods), simulation);
   if (common.cases.empty()) {
     for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
   }

@@ -29,6 +29,11 @@ std::ifstream open_saved(const fs::path& file) {
   std::ifstream in;
   if (fs::is_regular_file(file, ignored)) in.open(file);
   if (!in.is_open()) {
+    if (!file.has_parent_path()) {
+      throw InputError(fmt::format(
+          "{} is not a readable file (give the summary.json of a run, or its directory)",
+          file.string()));
+    }
     throw InputError(
         fmt::format("no run in '{}' ({} is not a readable file; give the --out of a run)",
                     file.parent_path().string(), file.filename().string()));
