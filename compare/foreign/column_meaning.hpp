@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "compare/foreign/number_table.hpp"
 #include "transform/marginal.hpp"
 
