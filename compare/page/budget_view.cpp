@@ -147,9 +147,9 @@ Json figure(const BudgetRows& rows, const std::vector<std::string>& names,
 }
 
 std::string with_uncertainty(const BudgetRow& row, const std::string& name) {
-  std::string text = number_text(number_of_part(row, name, "l1"), 2);
+  std::string text = l1_cell(number_of_part(row, name, "l1"));
   const auto uncertainty = number_of_part(row, name, "uncertainty");
-  if (uncertainty) text += " \u00b1 " + number_text(uncertainty, 1);
+  if (uncertainty) text += " \u00b1 " + l1_cell(uncertainty);
   return text;
 }
 
@@ -157,19 +157,23 @@ std::string l1_table(const BudgetRows& rows, const std::vector<std::string>& nam
                      const std::string& variable) {
   std::vector<HtmlColumn> columns{{"solution", Align::left}, {"total"}};
   for (const auto& name : names) columns.push_back({name});
-  columns.push_back({"sampling: chance expects"});
-  columns.push_back({"in 99 runs of 100 below"});
+  columns.push_back({"L1 that chance alone makes: mean"});
+  columns.push_back({"exceeded in 1 run of 100"});
   for (const auto& row : rows) {
     auto column = columns.begin();
     const auto put = [&](const std::string& text) { (column++)->cells.push_back(text); };
     put(row.label);
-    put(number_text(number(*row.json, "total"), 2));
+    put(l1_cell(number(*row.json, "total")));
     for (const auto& name : names) put(with_uncertainty(row, name));
-    put(number_text(number_of_part(row, "sampling", "expected"), 2));
-    put(number_text(number_of_part(row, "sampling", "in_99"), 2));
+    put(l1_cell(number_of_part(row, "sampling", "expected")));
+    put(l1_cell(number_of_part(row, "sampling", "in_99")));
   }
   return table_html(fmt::format("Error budget of p({}): L1", variable_text(variable)),
                     std::move(columns));
+}
+
+std::string tail_cell(const std::optional<double>& tail) {
+  return tail ? fmt::format("{:.3f}", *tail) : std::string(kNoValue);
 }
 
 std::string tail_table(const BudgetRows& rows, const std::vector<std::string>& names,
@@ -180,8 +184,8 @@ std::string tail_table(const BudgetRows& rows, const std::vector<std::string>& n
     auto column = columns.begin();
     const auto put = [&](const std::string& text) { (column++)->cells.push_back(text); };
     put(row.label);
-    put(number_text(number(*row.json, "total_tail"), 2));
-    for (const auto& name : names) put(number_text(number_of_part(row, name, "tail"), 2));
+    put(tail_cell(number(*row.json, "total_tail")));
+    for (const auto& name : names) put(tail_cell(number_of_part(row, name, "tail")));
   }
   return table_html(fmt::format("Error budget of the tail of p({}): mean |\u0394 log10 p|",
                                 variable_text(variable)),

@@ -21,12 +21,12 @@ std::vector<const Json*> solutions_of(const Json& summary_case, const std::strin
   return solutions;
 }
 
-SolutionColumn l1_column(const Json& summary_case, const std::string& reference,
-                         Variable variable) {
+SolutionColumn distance_column(const Json& summary_case, const std::string& reference,
+                               Variable variable) {
   const char* const p = variable == Variable::y ? "p(y)" : "p(y\u2032)";
   return {fmt::format("L1 to {}, {}", reference, p), [&, reference, variable](const Json& s) {
-            return number_text(
-                l1_between(summary_case, s.at("id").get<std::string>(), reference, variable), 2);
+            return l1_cell(
+                l1_between(summary_case, s.at("id").get<std::string>(), reference, variable));
           }};
 }
 
@@ -64,7 +64,7 @@ std::string closures_table(const Json& summary_case) {
       }};
   return solutions_table(
       "Closures: equations, admissibility", solutions_of(summary_case, "epc"),
-      {word_column("status", "status"), number_column("iterations", "iterations", 6),
+      {word_column("status", "status"), plain_column("iterations", "iterations"),
        number_column("residual", "residual", 2), number_column("condition", "condition", 2),
        polynomial, word_column("tail", "tail.kind"),
        number_column("probability beyond its level", "tail.beyond_level", 1),
@@ -85,14 +85,14 @@ std::string finite_differences_table(const Json& summary_case) {
   return solutions_table(
       "Finite differences: well-posedness, stationarity, discretisation",
       solutions_of(summary_case, "fd"),
-      {word_column("status", "status"), grid, number_column("steps", "steps", 6),
+      {word_column("status", "status"), grid, plain_column("steps", "steps"),
 
        number_column("residual of stationarity", "residual", 1),
        number_column("stepped against direct", "stepped_against_direct", 1),
        number_column("largest growth rate", "growth_rate", 2),
        number_column("regularisation length", "regularisation_length", 3),
-       number_column("estimated error of p(y)", "error.y_l1", 2),
-       number_column("of p(y\u2032)", "error.ydot_l1", 2),
+       l1_column("estimated error of p(y)", "error.y_l1"),
+       l1_column("of p(y\u2032)", "error.ydot_l1"),
        number_column("observed order", "error.observed_order", 2), mass_column(),
        number_column("leak", "leak", 1), number_column("least density / peak", "min_density", 1),
        number_column("energy residual", "energy_residual", 1)});
@@ -101,11 +101,11 @@ std::string finite_differences_table(const Json& summary_case) {
 std::string simulation_table(const Json& summary_case) {
   return solutions_table(
       "Simulation: length, chance", solutions_of(summary_case, "mcs"),
-      {word_column("status", "status"), number_column("time", "time", 4),
+      {word_column("status", "status"), plain_column("time", "time"),
        number_column("samples", "samples", 4),
        number_column("independent samples", "effective_samples", 3),
-       number_column("sampling L1 of p(y)", "sampling_l1.y", 2),
-       number_column("of p(y\u2032)", "sampling_l1.ydot", 2),
+       l1_column("sampling L1 of p(y)", "sampling_l1.y"),
+       l1_column("of p(y\u2032)", "sampling_l1.ydot"),
        number_column("standard error of E[y\u00b2]", "standard_errors.y2", 2),
        number_column("of E[y\u2032\u00b2]", "standard_errors.v2", 2),
        number_column("impacts per time", "impact_rate", 5), mass_column(),
@@ -128,9 +128,10 @@ std::string results_table(const Json& summary_case) {
        number_column("E[y\u2032\u00b2]", "moments.v2", 4),
        number_column("E[y\u2074]", "moments.y4", 4),
        number_column("E[y\u2032\u2074]", "moments.v4", 4),
-       l1_column(summary_case, "mcs", Variable::y), l1_column(summary_case, "mcs", Variable::ydot),
-       l1_column(summary_case, "fd-kf", Variable::y),
-       l1_column(summary_case, "fd-kf", Variable::ydot), mass_column(),
+       distance_column(summary_case, "mcs", Variable::y),
+       distance_column(summary_case, "mcs", Variable::ydot),
+       distance_column(summary_case, "fd-kf", Variable::y),
+       distance_column(summary_case, "fd-kf", Variable::ydot), mass_column(),
        number_column("energy residual", "energy_residual", 1), seconds_column()});
 }
 

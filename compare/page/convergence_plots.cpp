@@ -192,7 +192,8 @@ std::string short_name(const Json& solution) {
 }
 
 // Beside the mark, on a side of its family's own: fewer names fall upon each other.
-const char* text_position(const std::string& family) {
+const char* text_position(const std::string& family, const std::string& label) {
+  if (label.ends_with("-delta")) return "bottom center";  // fd-km4 takes as long
   if (family == "moment") return "top left";
   if (family == "polar") return "bottom right";
   return "top center";
@@ -202,18 +203,20 @@ Json cost_figure(const Json& summary_case, Variable variable) {
   Json data = Json::array();
   LogRange times, l1s;
   for (const auto& [family, points] : families(summary_case, variable)) {
-    Json trace = base_trace(family, points), seconds = Json::array(), labels = Json::array();
+    Json trace = base_trace(family, points), seconds = Json::array(), labels = Json::array(),
+         positions = Json::array();
     for (const auto& point : points) {
       const auto taken = positive(number(*point.solution, "seconds"));
       seconds.push_back(taken ? Json(*taken) : Json());
       if (taken) times.include(*taken);
       l1s.include(point.l1);
       labels.push_back(short_name(*point.solution));
+      positions.push_back(text_position(family, short_name(*point.solution)));
     }
     trace["x"] = seconds;
     trace["mode"] = "markers+text";
     trace["text"] = labels;
-    trace["textposition"] = text_position(family);
+    trace["textposition"] = positions;
     trace["textfont"] = {{"size", 10}};
     trace["cliponaxis"] = false;
     trace["hovertemplate"] = "%{customdata}: %{y:.3g} in %{x:.2g} s<extra></extra>";

@@ -65,6 +65,7 @@ std::string inside_script(std::string json) {
 std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns) {
   if (columns.empty() || columns.front().cells.empty()) return "";
   std::erase_if(columns, says_nothing);
+  if (columns.size() < 2) return "";
   std::string html = fmt::format(
       "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\">\n"
       "<table>\n<caption>{0}</caption>\n<thead><tr>",

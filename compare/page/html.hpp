@@ -29,7 +29,7 @@ struct HtmlColumn {
 
 /// A table in a box of its own, which scrolls where the screen is narrow. The first column names
 /// the rows. Columns without a single value are left out, and nothing is made of a table without
-/// rows.
+/// rows, or with nothing but names.
 std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns);
 
 }  // namespace fpkcheck::compare

@@ -122,7 +122,7 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
   std::string options;
   for (const auto& one : maps.differences) {
     options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>", escaped(one.solution),
-                           number_text(one.l1, 2));
+                           l1_cell(one.l1));
   }
   const std::string reference = escaped(maps.reference);
   const std::string first = escaped(maps.differences.front().solution);

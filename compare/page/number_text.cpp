@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "compare/page/html.hpp"
+#include "compare/text/l1_text.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -16,11 +17,30 @@ std::string without_padded_exponent(std::string text) {
   return text;
 }
 
+// "#" keeps zeros, and a point with nothing behind it: "150." is "150".
+std::string without_bare_point(std::string text) {
+  const auto point = text.find('.');
+  if (point != std::string::npos && (point + 1 == text.size() || text[point + 1] == 'e')) {
+    text.erase(point, 1);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string number_text(const std::optional<double>& value, int digits) {
-  return value ? without_padded_exponent(fmt::format("{:.{}g}", *value, digits))
-               : std::string(kNoValue);
+  if (!value) return std::string(kNoValue);
+  if (*value == 0) return "0";
+  if (digits == 1) return without_padded_exponent(fmt::format("{:.0e}", *value));
+  return without_padded_exponent(without_bare_point(fmt::format("{:#.{}g}", *value, digits)));
+}
+
+std::string plain_text(const std::optional<double>& value) {
+  return value ? without_padded_exponent(fmt::format("{:.6g}", *value)) : std::string(kNoValue);
+}
+
+std::string l1_cell(const std::optional<double>& l1) {
+  return l1 ? without_padded_exponent(l1_text(*l1)) : std::string(kNoValue);
 }
 
 std::string seconds_text(const std::optional<double>& seconds) {

@@ -15,6 +15,7 @@
 #include "compare/page/number_text.hpp"
 #include "compare/page/parts.hpp"
 #include "compare/page/problem_text.hpp"
+#include "compare/summary_view.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -49,13 +50,16 @@ std::string list_html(const std::vector<std::string>& sentences) {
   return html + "</ul>\n";
 }
 
+constexpr const char* kSimulationHint =
+    "<p>Circles in a grey band: the simulation with its 95 % intervals.</p>\n";
 constexpr const char* kLegendHint =
-    "<p>Circles in a grey band: the simulation with its 95 % intervals. <span class=\"on-screen\">A "
-    "click on a name in a legend switches that solution off or on in all plots of this case, a "
-    "double click shows it alone.</span></p>\n";
+    "<p class=\"on-screen\">A click on a name in a legend switches that solution off or on in all "
+    "plots of this case, a double click shows it alone.</p>\n";
 constexpr const char* kBudgetHint =
-    "<p>What each step adds on the way from a solution to the simulation: L1, and in the tail the "
-    "mean |\u0394 log<sub>10</sub> p|.</p>\n";
+    R"html(<p>What each step adds on the way from a closure to the reference, which is the simulation where there is
+one: L1, and in the tail the mean |Δ log<sub>10</sub> p|. The total is at most the sum of the parts; it is less where they
+cancel. (<a href="#budget-terms">What the parts are</a>)</p>
+)html";
 
 /// The section of one case, and the plots in it.
 class CaseSection {
@@ -70,7 +74,8 @@ class CaseSection {
     said.insert(said.end(), limits.begin(), limits.end());
     html_ += list_html(said);
 
-    add_plots("Densities", kLegendHint,
+    const std::string hint = usable(summary_case, "mcs") ? kSimulationHint : "";
+    add_plots("Densities", hint + kLegendHint,
               density_plots(summary_case, of_case(run.marginals, name), id));
     add_joint_maps(joint_maps(summary_case, of_case(run.joints, name)), id);
     add_plots("Error budget", kBudgetHint, budget_plots(summary_case, id));
@@ -85,7 +90,8 @@ class CaseSection {
   Json plots() const { return {{"plots", plots_json(plots_)}, {"maps", maps_}}; }
 
  private:
-  void add_plots(const std::string& heading, const char* introduction, std::vector<Plot> plots) {
+  void add_plots(const std::string& heading, const std::string& introduction,
+                 std::vector<Plot> plots) {
     if (plots.empty()) return;
     html_ += element("h3", heading) + introduction;
     html_ += plots_html(plots);

@@ -46,7 +46,9 @@ function layoutOf(figure, size) {
     ...figure.layout,
   };
   for (const key of Object.keys(layout).filter(key => /^[xy]axis/.test(key))) {
-    layout[key] = {...axis, ...layout[key], title: {standoff: 6, ...layout[key].title}};
+    // plotly.js enlarges powers of ten by a quarter.
+    const tickfont = layout[key].type === 'log' ? {tickfont: {size: font.size / 1.25}} : {};
+    layout[key] = {...axis, ...tickfont, ...layout[key], title: {standoff: 6, ...layout[key].title}};
   }
   return layout;
 }
@@ -117,17 +119,24 @@ function mapDrawables(maps) {
   const chosen = () => maps.differences[part('choice').selectedIndex];
   const logarithmic = () => part('scale').value === 'logarithmic';
 
+  // Square, or as on a desktop where there is room.
+  const heightOf = div => Math.min(440, Math.round(div.clientWidth - 64) + 142);
+
   function draw(name, values, colours, title) {
     const div = part(name);
     const trace = {
       type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), ...colours,
-      colorbar: {orientation: 'h', y: -0.16, yanchor: 'top', thickness: 12, len: 1, title: {text: title, side: 'bottom'},
-                 tickfont: {size: 10}, exponentformat: 'power', nticks: 5},
+      colorbar: {orientation: 'h', y: -0.16, yanchor: 'top', thickness: 12, len: 1, tickfont: {size: 10},
+                 exponentformat: 'power', ...(logarithmic() ? {dtick: name === 'difference' ? 0.5 : 1} : {nticks: 5})},
       hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${title}: %{z:.4g}<extra></extra>`,
     };
     const layout = {
-      font, paper_bgcolor: 'white', plot_bgcolor: 'white', width: div.clientWidth, height: 440,
-      margin: {l: 50, r: 14, t: 32, b: 110}, dragmode: narrow() ? false : 'zoom', showlegend: false,
+      font, paper_bgcolor: 'white', plot_bgcolor: '#d9d9d9', width: div.clientWidth, height: heightOf(div),
+      margin: {l: 50, r: 14, t: 32, b: 110},
+      // The colour bar's own title would stand on its ticks.
+      annotations: [{text: title, showarrow: false, xref: 'paper', x: 0.5, yref: 'paper', y: -110 / (heightOf(div) - 142),
+                     yanchor: 'bottom'}],
+      dragmode: narrow() ? false : 'zoom', showlegend: false,
       xaxis: {...axis, showgrid: false, range: logarithmic() ? ends(y) : maps.y_bulk, title: {text: 'y', standoff: 4}},
       yaxis: {...axis, showgrid: false, range: logarithmic() ? ends(v) : maps.v_bulk, title: {text: 'y′', standoff: 4}},
     };
@@ -136,7 +145,9 @@ function mapDrawables(maps) {
 
   function drawAll() {
     const difference = differenceOf(chosen());
-    const density = reference.map((p, k) => p + difference[k]);
+    // Where less is left than the rounding of the difference, there is nothing: no sample of a simulation.
+    const rounding = d => 1.01 * Math.sqrt(Math.abs(d) * chosen().largest) / 32767;
+    const density = reference.map((p, k) => p + difference[k] > rounding(difference[k]) ? p + difference[k] : 0);
     const log = logarithmic();
     const shown = values => log ? Array.from(values, log10) : Array.from(values);
     const sequential = {colorscale: 'Viridis', zmin: log ? Math.log10(peak) - maps.decades : 0, zmax: log ? Math.log10(peak) : peak};
@@ -149,12 +160,12 @@ function mapDrawables(maps) {
          log ? 'log<sub>10</sub> of the ratio' : 'difference');
     const name = chosen().solution;
     part('name').textContent = name;
-    part('caption').textContent = log ? `${name} / ${maps.reference}` : `${name} − ${maps.reference}`;
+    part('caption').textContent = log ? `${name} / ${maps.reference}, drawn up to a factor of 10; grey: nothing` : `${name} − ${maps.reference}`;
   }
 
   part('choice').addEventListener('change', drawAll);
   part('scale').addEventListener('change', drawAll);
-  const fit = () => { for (const name of ['reference', 'chosen', 'difference']) part(name).style.height = '440px'; };
+  const fit = () => { for (const name of ['reference', 'chosen', 'difference']) part(name).style.height = `${heightOf(part(name))}px`; };
   return [{fit, draw: drawAll}];
 }
 

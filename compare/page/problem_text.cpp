@@ -32,15 +32,30 @@ degree n = 6, …, projected with Gaussian weights.</dd>
 y ≥ 0.</dd>
 <dt>epc-polar-n6, …</dt><dd>Likewise, with a polynomial of amplitude and phase.</dd>
 <dt>fd-white, fd-km4, fd-kf</dt><dd>Finite differences for three equations, below.</dd>
+<dt>fd-km4-delta</dt><dd>Finite differences for the equation of the paper's closure: km4, with the impact to first order in
+1 − r.</dd>
 <dt>mcs</dt><dd>Simulation of the impact system itself; bands are 95 % intervals.</dd>
 <dt>solves: white, km4, kf</dt><dd>The excitation term: Gaussian white noise of the same intensity; the Kramers–Moyal series cut
 after the fourth derivative; the full jump integral (Kolmogorov–Feller).</dd>
 <dt>… / map, delta, exact</dt><dd>The impact: velocities mapped exactly; to first order in 1 − r, as in the paper; simulated.</dd>
+<dt>given / –</dt><dd>A density from a file (<code>--against</code>): neither its equation nor its impact is known.</dd>
 <dt>L1</dt><dd>Integral of |p − reference|: 0 for equal densities, 2 for disjoint ones.</dd>
 <dt>energy residual</dt><dd>Of the balance of power between impulses, damping and impacts, relative to the input.</dd>
 <dt>status</dt><dd><b>ok</b>; <b>inadmissible</b>: the equations are met, but not by a probability density;
 <b>not_converged</b>: the equations are not met; <b>ill_posed</b>: the discrete problem grows without bound;
 <b>failed</b>.</dd>
+</dl>
+<p id="budget-terms">Parts of an error budget:</p>
+<dl>
+<dt>closure</dt><dd>The exponential-polynomial form and its projection: the closure against finite differences of the same
+equation with the same impact.</dd>
+<dt>impact</dt><dd>The impact to first order in 1 − r instead of the exact one.</dd>
+<dt>truncation</dt><dd>The Kramers–Moyal series cut after the fourth derivative instead of the full jump integral.</dd>
+<dt>white noise</dt><dd>White noise of the same intensity instead of impulses.</dd>
+<dt>discretisation</dt><dd>What the grid of fd-kf still misses, estimated by extrapolation.</dd>
+<dt>sampling</dt><dd>From the extrapolated fd-kf to the simulation. If both are right, it is chance alone, which makes the
+mean L1 of the last columns.</dd>
+<dt>±</dt><dd>Discretisation errors of both ends of a step, added: a part below it may be nought.</dd>
 </dl>
 )html";
 
@@ -63,12 +78,12 @@ constexpr Parameter kParameters[] = {
 
 std::string shown(const Json& object, const char* key) {
   const std::string text = word(object, key);
-  return text == kNoValue ? number_text(number(object, key), 6) : text;
+  return text == kNoValue ? plain_text(number(object, key)) : text;
 }
 
 std::string l1_text(const Json& summary_case, const std::string& one, const std::string& other,
                     Variable variable) {
-  return number_text(l1_between(summary_case, one, other, variable), 2);
+  return l1_cell(l1_between(summary_case, one, other, variable));
 }
 
 }  // namespace
@@ -115,7 +130,7 @@ std::string overview_table(const Json& summary) {
     const std::string reference = reference_of(summary_case);
     const auto closures = closures_by_distance(summary_case);
     const std::string none(kNoValue);
-    const std::string closest = closures.empty() ? none : closures.front();
+    const std::string closest = reference.empty() || closures.empty() ? none : closures.front();
     const Json* solution = find_solution(summary_case, reference);
     const Json moments = solution == nullptr ? Json() : solution->at("moments");
     const std::string cells[] = {word(summary_case, "name"),

@@ -18,13 +18,27 @@ const Json* value_under(const Json& solution, std::string_view path) {
   }
 }
 
+namespace {
+
+std::optional<double> number_under(const Json& solution, std::string_view path) {
+  const Json* value = value_under(solution, path);
+  if (value == nullptr || !value->is_number()) return std::nullopt;
+  return value->get<double>();
+}
+
+}  // namespace
+
 SolutionColumn number_column(const std::string& header, const std::string& path, int digits) {
-  return {header, [path, digits](const Json& solution) {
-            const Json* value = value_under(solution, path);
-            const bool is_number = value != nullptr && value->is_number();
-            return number_text(is_number ? std::optional(value->get<double>()) : std::nullopt,
-                               digits);
-          }};
+  return {header,
+          [path, digits](const Json& s) { return number_text(number_under(s, path), digits); }};
+}
+
+SolutionColumn plain_column(const std::string& header, const std::string& path) {
+  return {header, [path](const Json& s) { return plain_text(number_under(s, path)); }};
+}
+
+SolutionColumn l1_column(const std::string& header, const std::string& path) {
+  return {header, [path](const Json& s) { return l1_cell(number_under(s, path)); }};
 }
 
 SolutionColumn word_column(const std::string& header, const std::string& path) {

@@ -24,6 +24,12 @@ const nlohmann::ordered_json* value_under(const nlohmann::ordered_json& solution
 /// A column of the number under a path of keys.
 SolutionColumn number_column(const std::string& header, const std::string& path, int digits);
 
+/// A column of the count, or the given number, under a path of keys.
+SolutionColumn plain_column(const std::string& header, const std::string& path);
+
+/// A column of the L1 distance under a path of keys.
+SolutionColumn l1_column(const std::string& header, const std::string& path);
+
 /// A column of the text under a path of keys.
 SolutionColumn word_column(const std::string& header, const std::string& path);
 

@@ -245,6 +245,26 @@ class ReportPage(unittest.TestCase):
         self.script('window.dispatchEvent(new Event("afterprint"))')
         self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia', {'media': ''})
 
+    def test_10_the_names_of_a_wide_table_stay_when_it_is_scrolled(self):
+        self.open_page(PHONE)
+        moved = self.script('''
+            const box = [...document.querySelectorAll('.scroll')].find(e => e.scrollWidth > e.clientWidth + 100);
+            const names = [...box.querySelectorAll('tr > th:first-child')];
+            const left = () => names.map(e => e.getBoundingClientRect().left);
+            const before = left();
+            box.scrollLeft = 100;
+            return left().map((x, k) => Math.abs(x - before[k]));''')
+        self.assertGreater(len(moved), 1)
+        self.assertLess(max(moved), 1)
+        self.open_page(DESKTOP)
+
+    def test_11_ticks_of_all_axes_have_one_size(self):
+        sizes = self.script('''
+            return [...document.querySelectorAll('#case-1-density-y .xtick text, #case-1-density-y .y2tick text')]
+                   .map(e => parseFloat(getComputedStyle(e).fontSize));''')
+        self.assertGreater(len(sizes), 4)
+        self.assertEqual(set(sizes), {12})
+
     def check_layout(self, plot, size):
         name = plot['id']
         box, drawing = plot['box'], plot['drawing'][0]

@@ -29,6 +29,26 @@ TEST(Html, ATableNamesItsRowsAndDropsColumnsWithoutAValue) {
   EXPECT_EQ(table_html("nothing", {{"name", Align::left, {}}}), "");
 }
 
+TEST(Html, NamesAloneAreNoTable) {
+  const std::string none(kNoValue);
+  EXPECT_EQ(table_html("T", {{"name", Align::left, {"a"}}, {"empty", Align::right, {none}}}), "");
+}
+
+TEST(NumberText, KeepsItsDigitsAndHasTheTerminalsDistances) {
+  EXPECT_EQ(number_text(0.445, 4), "0.4450");
+  EXPECT_EQ(number_text(4.34, 4), "4.340");
+  EXPECT_EQ(number_text(6e-5, 2), "6.0e-5");
+  EXPECT_EQ(number_text(150, 3), "150");
+  EXPECT_EQ(number_text(0.0004, 1), "4e-4");
+  EXPECT_EQ(plain_text(0.1), "0.1");
+  EXPECT_EQ(plain_text(12), "12");
+  EXPECT_EQ(plain_text({}), kNoValue);
+  EXPECT_EQ(l1_cell(0.03), "0.03000");
+  EXPECT_EQ(l1_cell(0.0044), "0.00440");
+  EXPECT_EQ(l1_cell(6e-6), "6e-6");
+  EXPECT_EQ(l1_cell({}), kNoValue);
+}
+
 TEST(NumberText, IsShort) {
   EXPECT_EQ(number_text(0.39450001, 4), "0.3945");
   EXPECT_EQ(number_text(-1.234e-5, 2), "-1.2e-5");

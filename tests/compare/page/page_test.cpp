@@ -135,6 +135,33 @@ TEST(Page, SaysADashForNullAndIsMadeWithoutAnyDensity) {
   EXPECT_TRUE(plots_in(page).at(0).at("plots").empty());
 }
 
+TEST(Page, NamesNoClosestClosureWithoutAReference) {
+  auto run = made_up_run();
+  EXPECT_TRUE(contains(report_page(run), "closest closure"));
+  for (auto& solution : run.summary["cases"][0]["solutions"]) {
+    if (solution["method"] != "epc") solution["status"] = "failed";
+  }
+  EXPECT_FALSE(contains(report_page(run), "closest closure"));
+}
+
+TEST(Page, SpeaksOfCirclesOnlyWithASimulation) {
+  auto run = made_up_run();
+  EXPECT_TRUE(contains(report_page(run), "Circles in a grey band"));
+  for (auto& solution : run.summary["cases"][0]["solutions"]) {
+    if (solution["id"] == "mcs") solution["status"] = "failed";
+  }
+  EXPECT_FALSE(contains(report_page(run), "Circles in a grey band"));
+}
+
+TEST(Page, ExplainsTheBudgetAndEveryName) {
+  const std::string page = report_page(whole_run());
+  EXPECT_TRUE(contains(page, "The total is at most the sum of the parts"));
+  for (const char* term : {"closure", "impact", "truncation", "white noise", "discretisation",
+                           "sampling", "fd-km4-delta", "given / \u2013"}) {
+    EXPECT_EQ(occurrences(page, "<dt>" + std::string(term) + "</dt>"), 1u) << term;
+  }
+}
+
 TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderThreeMegabytes) {
   const auto report = tests::full_report();
   const auto joints = tests::made_up_joints(report, 70, 140);
