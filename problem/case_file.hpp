@@ -11,8 +11,8 @@ namespace fpkcheck::problem {
 
 /// Reads a case: a name ("case1" .. "case4") or the path of an ini file.
 /// @param overrides "key=value" pairs that replace what the file says, e.g. "system.cubic=1.0"
-/// @throws InputError on one line: the key, the value, the file and what is allowed; also for a file
-/// whose name, which becomes the case's, cannot be shown
+/// @throws InputError on one line: the key, the value, the file and what is allowed; also for a
+/// file whose name, which becomes the case's, cannot be shown
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {});
 
 /// As load_case, from a stream.
