@@ -23,7 +23,7 @@ tables and draws pictures. Methods, by increasing trust:
         epc-gaussian-n2, -n4, -n6, -n8 (the paper's: impact to first order in 1-r)
         epc-moment-n4, -n8, -n12 and epc-polar-n4, -n6, -n8 (exact moment equations)
   fd    finite differences: white noise, series cut after the 4th derivative, all jumps
-        fd-white, fd-km4-delta (impact to first order in 1-r, as in epc), fd-km4, fd-kf
+        fd-white, fd-km4-delta (impact to first order in 1-r, as in epc-gaussian), fd-km4, fd-kf
   mcs   simulation of the impact system itself
 Exit code 0 when finite differences and simulation reached their solutions: how far the
 closures and the impact to first order carry is what the run finds out. With --methods, every
