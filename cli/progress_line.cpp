@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 #include "cli/interruption.hpp"
 
@@ -16,6 +18,11 @@ std::size_t terminal_width() {
   constexpr std::size_t kUsual = 80;
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
+}
+
+bool can_rewrite_a_line() {
+  const char* const terminal = std::getenv("TERM");
+  return terminal == nullptr || std::string_view(terminal) != "dumb";
 }
 
 std::string duration_text(double seconds) {
@@ -37,7 +44,8 @@ std::string progress_text(const compare::RunProgress& progress, double seconds,
   return progress.note.empty() ? text : text + "  " + progress.note;
 }
 
-ProgressLine::ProgressLine(bool silent) : active_(!silent && isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool silent)
+    : active_(!silent && isatty(STDERR_FILENO) == 1 && can_rewrite_a_line()) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 

@@ -17,13 +17,14 @@ std::string without_padded_exponent(std::string text) {
   return text;
 }
 
-// "#" keeps zeros, and a point with nothing behind it: "150." is "150".
-std::string without_bare_point(std::string text) {
+// "#" keeps zeros, and a point with nothing (or, by some versions, one zero) behind it: "150." and
+// "150.0" of three digits are "150".
+std::string without_bare_point(std::string text, int digits) {
   const auto point = text.find('.');
-  if (point != std::string::npos && (point + 1 == text.size() || text[point + 1] == 'e')) {
-    text.erase(point, 1);
-  }
-  return text;
+  if (point == std::string::npos) return text;
+  const auto before = point - (text[0] == '-' ? 1 : 0);
+  if (before < static_cast<std::size_t>(digits)) return text;
+  return text.erase(point, text.find('e', point) - point);
 }
 
 }  // namespace
@@ -32,7 +33,8 @@ std::string number_text(const std::optional<double>& value, int digits) {
   if (!value) return std::string(kNoValue);
   if (*value == 0) return "0";
   if (digits == 1) return without_padded_exponent(fmt::format("{:.0e}", *value));
-  return without_padded_exponent(without_bare_point(fmt::format("{:#.{}g}", *value, digits)));
+  return without_padded_exponent(
+      without_bare_point(fmt::format("{:#.{}g}", *value, digits), digits));
 }
 
 std::string plain_text(const std::optional<double>& value) {

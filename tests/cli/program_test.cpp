@@ -269,12 +269,19 @@ TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
             kDone);
 }
 
-TEST_F(Program, AFileNameNeedNotBeUtf8) {
-  const std::string ini = path("bad\xff.ini");
+// A path may have any bytes; a case's name, which goes into JSON and netCDF, may not.
+TEST_F(Program, APathNeedNotBeUtf8ButACasesNameMust) {
+  std::filesystem::create_directory(path("odd\xff"));
+  const std::string ini = path("odd\xff/mine.ini");
   std::ofstream(ini) << "[system]\ndamping=0.1\nstiffness=1\ncubic=0\nrestitution=1\n"
                      << "[impulse]\nrate=1\nlaw=gaussian\nintensity=0.1\n";
-  EXPECT_EQ(program({"run", ini, "--methods", "epc-gaussian-n2", "--out", path("out")}).exit_code,
-            kDone);
+  const auto run = program({"run", ini, "--methods", "epc-gaussian-n2", "--out", path("o\xff")});
+  EXPECT_EQ(run.exit_code, kDone) << run.err;
+  EXPECT_EQ(program({"report", path("o\xff")}).exit_code, kDone);
+  std::filesystem::rename(ini, path("bad\xff.ini"));
+  const auto refused = program({"epc", path("bad\xff.ini")});
+  EXPECT_EQ(refused.exit_code, kBadInput);
+  EXPECT_NE(refused.err.find("is not UTF-8"), std::string::npos) << refused.err;
 }
 
 TEST_F(Program, JsonIsAllThatStandsOnStandardOutput) {
