@@ -69,20 +69,22 @@ int solve_and_report(const CommonArguments& common, const std::vector<compare::M
     fmt::print("{}", compare::table(run.summary, terminal_format()));
     std::fflush(stdout);
   }
+  bool all_drawn = true;
   if (common.out) {
     for (const auto& warning : compare::write_report(*common.out, run)) {
       fmt::print(stderr, "fpkcheck: {}\n", warning);
+      all_drawn = false;
     }
   }
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    fmt::print(
-        "\n{}{:.1f} s.\n",
-        common.out
-            ? fmt::format("Wrote report.html, summary.json, marginals.csv{} and figures/ to {} in ",
-                          run.joints.empty() ? "" : ", joint.nc", *common.out)
-            : "Done in ",
-        elapsed.count());
+    fmt::print("\n{}{:.1f} s.\n",
+               common.out ? fmt::format(
+                                "Wrote report.html, summary.json, marginals.csv{} and {} to {} in ",
+                                run.joints.empty() ? "" : ", joint.nc",
+                                all_drawn ? "figures/" : "what could be drawn", *common.out)
+                          : "Done in ",
+               elapsed.count());
   }
   return reached(cases, required) ? kDone : kNotReached;
 }

@@ -126,6 +126,9 @@ void ForeignMarginal::normalise(BinValue value) {
   const double total = cumulative_.back();
   const std::string file = description_.at("file").get<std::string>();
   if (!(total > 0)) throw InputError(fmt::format("{}: the density is 0 everywhere", file));
+  if (!std::isfinite(total)) {
+    throw InputError(fmt::format("{}: its integral overflows (choose other units)", file));
+  }
   description_["from"] = knots_.front();
   description_["to"] = knots_.back();
   description_["integral"] = total;

@@ -344,6 +344,7 @@ TEST(ForeignMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
       {"lower upper p\n0 1 1\n1 2 1\n2.5 3 1\n3 4 1\n",
        "mine.csv:4: a bin from 2.5 after one to 2 (bins must join)"},
       {"0 0\n1 0\n2 0\n3 0\n", "0 everywhere"},
+      {"0 1e308\n1 1e308\n2 1e308\n3 1e308\n", "its integral overflows"},
       {"y p q\n0 1\n1 1\n2 1\n3 1\n", "mine.csv:2: 2 columns under 3 names"},
   };
   for (const auto& [text, expected] : bad) {
