@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,15 +14,19 @@ namespace fpkcheck::epc::moment {
 template <class Result, class Attempt>
 std::optional<Result> first_decayed(const std::vector<double>& levels, double allowed,
                                     const Attempt& attempt) {
-  std::optional<std::pair<Result, double>> best;
+  std::optional<Result> best;
+  double least = std::numeric_limits<double>::infinity();
   for (const double level : levels) {
     std::optional<std::pair<Result, double>> found = attempt(level);
     if (!found) continue;
-    if (!best || found->second < best->second) best = std::move(found);
-    if (best->second < allowed) break;
+    auto& [result, density] = *found;
+    if (!best || density < least) {
+      best = std::move(result);
+      least = density;
+    }
+    if (least < allowed) break;
   }
-  if (!best) return std::nullopt;
-  return std::move(best->first);
+  return best;
 }
 
 }  // namespace fpkcheck::epc::moment
