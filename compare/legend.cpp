@@ -30,7 +30,7 @@ std::string solves_text(const std::vector<Column>& results) {
   constexpr std::pair<const char*, const char*> kEquations[] = {
       {"white", "white noise"},
       {"km4", "Kramers-Moyal series to the fourth derivative"},
-      {"km4_pade", "its Pade approximant"},
+      {"km4-pade", "Pade approximant of the Kramers-Moyal series"},
       {"kf", "full jump integral"}};
   constexpr std::pair<const char*, const char*> kImpacts[] = {{"map", "exact"},
                                                               {"delta", "to first order in 1-r"}};

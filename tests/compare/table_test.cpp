@@ -46,6 +46,15 @@ void set_l1(Json& summary, const std::string& a, const std::string& b, double y,
   }
 }
 
+// Every name of an equation that a table can show is explained below it.
+TEST(TableLegend, ExplainsEveryEquation) {
+  for (const std::string equation : {"white", "km4", "km4-pade", "kf"}) {
+    Json summary = made_up_summary();
+    for (auto& solution : summary["cases"][0]["solutions"]) solution["equation"] = equation;
+    EXPECT_TRUE(contains(table(summary), "(" + equation + ": ")) << table(summary);
+  }
+}
+
 class TableWidth : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(TableWidth, IsKeptAndEverySolutionIsShownWithItsStatus) {
