@@ -12,6 +12,7 @@
 #include "compare/page/page.hpp"
 #include "compare/run_directory.hpp"
 #include "compare/summary.hpp"
+#include "compare/summary_view.hpp"
 #include "compare/table.hpp"
 #include "problem/input_error.hpp"
 
@@ -85,20 +86,25 @@ void remove_pictures_of(const Json& earlier, const fs::path& directory) {
   }
 }
 
-// Every solution with a density has its curves, and there are no others; a simulation may have no
-// joint density, and an older run has none.
-void require_belonging(const SavedRun& run, const fs::path& directory) {
-  std::set<std::pair<std::string, std::string>> in_summary, in_marginals;
-  for (const auto& one : run.summary.at("cases")) {
+using CaseAndSolution = std::pair<std::string, std::string>;
+
+std::set<CaseAndSolution> solutions_with_density(const Json& summary) {
+  std::set<CaseAndSolution> found;
+  for (const auto& one : summary.at("cases")) {
     for (const auto& solution : one.at("solutions")) {
-      if (!solution.at("mass").is_null()) in_summary.emplace(one.at("name"), solution.at("id"));
+      if (!solution.at("mass").is_null()) found.emplace(one.at("name"), solution.at("id"));
     }
   }
-  for (const auto& curve : run.marginals) in_marginals.emplace(curve.case_name, curve.solution);
-  if (in_summary != in_marginals) {
+  return found;
+}
+
+// A simulation may have no joint density, and an older run has none.
+void require_belonging(const SavedRun& run, const fs::path& directory) {
+  if (!marginals_belong(run)) {
     throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
                                  kSummaryFile, kMarginalsFile, directory.string()));
   }
+  const auto in_summary = solutions_with_density(run.summary);
   for (const auto& joint : run.joints) {
     if (!in_summary.contains({joint.case_name, joint.solution})) {
       throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
@@ -108,6 +114,12 @@ void require_belonging(const SavedRun& run, const fs::path& directory) {
 }
 
 }  // namespace
+
+bool marginals_belong(const SavedRun& run) {
+  std::set<CaseAndSolution> with_curves;
+  for (const auto& curve : run.marginals) with_curves.emplace(curve.case_name, curve.solution);
+  return with_curves == solutions_with_density(run.summary);
+}
 
 SavedRun make_run(const std::string& command, std::span<const CaseReport> cases) {
   return {summary(command, cases), marginal_curves(cases), joint_densities(cases)};
@@ -143,17 +155,6 @@ SavedRun load_run(const fs::path& directory) {
   if (fs::exists(joint)) run.joints = read_joint_netcdf(joint);
   return run;
 }
-
-namespace {
-
-// Without the prefix "[json.exception.out_of_range.403] ", which tells the reader nothing.
-std::string said_by(const Json::exception& error) {
-  const std::string text = error.what();
-  const auto end = text.find("] ");
-  return end == std::string::npos ? text : text.substr(end + 2);
-}
-
-}  // namespace
 
 ReportAgain report_again(const fs::path& directory, const TextFormat& format) {
   const SavedRun run = load_run(directory);

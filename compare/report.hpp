@@ -24,6 +24,11 @@ struct SavedRun {
   std::vector<JointDensity> joints = {};  ///< of the solutions that have one
 };
 
+/// True when every solution with a density has its curves and there are no others: summary and
+/// marginals are then of the same run.
+/// @throws nlohmann::json::exception where the summary lacks what its schema promises
+bool marginals_belong(const SavedRun& run);
+
 /// The summary as text. Bytes that are not UTF-8 (a file's name may have any) are replaced.
 std::string json_text(const nlohmann::ordered_json& summary);
 

@@ -4,6 +4,12 @@ namespace fpkcheck::compare {
 
 using Json = nlohmann::ordered_json;
 
+std::string said_by(const Json::exception& error) {
+  const std::string text = error.what();
+  const auto end = text.find("] ");
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 std::optional<double> number(const Json& object, std::string_view key) {
   if (!object.is_object()) return std::nullopt;
   const auto found = object.find(key);

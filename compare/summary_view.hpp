@@ -2,12 +2,17 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "transform/marginal.hpp"
 
 /// Questions that the table and the pictures ask of a case in summary.json.
 namespace fpkcheck::compare {
+
+/// What is wrong with a summary, without the prefix "[json.exception.out_of_range.403] ", which
+/// tells the reader nothing.
+std::string said_by(const nlohmann::ordered_json::exception& error);
 
 /// The number under a key; nothing where the key is missing or null.
 std::optional<double> number(const nlohmann::ordered_json& object, std::string_view key);

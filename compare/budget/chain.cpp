@@ -17,9 +17,10 @@ constexpr const char* kDiscretisation = "discretisation";
 
 const Marginal* find_marginal(const CaseReport& report, const std::string& id, Variable variable) {
   for (const auto& found : report.marginals) {
+    if (found.solution != id || found.variable != variable) continue;
     const bool finite =
         std::ranges::all_of(found.marginal.density, [](double p) { return std::isfinite(p); });
-    if (found.solution == id && found.variable == variable && finite) return &found.marginal;
+    return finite ? &found.marginal : nullptr;
   }
   return nullptr;
 }

@@ -9,6 +9,7 @@
 
 #include "compare/check/figures.hpp"
 #include "compare/summary.hpp"
+#include "compare/summary_view.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::compare {
@@ -96,22 +97,6 @@ void plan_all(Baseline& baseline, int threads) {
   }
 }
 
-using CaseAndSolution = std::pair<std::string, std::string>;
-
-void require_same_run(const SavedRun& run) {
-  std::set<CaseAndSolution> with_density, with_curves;
-  for (const Json& one : run.summary.at("cases")) {
-    for (const Json& solution : one.at("solutions")) {
-      if (!solution.at("mass").is_null()) with_density.emplace(one.at("name"), solution.at("id"));
-    }
-  }
-  for (const auto& curve : run.marginals) with_curves.emplace(curve.case_name, curve.solution);
-  if (with_density != with_curves) {
-    throw InputError(
-        fmt::format("{} beside it is of another run (run again, or take it away)", kMarginalsFile));
-  }
-}
-
 }  // namespace
 
 Baseline load_baseline(const fs::path& place, int threads) {
@@ -127,13 +112,16 @@ Baseline load_baseline(const fs::path& place, int threads) {
         "There is no {} beside the baseline: the curves are not compared.", kMarginalsFile));
   }
   try {
-    if (baseline.has_marginals) require_same_run(baseline.run);
+    if (baseline.has_marginals && !marginals_belong(baseline.run)) {
+      throw InputError(fmt::format("{} beside it is of another run (run again, or take it away)",
+                                   kMarginalsFile));
+    }
     plan_all(baseline, threads);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const Json::exception& error) {
     throw InputError(
-        fmt::format("{} is not a whole summary ({}; run again)", file.string(), error.what()));
+        fmt::format("{} is not a whole summary ({}; run again)", file.string(), said_by(error)));
   }
   if (std::ranges::all_of(baseline.cases, [](const auto& one) { return one.methods.empty(); })) {
     throw InputError(fmt::format("{} has no solution that can be solved again", file.string()));

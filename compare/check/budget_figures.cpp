@@ -33,7 +33,7 @@ const Json* find_row(const Json& summary_case, const Json& row) {
 }
 
 std::string row_name(const Json& row) {
-  return row.at("variable") == "ydot" ? "budget p(y')" : "budget p(y)";
+  return fmt::format("budget {}", density_name(row.at("variable").get<std::string>()));
 }
 
 // The chain of models in words.

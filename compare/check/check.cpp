@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "compare/check/figures.hpp"
+#include "compare/summary_view.hpp"
 #include "problem/input_error.hpp"
 
 namespace fpkcheck::compare {
@@ -52,7 +53,7 @@ Check check(const SavedRun& baseline, const SavedRun& now, const Tolerances& tol
   return result;
 } catch (const Json::exception& error) {
   throw InputError(
-      fmt::format("the baseline is not a whole summary ({}; run again)", error.what()));
+      fmt::format("the baseline is not a whole summary ({}; run again)", said_by(error)));
 }
 
 }  // namespace fpkcheck::compare

@@ -42,10 +42,6 @@ constexpr std::array<std::string_view, 4> kFaintDensities{"min_density", "wall_d
 // Of closures whose quadrature depends on the path of the search: where nothing holds the density.
 constexpr std::array<std::string_view, 2> kPathDependent{"edge_density", "cut_off"};
 
-constexpr double kNormal95 = 1.96;  // half-width of a 95 % interval in standard errors
-// A rate that both runs know to worse than that is a handful of events and is left out.
-constexpr double kWidestInterval = 0.5;
-
 template <std::size_t N>
 bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();

@@ -24,8 +24,8 @@ const Json* find_pair(const Json& summary_case, const Json& pair) {
   return nullptr;
 }
 
-std::string density_name(const Json& pair) {
-  return pair.at("variable") == "ydot" ? "p(y')" : "p(y)";
+const char* density_of(const Json& pair) {
+  return density_name(pair.at("variable").get<std::string>());
 }
 
 class PairFigures {
@@ -76,7 +76,7 @@ class PairFigures {
   }
 
   void add(const char* key, const char* symbol, FigureKind kind, double scale, double allowed) {
-    push(fmt::format("{} {} to {}", symbol, density_name(pair_), pair_.at("b").get<std::string>()),
+    push(fmt::format("{} {} to {}", symbol, density_of(pair_), pair_.at("b").get<std::string>()),
          kind, pair_.at(key), again_.at(key), scale, allowed);
   }
 
@@ -87,12 +87,12 @@ class PairFigures {
       const auto decades = [](const Json& tail) { return fmt::format("{} decades", tail.size()); };
       figures_.push_back(
           {baseline_.summary.at("name").get<std::string>(), pair_.at("a").get<std::string>(),
-           fmt::format("tail {} to {}", density_name(pair_), pair_.at("b").get<std::string>()),
+           fmt::format("tail {} to {}", density_of(pair_), pair_.at("b").get<std::string>()),
            FigureKind::tail, decades(was), decades(is), kInfinity, tolerances_.tail()});
       return;
     }
     for (std::size_t k = 0; k < was.size(); ++k) {
-      push(fmt::format("tail {:.0e} {} to {}", was[k].at("from").get<double>(), density_name(pair_),
+      push(fmt::format("tail {:.0e} {} to {}", was[k].at("from").get<double>(), density_of(pair_),
                        pair_.at("b").get<std::string>()),
            FigureKind::tail, was[k].at("mean_abs"), is[k].at("mean_abs"), 1, tolerances_.tail());
       add_bins(was[k], is[k]);
@@ -105,8 +105,8 @@ class PairFigures {
       const double a = was.at(key).get<double>(), b = is.at(key).get<double>();
       constexpr double kSame = 1e-9;
       if (std::abs(b - a) <= kSame * std::abs(a)) continue;
-      push(fmt::format("tail {:.0e} {} to {}: {}", was.at("from").get<double>(),
-                       density_name(pair_), pair_.at("b").get<std::string>(), key),
+      push(fmt::format("tail {:.0e} {} to {}: {}", was.at("from").get<double>(), density_of(pair_),
+                       pair_.at("b").get<std::string>(), key),
            FigureKind::tail, was.at(key), is.at(key), 0, tolerances_.tail());
     }
   }
@@ -150,7 +150,7 @@ std::vector<Figure> distance_figures(const CaseOfRun& baseline, const CaseOfRun&
   const auto missing = [&](const Json& pair, const char* was, const char* is) {
     figures.push_back({baseline.summary.at("name").get<std::string>(),
                        pair.at("a").get<std::string>(),
-                       fmt::format("{} to {}", density_name(pair), pair.at("b").get<std::string>()),
+                       fmt::format("{} to {}", density_of(pair), pair.at("b").get<std::string>()),
                        FigureKind::distance, was, is, kInfinity, tolerances.deterministic});
   };
   for (const Json& pair : baseline.summary.at("comparisons")) {

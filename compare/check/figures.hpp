@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/check/figure.hpp"
@@ -21,6 +22,16 @@ struct CaseOfRun {
   /// The curve of a solution of this case, or null.
   const MarginalCurve* curve(const std::string& solution, const std::string& variable) const;
 };
+
+inline constexpr double kNormal95 = 1.96;  ///< half-width of a 95 % interval in standard errors
+/// What is known to worse than this share of itself is a handful of events, and not judged alone.
+inline constexpr double kWidestInterval = 0.5;
+
+/// "p(y)" or "p(y')".
+/// @param variable as in summary.json and marginals.csv
+inline const char* density_name(std::string_view variable) {
+  return variable == "ydot" ? "p(y')" : "p(y)";
+}
 
 /// True for a solution that chance enters.
 bool is_simulation(const nlohmann::ordered_json& solution);

@@ -12,13 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNormal95 = 1.96;  // half-width of a 95 % interval in standard errors
-// As in the tails of Distances: a bin that is known to worse than that is left to L1.
-constexpr double kWidestInterval = 0.5;
-
-std::string density_name(const MarginalCurve& curve) {
-  return curve.variable == "ydot" ? "p(y')" : "p(y)";
-}
 
 // The same bins up to rounding.
 bool on_the_same_bins(const MarginalCurve& one, const MarginalCurve& other) {
@@ -34,7 +27,7 @@ Figure figure(const MarginalCurve& curve, const std::string& name, FigureKind ki
 }
 
 std::string name_at(const MarginalCurve& curve, std::size_t bin) {
-  return fmt::format("{} at {:.4g}", density_name(curve), curve.abscissa[bin]);
+  return fmt::format("{} at {:.4g}", density_name(curve.variable), curve.abscissa[bin]);
 }
 
 Figure largest_change(const MarginalCurve& was, const MarginalCurve& is,
@@ -59,6 +52,7 @@ double standard_error(const MarginalCurve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / kNormal95;
 }
 
+// A bin that is known to worse is left to L1.
 bool is_known(const MarginalCurve& curve, std::size_t k) {
   return curve.density[k] > 0 &&
          curve.upper[k] - curve.density[k] <= kWidestInterval * curve.density[k];
@@ -66,7 +60,7 @@ bool is_known(const MarginalCurve& curve, std::size_t k) {
 
 Figure largest_change_in_standard_errors(const MarginalCurve& was, const MarginalCurve& is,
                                          const Tolerances& tolerances) {
-  Figure result = figure(was, density_name(was), FigureKind::simulated_bin);
+  Figure result = figure(was, density_name(was.variable), FigureKind::simulated_bin);
   std::size_t known = 0;
   for (std::size_t k = 0; k < was.density.size(); ++k) {
     if (!is_known(was, k) || !is_known(is, k)) continue;
@@ -85,7 +79,8 @@ Figure largest_change_in_standard_errors(const MarginalCurve& was, const Margina
 }
 
 Figure l1(const MarginalCurve& was, const MarginalCurve& is, double allowed) {
-  Figure result = figure(was, "L1 " + density_name(was) + " to baseline", FigureKind::simulated_l1);
+  Figure result = figure(was, fmt::format("L1 {} to baseline", density_name(was.variable)),
+                         FigureKind::simulated_l1);
   const double width = was.abscissa.size() > 1 ? was.abscissa[1] - was.abscissa[0] : 0;  // uniform
   for (std::size_t k = 0; k < was.density.size(); ++k) {
     result.change += std::abs(is.density[k] - was.density[k]) * width;
@@ -98,7 +93,7 @@ Figure l1(const MarginalCurve& was, const MarginalCurve& is, double allowed) {
 
 Figure cannot_be_compared(const MarginalCurve& curve, const std::string& was,
                           const std::string& is) {
-  Figure result = figure(curve, density_name(curve), FigureKind::marginal);
+  Figure result = figure(curve, density_name(curve.variable), FigureKind::marginal);
   result.baseline = was;
   result.now = is;
   result.change = kInfinity;

@@ -6,15 +6,12 @@
 #include <stdexcept>
 
 #include "transform/solution.hpp"
+#include "uniform_edges.hpp"
 
 namespace fpkcheck::transform {
 namespace {
 
-std::vector<double> uniform_edges(double a, double b, int n) {
-  std::vector<double> edges;
-  for (int k = 0; k <= n; ++k) edges.push_back(a + (b - a) * k / n);
-  return edges;
-}
+using tests::uniform_edges;
 
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 

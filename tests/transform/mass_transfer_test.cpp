@@ -6,15 +6,12 @@
 #include <numeric>
 
 #include "transform/density.hpp"
+#include "uniform_edges.hpp"
 
 namespace fpkcheck::transform {
 namespace {
 
-std::vector<double> uniform_edges(double a, double b, int n) {
-  std::vector<double> edges;
-  for (int k = 0; k <= n; ++k) edges.push_back(a + (b - a) * k / n);
-  return edges;
-}
+using tests::uniform_edges;
 
 // Exact averages of p(y) p(v), given by their cumulatives.
 using Cumulative = double (*)(double);

@@ -10,6 +10,7 @@
 
 #include "problem/input_error.hpp"
 #include "saved_run.hpp"
+#include "uniform_edges.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -34,11 +35,7 @@ std::string refusal(const std::string& text) {
 double bell(double v) { return std::exp(-v * v / 2) / std::sqrt(2 * M_PI); }
 double bell_below(double v) { return 0.5 * std::erfc(-v / std::sqrt(2.0)); }
 
-std::vector<double> uniform_edges(double a, double b, int n) {
-  std::vector<double> edges;
-  for (int k = 0; k <= n; ++k) edges.push_back(a + (b - a) * k / n);
-  return edges;
-}
+using tests::uniform_edges;
 
 // L1 to the normal density (or twice it, on y >= 0).
 double l1_to_bell(const transform::Marginal& m, double factor = 1) {
