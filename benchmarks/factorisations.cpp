@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "fd_fpk/klu.hpp"
-#include "fd_fpk/null_vector.hpp"
+#include "fd_fpk/linear/klu.hpp"
+#include "fd_fpk/linear/null_vector.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "setting.hpp"
 

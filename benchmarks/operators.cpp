@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "fd_fpk/jump_matrix.hpp"
+#include "fd_fpk/line/jump_matrix.hpp"
 #include "setting.hpp"
 
 namespace fpkcheck::benchmarks {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "fd_fpk/direct_solution.hpp"
-#include "fd_fpk/observables.hpp"
-#include "fd_fpk/preconditioner.hpp"
+#include "fd_fpk/linear/preconditioner.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/stationary/direct_solution.hpp"
 #include "problem/case_file.hpp"
 
 /// What the benchmarks share: the paper's cases on grids of a given size.

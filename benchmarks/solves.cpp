@@ -13,7 +13,7 @@ void solve_case(benchmark::State& state, Stepper stepper) {
   const auto problem = paper_case(state.range(0));
   Summary last;
   for (auto _ : state) {
-    const Result result = solve(problem, {.stepper = stepper});
+    const Result result = fd_fpk::solve(problem, {.stepper = stepper});
     if (result.solution.status != transform::Status::ok) {
       state.SkipWithError(result.solution.reason.c_str());
       break;

@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "mcs/advance.hpp"
-#include "mcs/flight.hpp"
+#include "mcs/motion/advance.hpp"
+#include "mcs/motion/flight.hpp"
 #include "problem/case_file.hpp"
 
 // Trajectories of the paper's cases per second: the simulation against a plain loop of the
@@ -28,7 +28,7 @@ constexpr int kStreams = 8;    // of a thread
 using mcs::State;
 
 State slope(const problem::System& s, const State& x) {
-  return {x.v, -(s.damping() * x.v + s.restoring_force(x.y))};
+  return {x.v, -(s.damping() * x.v + s.force()(x.y))};
 }
 
 State runge_kutta(const problem::System& s, const State& x, double h) {
@@ -89,7 +89,7 @@ struct Lanes {
 Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
                  const mcs::LaneSet& lanes, bool records) {
   const mcs::BinFinder y(even(0, 5)), v(even(-5, 5));
-  const mcs::Motion motion{.system = problem.system,
+  const mcs::Motion motion{.oscillator = mcs::Oscillator(problem.system),
                            .step = kStep,
                            .sampling_interval = 0.23,  // 25 samples a period
                            .y_bins = &y,
@@ -158,6 +158,7 @@ std::pair<double, double> error_per_time(const problem::System& system, const St
                                          const Advance& advance) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
+  const mcs::Oscillator oscillator(system);
   double squares = 0, largest = 0;
   constexpr int kStates = 20000;
   for (int n = 0; n < kStates; ++n) {
@@ -165,9 +166,8 @@ std::pair<double, double> error_per_time(const problem::System& system, const St
     const auto [end, time] = advance(start);
     State exact = start;
     constexpr int kParts = 64;
-    for (int p = 0; p < kParts; ++p) exact = mcs::Flight(system, exact).at(time / kParts);
-    const double energy = start.v * start.v / 2 + system.stiffness() * start.y * start.y / 2 +
-                          system.cubic() * std::pow(start.y, 4) / 4;
+    for (int p = 0; p < kParts; ++p) exact = mcs::Flight(oscillator, exact).at(time / kParts);
+    const double energy = start.v * start.v / 2 + system.potential()(start.y);
     const double error =
         std::hypot(end.y - exact.y, end.v - exact.v) / std::sqrt(2 * energy) / time;
     squares += error * error;
@@ -181,8 +181,9 @@ void errors(const char* name, const problem::System& system, const State& deviat
     return std::pair{runge_kutta(system, x, kRungeKuttaStep), kRungeKuttaStep};
   });
   // Of the longest flights; impulses and impacts cut most of them short.
+  const mcs::Oscillator oscillator(system);
   const auto [rms_lanes, largest_lanes] = error_per_time(system, deviation, [&](const State& x) {
-    const mcs::Flight flight(system, x);
+    const mcs::Flight flight(oscillator, x);
     const double time = flight.reach(kStep);
     return std::pair{flight.at(time), time};
   });

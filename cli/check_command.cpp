@@ -2,23 +2,22 @@
 
 #include <chrono>
 #include <cstdio>
-#include <sstream>
 
+#include "check/baseline.hpp"
+#include "check/check.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
-#include "compare/check/baseline.hpp"
-#include "compare/check/check.hpp"
-#include "compare/run_directory.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
+#include "results/saved_run.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck check BASELINE.json [options]
+constexpr const char* kCheckUsage = R"(usage: fpkcheck check BASELINE.json [options]
 
 Solves again what a summary.json describes and compares: statuses, moments, mass, balance of power,
 coefficients of closures, distances, and the curves of the marginals.csv beside it. Any run's
@@ -36,7 +35,7 @@ examples:
 
 struct CheckArguments {
   CommonArguments common;
-  compare::Tolerances tolerances;
+  check::Tolerances tolerances;
   int threads = 0;
 };
 
@@ -67,48 +66,48 @@ boost::program_options::options_description options_of(CheckArguments& arguments
   return options;
 }
 
-void write(const std::filesystem::path& directory, const compare::SavedRun& run,
-           const nlohmann::ordered_json& json) {
-  std::ostringstream csv;
-  compare::write_marginals_csv(csv, run.marginals);
-  compare::PendingFiles files;
-  files.add(directory / "marginals.csv", csv.str());
-  files.add(directory / "summary.json", compare::json_text(run.summary) + '\n');
-  files.add(directory / "check.json", compare::json_text(json) + '\n');
+void write(const std::filesystem::path& directory, const results::Run& run,
+           const std::string& json) {
+  results::PendingFiles files;
+  results::add_summary_and_curves(files, directory, run);
+  files.add(directory / "check.json", json + '\n');
   files.commit();
 }
 
 }  // namespace
 
-int check_command(const std::vector<std::string>& arguments, const std::string& command_line) {
+int check_command(const Call& call) {
   const auto begin = std::chrono::steady_clock::now();
   CheckArguments given;
   std::vector<std::string> places;
-  if (!parse(arguments, kUsage, options_of(given), places)) return kDone;
+  if (!parse(call.arguments, kCheckUsage, options_of(given), places)) return kDone;
   const auto& [common, tolerances, threads] = given;
   if (places.size() != 1) {
     throw InputError("check takes one baseline (the summary.json of a run, or its directory)");
   }
-  compare::validate(tolerances);
+  check::validate(tolerances);
   if (threads < 0) throw InputError(fmt::format("--threads {} (must not be negative)", threads));
-  const auto baseline = compare::load_baseline(places.front(), threads);
-  compare::MadeDirectories made;
-  if (common.out) made = compare::make_writable(*common.out);
+  using parameters::Value;
+  const auto baseline =
+      check::load_baseline(places.front(), call.registry,
+                           {{"threads", threads > 0 ? Value(std::int64_t{threads}) : Value()}});
+  results::MadeDirectories made;
+  if (common.out) made = results::make_writable(*common.out);
 
   const InterruptionGuard guard;
   ProgressLine progress(common.quiet);
-  const auto run = compare::run_again(baseline, command_line, threads,
-                                      [&](const compare::RunProgress& at) { progress.show(at); });
+  const auto run = check::run_again(baseline, call.command_line, threads,
+                                    [&](const methods::RunProgress& at) { progress.show(at); });
   throw_if_interrupted();
   progress.clear();
 
-  auto check = compare::check(baseline.run, run, tolerances, baseline.has_marginals);
-  check.notes = baseline.notes;
-  const auto json = compare::check_json(check, command_line, places.front());
+  auto result = check::check(baseline.run, run, tolerances, baseline.has_marginals);
+  result.notes = baseline.notes;
+  const auto json = check::check_json(result, call.command_line, places.front());
   if (common.json) {
-    fmt::print("{}\n", compare::json_text(json));
+    fmt::print("{}\n", json);
   } else if (!common.quiet) {
-    fmt::print("{}", compare::check_table(check, terminal_format()));
+    fmt::print("{}", check::check_table(result, terminal_format()));
     std::fflush(stdout);
   }
   if (common.out) write(*common.out, run, json);
@@ -121,7 +120,7 @@ int check_command(const std::vector<std::string>& arguments, const std::string& 
             : "Done in ",
         elapsed.count());
   }
-  return check.agrees() ? kDone : kNotReached;
+  return result.agrees() ? kDone : kNotReached;
 }
 
 }  // namespace fpkcheck::cli

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <set>
 
-#include "compare/figure/pictures.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/case_file.hpp"
-#include "problem/input_error.hpp"
+#include "results/directory.hpp"
 
 namespace fpkcheck::cli {
 
@@ -64,7 +64,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice (name it once)", name));
     }
-    if (!names.insert(compare::picture_stem(problems.back().name)).second) {
+    if (!names.insert(results::file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
           "two cases are called '{}' or alike (results are filed by that name: rename one)",
           problems.back().name));

@@ -3,15 +3,17 @@
 namespace fpkcheck::cli {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t noted = 0;
+OnInterruption what_to_do = OnInterruption::give_up;
 
 // All that is allowed in a handler.
-extern "C" void note_first_interruption(int) { interrupted = 1; }
+extern "C" void note_first_interruption(int) { noted = 1; }
 
 }  // namespace
 
-InterruptionGuard::InterruptionGuard() {
-  interrupted = 0;
+InterruptionGuard::InterruptionGuard(OnInterruption what) {
+  noted = 0;
+  what_to_do = what;
   sigaction(SIGINT, nullptr, &before_);
   if (before_.sa_handler != SIG_DFL) return;
   struct sigaction action = {};
@@ -25,8 +27,10 @@ InterruptionGuard::~InterruptionGuard() {
   if (active_) sigaction(SIGINT, &before_, nullptr);
 }
 
+bool interrupted() { return noted != 0; }
+
 void throw_if_interrupted() {
-  if (interrupted != 0) throw Interrupted();
+  if (interrupted() && what_to_do == OnInterruption::give_up) throw Interrupted();
 }
 
 }  // namespace fpkcheck::cli

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <sstream>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::cli {
 

@@ -1,17 +1,20 @@
 #include "cli/program.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
-#include "compare/summary.hpp"
-#include "problem/input_error.hpp"
+#include "methods/builtin.hpp"
+#include "parameters/input_error.hpp"
+#include "results/run.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -19,25 +22,42 @@ namespace {
 using Arguments = std::vector<std::string>;
 
 struct Command {
-  const char* name;
-  const char* summary;
-  int (*run)(const Arguments&, const std::string& command_line);
+  std::string name;
+  std::string summary;
+  std::function<int(const Call&)> run;
 };
 
-constexpr Command kCommands[] = {
-    {"run", "all methods on all cases, compared: tables, report.html, pictures", run_command},
-    {"epc", "exponential-polynomial closure, the paper's equations (17)-(26)", epc_command},
-    {"fd", "finite differences for the (generalised) Fokker-Planck-Kolmogorov equation",
-     fd_command},
-    {"mcs", "Monte Carlo simulation of the impact system itself", mcs_command},
-    {"study", "what order, step and regularisation do: convergence, cost, growth", study_command},
-    {"reference", "reference values, agreed on by two discretisations and a simulation",
-     reference_command},
-    {"check", "a saved run again, compared with what it was: the regression test", check_command},
-    {"report", "table, report.html and pictures again from a saved run", report_command},
-};
+// A solver's command is its own where it can do more than solve.
+Command command_of(const methods::Solver& solver) {
+  const auto run = solver.name == "fd"    ? fd_command
+                   : solver.name == "mcs" ? mcs_command
+                                          : solver_command;
+  return {solver.name, solver.summary,
+          [&solver, run](const Call& call) { return run(call, solver); }};
+}
 
-void print_overview() {
+std::vector<Command> commands(const methods::Registry& registry) {
+  std::vector<Command> all{
+      {"run", "all methods on all cases, compared: tables, report.html, pictures", run_command}};
+  for (const auto& solver : registry.solvers()) all.push_back(command_of(solver));
+  all.push_back({"study", "what order, step and regularisation do: convergence, cost, growth",
+                 study_command});
+  all.push_back({"reference", "reference values, agreed on by two discretisations and a simulation",
+                 reference_command});
+  all.push_back({"check", "a saved run again, compared with what it was: the regression test",
+                 check_command});
+  all.push_back(
+      {"report", "table, report.html and pictures again from a saved run", report_command});
+  return all;
+}
+
+std::string names_of(const std::vector<Command>& all) {
+  std::vector<std::string> names;
+  for (const auto& command : all) names.push_back(command.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void print_overview(const std::vector<Command>& all) {
   fmt::print(
       R"(fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson impulses,
            by independent methods that are compared with one another
@@ -48,7 +68,7 @@ usage: fpkcheck COMMAND [CASE ...] [options]
 
 commands:
 )");
-  for (const auto& command : kCommands) fmt::print("  {:<9} {}\n", command.name, command.summary);
+  for (const auto& command : all) fmt::print("  {:<9} {}\n", command.name, command.summary);
   fmt::print(R"(
 A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
 `fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.
@@ -57,36 +77,38 @@ Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
 )");
 }
 
-int dispatch(const Arguments& arguments) {
-  if (arguments.empty())
-    throw InputError(
-        "no command (use run, epc, fd, mcs, study, reference, check or report; --help explains)");
+int dispatch(const Arguments& arguments, const methods::Registry& registry) {
+  const auto all = commands(registry);
+  if (arguments.empty()) {
+    throw InputError(fmt::format("no command (use one of {}; --help explains)", names_of(all)));
+  }
   const std::string& name = arguments.front();
   if (name == "--help" || name == "-h" || name == "help") {
-    print_overview();
+    print_overview(all);
     return kDone;
   }
   if (name == "--version") {
-    fmt::print("fpkcheck {}\n", compare::program_version());
+    const auto program = results::this_program("");
+    fmt::print("{} {}\n", program.name, program.version);
     return kDone;
   }
-  const auto* const command =
-      std::ranges::find_if(kCommands, [&](const Command& c) { return name == c.name; });
-  if (command == std::end(kCommands)) {
-    throw InputError(fmt::format(
-        "'{}' is no command (use run, epc, fd, mcs, study, reference, check or report; --help explains)",
-        name));
+  const auto command = std::ranges::find(all, name, &Command::name);
+  if (command == all.end()) {
+    throw InputError(
+        fmt::format("'{}' is no command (use one of {}; --help explains)", name, names_of(all)));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;
-  return command->run(Arguments(arguments.begin() + 1, arguments.end()), command_line);
+  return command->run({{arguments.begin() + 1, arguments.end()}, command_line, registry});
 }
 
 }  // namespace
 
-int run_program(const Arguments& arguments) {
+int run_program(const Arguments& arguments) { return run_program(arguments, methods::builtin()); }
+
+int run_program(const Arguments& arguments, const methods::Registry& registry) {
   try {
-    const int exit_code = dispatch(arguments);
+    const int exit_code = dispatch(arguments, registry);
     // A full disk or a closed pipe shows only when the buffers go out.
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

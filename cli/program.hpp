@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "methods/registry.hpp"
+
 namespace fpkcheck::cli {
 
 /// Exit codes of every command.
@@ -17,5 +19,7 @@ enum ExitCode {
 /// output, messages and progress to standard error.
 /// @return an ExitCode
 int run_program(const std::vector<std::string>& arguments);
+/// With other methods than the built-in ones.
+int run_program(const std::vector<std::string>& arguments, const methods::Registry& registry);
 
 }  // namespace fpkcheck::cli

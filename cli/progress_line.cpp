@@ -31,7 +31,7 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const compare::RunProgress& progress, double seconds,
+std::string progress_text(const methods::RunProgress& progress, double seconds,
                           double method_seconds) {
   constexpr double kEnoughToTell = 0.02;
   const double fraction = progress.fraction;
@@ -49,7 +49,7 @@ ProgressLine::ProgressLine(bool silent)
 
 ProgressLine::~ProgressLine() { clear(); }
 
-void ProgressLine::show(const compare::RunProgress& progress) {
+void ProgressLine::show(const methods::RunProgress& progress) {
   throw_if_interrupted();
   if (!active_) return;
   const auto now = std::chrono::steady_clock::now();

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "compare/run_cases.hpp"
+#include "methods/run_cases.hpp"
 
 namespace fpkcheck::cli {
 
@@ -13,7 +13,7 @@ namespace fpkcheck::cli {
 /// with its share done and, once that can be told, the time it has left.
 /// @param seconds since the run began
 /// @param method_seconds since this method began on this case
-std::string progress_text(const compare::RunProgress& progress, double seconds,
+std::string progress_text(const methods::RunProgress& progress, double seconds,
                           double method_seconds);
 
 /// One line on standard error that is rewritten as a run proceeds; silent when standard error is
@@ -26,7 +26,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// @throws Interrupted (interruption.hpp), silent or not
-  void show(const compare::RunProgress& progress);
+  void show(const methods::RunProgress& progress);
   /// Erases the line, so that results begin on a clean one.
   void clear();
 

@@ -7,14 +7,14 @@
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
-#include "compare/reference/reference.hpp"
-#include "compare/run_directory.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
+#include "results/directory.hpp"
+#include "study/reference/reference.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck reference [CASE ...] [options]
+constexpr const char* kReferenceUsage = R"(usage: fpkcheck reference [CASE ...] [options]
 
 Reference values of the full jump equation with the exact impact: moments to seven digits and
 p(y), p(y') at twenty points to five, as far as two discretisations of different order agree, beside
@@ -31,36 +31,39 @@ void require_plain(const CommonArguments& common) {
 
 }  // namespace
 
-int reference_command(const std::vector<std::string>& arguments, const std::string& command_line) {
+int reference_command(const Call& call) {
   namespace po = boost::program_options;
   CommonArguments common;
-  compare::ReferenceOptions options;
+  study::ReferenceOptions options;
   po::options_description own;
-  own.add_options()("time",
-                    po::value(&options.simulation_time)->value_name("T")->default_value(0, "auto"),
-                    "simulated time")(
+  own.add_options()("time", po::value<double>()->value_name("T")->notifier([&](double time) {
+    options.simulation_time = time;
+  }),
+                    "simulated time (default: 1e7 decay times)")(
       "seed", po::value(&options.seed)->value_name("S")->default_value(options.seed),
       "of the simulation");
-  if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return kDone;
+  if (!parse(call.arguments, kReferenceUsage, with_common_options(own, common), common.cases))
+    return kDone;
   require_plain(common);
   if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
   const auto problems = load_cases(common);
-  if (!(options.simulation_time >= 0)) {
-    throw InputError(fmt::format("--time {} (must be a positive number)", options.simulation_time));
+  if (options.simulation_time && !(*options.simulation_time > 0)) {
+    throw InputError(
+        fmt::format("--time {} (must be a positive number)", *options.simulation_time));
   }
-  compare::MadeDirectories made;
-  if (common.out) made = compare::make_writable(*common.out);
-  std::vector<compare::Reference> references;
+  results::MadeDirectories made;
+  if (common.out) made = results::make_writable(*common.out);
+  std::vector<study::Reference> references;
   for (const auto& problem : problems) {
     if (!common.quiet) fmt::print(stderr, "reference of {} ...\n", problem.name);
-    references.push_back(compare::reference(problem, options));
+    references.push_back(study::reference(problem, options));
   }
-  const std::string text = compare::reference_markdown(references, command_line);
+  const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
     const std::filesystem::path directory(*common.out);
-    compare::PendingFiles files;
+    results::PendingFiles files;
     files.add(directory / "reference.md", text);
-    files.add(directory / "reference.csv", compare::reference_csv(references));
+    files.add(directory / "reference.csv", study::reference_csv(references));
     files.commit();
     if (!common.quiet) fmt::print("Wrote reference.md and reference.csv to {}.\n", *common.out);
   } else {

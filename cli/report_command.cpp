@@ -6,30 +6,33 @@
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "compare/report.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
+#include "report/report.hpp"
+#include "results/saved_run.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck report DIR [options]
+constexpr const char* kReportUsage = R"(usage: fpkcheck report DIR [options]
 
 Prints the table of a saved run, and makes its report.html and pictures again. Solves nothing.
 )";
 
 }  // namespace
 
-int report_command(const std::vector<std::string>& arguments, const std::string&) {
+int report_command(const Call& call) {
   namespace po = boost::program_options;
   std::vector<std::string> directories;
   po::options_description options("options", 96);
   bool quiet = false;
   options.add_options()("quiet,q", po::bool_switch(&quiet), "no table")("help,h", "this text");
-  if (!parse(arguments, kUsage, options, directories)) return kDone;
+  if (!parse(call.arguments, kReportUsage, options, directories)) return kDone;
   if (directories.size() != 1) {
     throw InputError("report takes one directory (that of a saved run, e.g. fpkcheck-out)");
   }
-  const auto [table, warnings] = compare::report_again(directories.front(), terminal_format());
+  results::Run run = results::load_run(directories.front());
+  call.registry.introduce(run);
+  const auto [table, warnings] = report::report_again(directories.front(), run, terminal_format());
   if (!quiet) fmt::print("{}", table);
   for (const auto& warning : warnings) fmt::print(stderr, "fpkcheck: {}\n", warning);
   return kDone;

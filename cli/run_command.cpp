@@ -5,16 +5,17 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/simulation_options.hpp"
+#include "cli/parameter_options.hpp"
+#include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "compare/foreign/foreign_methods.hpp"
-#include "problem/input_error.hpp"
+#include "methods/given/given_methods.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck run [CASE ...] [options]
+constexpr const char* kRunUsage = R"(usage: fpkcheck run [CASE ...] [options]
 
 Solves each case (default: the paper's four) by all methods, compares the marginal densities
 p(y) and p(y'), splits the error of each closure into its causes (error budget), prints
@@ -38,31 +39,54 @@ examples:
 A FILE of --against has the columns "abscissa density", "abscissa density standard_error" or
 "lower upper density_or_count" of p(y) or p(y'), with a line of names or not (docs/foreign.md).
 )";
-constexpr const char* kAllMethods = "epc,fd,mcs";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
+
+// All solvers of the registry.
+std::string all_methods(const methods::Registry& registry) {
+  std::string list;
+  for (const auto& solver : registry.solvers()) list += solver.name + ',';
+  return list;
+}
+
+// The options that solvers let a run set, and what is given of them.
+boost::program_options::options_description shared_options(const methods::Registry& registry,
+                                                           parameters::Values& given) {
+  boost::program_options::options_description shared;
+  for (const auto& solver : registry.solvers()) {
+    shared.add(options_for(*solver.parameters, solver.set_by_a_run, given));
+  }
+  return shared;
+}
+
+int threads_in(const parameters::Values& given) {
+  for (const auto& [name, value] : given) {
+    if (name == "threads") return static_cast<int>(std::get<std::int64_t>(value));
+  }
+  return 0;
+}
 
 }  // namespace
 
-int run_command(const std::vector<std::string>& arguments, const std::string& command_line) {
+int run_command(const Call& call) {
   namespace po = boost::program_options;
   CommonArguments common;
-  mcs::Options simulation;
+  parameters::Values given;
   std::optional<std::string> list;
   std::vector<std::string> against;
   po::options_description own;
   own.add_options()("methods",
                     po::value<std::string>()->value_name("LIST")->notifier(
                         [&list](const std::string& value) { list = value; }),
-                    "families or ids separated by commas (default: epc,fd,mcs)");
+                    "solvers, families or ids separated by commas (default: all solvers)");
   own.add_options()(
       "against", po::value(&against)->value_name("FILE[:LABEL]")->composing(),
       "compare a marginal density from a file as well; of one case; may be repeated: y and y' of "
       "the same LABEL (default: the file's name) are one solution");
-  own.add(simulation_options(simulation));
-  if (!parse(arguments, kUsage, with_common_options(own, common), common.cases)) return 0;
+  own.add(shared_options(call.registry, given));
+  if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
+    return kDone;
 
-  const bool chosen = list.has_value();
-  auto methods = compare::select_methods(list.value_or(kAllMethods), simulation);
+  auto methods = call.registry.select(list.value_or(all_methods(call.registry)), given);
   if (common.cases.empty()) {
     for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
   }
@@ -72,13 +96,15 @@ int run_command(const std::vector<std::string>& arguments, const std::string& co
                                    common.cases.size()));
     }
     // Before the others: nothing is known of how far they may be trusted.
-    auto foreign = compare::foreign_methods(against);
-    methods.insert(methods.begin(), std::make_move_iterator(foreign.begin()),
-                   std::make_move_iterator(foreign.end()));
+    auto from_files = methods::given_methods(against, call.registry);
+    methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),
+                   std::make_move_iterator(from_files.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
-  return solve_and_report(common, methods, simulation.threads,
-                          chosen ? Required::all : Required::references, command_line);
+  return solve_and_report(
+      common, methods,
+      {.required = list ? Required::all : Required::references, .threads = threads_in(given)},
+      call.command_line);
 }
 
 }  // namespace fpkcheck::cli

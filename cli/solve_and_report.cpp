@@ -13,28 +13,31 @@
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
-#include "compare/report.hpp"
-#include "compare/run_cases.hpp"
-#include "compare/run_directory.hpp"
-#include "compare/table.hpp"
+#include "methods/run_cases.hpp"
+#include "report/report.hpp"
+#include "report/table.hpp"
+#include "results/directory.hpp"
+#include "results/run_json.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-bool reached(const std::vector<compare::CaseReport>& cases, Required required) {
-  return std::ranges::all_of(cases, [&](const compare::CaseReport& report) {
-    return std::ranges::all_of(report.entries, [&](const compare::Entry& entry) {
-      const bool reference =
-          entry.solution.method != "epc" && entry.solution.impact != problem::Impact::delta;
-      const bool needed = required == Required::all || reference;
-      return !needed || entry.solution.status == transform::Status::ok;
+bool is_required(const transform::Identity& identity, Required required) {
+  if (required == Required::all) return true;
+  return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
+}
+
+bool reached(const results::Run& run, Required required) {
+  return std::ranges::all_of(run.cases, [&](const results::Case& one) {
+    return std::ranges::all_of(one.solutions, [&](const transform::Solution& solution) {
+      return solution.is_ok() || !is_required(solution.identity, required);
     });
   });
 }
 
 }  // namespace
 
-compare::TextFormat terminal_format() {
+report::TextFormat terminal_format() {
   constexpr std::size_t kNarrowest = 80, kWidest = 100;
   const auto is = [](const char* variable, auto condition) {
     const char* const value = std::getenv(variable);
@@ -48,45 +51,48 @@ compare::TextFormat terminal_format() {
           isatty(STDOUT_FILENO) == 1 && !plain};
 }
 
-int solve_and_report(const CommonArguments& common, const std::vector<compare::Method>& methods,
-                     int threads, Required required, const std::string& command_line) {
+int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
+                     const SolveControl& control, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
   const auto problems = load_cases(common);
-  compare::MadeDirectories made;
-  if (common.out) made = compare::make_writable(*common.out);
+  results::MadeDirectories made;
+  if (common.out) made = results::make_writable(*common.out);
 
-  const InterruptionGuard guard;
+  const InterruptionGuard guard(control.on_interruption);
   ProgressLine progress(common.quiet);
-  const auto cases = compare::run_cases(problems, methods, threads,
-                                        [&](const compare::RunProgress& at) { progress.show(at); });
+  const results::Run run{
+      results::this_program(command_line),
+      methods::run_cases(problems, methods, control.threads,
+                         [&](const methods::RunProgress& at) { progress.show(at); })};
   throw_if_interrupted();
   progress.clear();
 
-  const auto run = compare::make_run(command_line, cases);
   if (common.json) {
-    fmt::print("{}\n", compare::json_text(run.summary));
+    fmt::print("{}\n", results::summary_text(run));
   } else if (!common.quiet) {
-    fmt::print("{}", compare::table(run.summary, terminal_format()));
+    fmt::print("{}", report::table(run, terminal_format()));
     std::fflush(stdout);
   }
   bool all_drawn = true;
   if (common.out) {
-    for (const auto& warning : compare::write_report(*common.out, run)) {
+    for (const auto& warning : report::write_report(*common.out, run)) {
       fmt::print(stderr, "fpkcheck: {}\n", warning);
       all_drawn = false;
     }
   }
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    const bool any_joint = std::ranges::any_of(
+        run.cases, [](const results::Case& one) { return !one.joints.empty(); });
     fmt::print("\n{}{:.1f} s.\n",
                common.out ? fmt::format(
                                 "Wrote report.html, summary.json, marginals.csv{} and {} to {} in ",
-                                run.joints.empty() ? "" : ", joint.nc",
+                                any_joint ? ", joint.nc" : "",
                                 all_drawn ? "figures/" : "what could be drawn", *common.out)
                           : "Done in ",
                elapsed.count());
   }
-  return reached(cases, required) ? kDone : kNotReached;
+  return reached(run, control.required) ? kDone : kNotReached;
 }
 
 }  // namespace fpkcheck::cli

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
-#include "compare/methods.hpp"
-#include "compare/text/format.hpp"
+#include "cli/interruption.hpp"
+#include "methods/method.hpp"
+#include "report/text/format.hpp"
 
 namespace fpkcheck::cli {
 
@@ -16,14 +17,20 @@ enum class Required {
               ///< impact carry is the question
 };
 
+struct SolveControl {
+  Required required = Required::all;
+  int threads = 0;  ///< for methods side by side; 0 for one per processor
+  OnInterruption on_interruption = OnInterruption::give_up;
+};
+
 /// Solves the cases by the methods, prints the table (or the JSON), and writes the report when a
 /// directory was given. The directory is prepared before anything is solved.
 /// @return an ExitCode
-int solve_and_report(const CommonArguments& common, const std::vector<compare::Method>& methods,
-                     int threads, Required required, const std::string& command_line);
+int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
+                     const SolveControl& control, const std::string& command_line);
 
 /// The terminal's width within 80 .. 100 characters, 100 when standard output is none; in colour on
 /// a terminal, unless NO_COLOR is set (to anything but nothing) or TERM is "dumb".
-compare::TextFormat terminal_format();
+report::TextFormat terminal_format();
 
 }  // namespace fpkcheck::cli

@@ -5,12 +5,12 @@
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/studies.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck study SUBJECT CASE [options]
+constexpr const char* kStudyUsage = R"(usage: fpkcheck study SUBJECT CASE [options]
 
 subjects (fpkcheck study SUBJECT --help explains each):
   grid            finite differences over the grid: observed orders, limits, and the error of all
@@ -24,9 +24,10 @@ bool asks_for_help(const std::string& argument) { return argument == "--help" ||
 
 }  // namespace
 
-int study_command(const std::vector<std::string>& arguments, const std::string& command_line) {
+int study_command(const Call& call) {
+  const auto& arguments = call.arguments;
   if (!arguments.empty() && asks_for_help(arguments.front())) {
-    fmt::print("{}", kUsage);
+    fmt::print("{}", kStudyUsage);
     return kDone;
   }
   const auto subject =
@@ -35,10 +36,10 @@ int study_command(const std::vector<std::string>& arguments, const std::string& 
     throw InputError(
         fmt::format("study of what? (the subject comes first: {}; --help explains)", kSubjects));
   }
-  const std::vector<std::string> rest(subject + 1, arguments.end());
-  if (*subject == "grid") return study_grid(rest, command_line);
-  if (*subject == "order") return study_order(rest, command_line);
-  if (*subject == "regularisation") return study_regularisation(rest, command_line);
+  const Call rest{{subject + 1, arguments.end()}, call.command_line, call.registry};
+  if (*subject == "grid") return study_grid(rest);
+  if (*subject == "order") return study_order(rest);
+  if (*subject == "regularisation") return study_regularisation(rest);
   throw InputError(
       fmt::format("'{}' is no subject of a study (use {}; --help explains)", *subject, kSubjects));
 }

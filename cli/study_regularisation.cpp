@@ -7,15 +7,12 @@
 #include "cli/put_study.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
-#include "compare/report.hpp"
-#include "compare/run_directory.hpp"
-#include "compare/study/regularisation.hpp"
-#include "problem/input_error.hpp"
+#include "study/regularisation.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kUsage = R"(usage: fpkcheck study regularisation CASE [options]
+constexpr const char* kRegularisationUsage = R"(usage: fpkcheck study regularisation CASE [options]
 
 What becomes of the series cut after the fourth derivative on finer and finer velocity steps h:
   literal      fourth difference over the step, l = h: ill-posed, the worse the finer
@@ -33,52 +30,25 @@ examples:
   fpkcheck study regularisation mine.ini --set system.restitution=0.9 --out results
 )";
 
-bool reached(const fd_fpk::RegularisationStudy& study, const problem::Problem& problem) {
-  const fd_fpk::RegularisationRow* finest = nullptr;
-  for (const auto& row : study.rows) {
-    if (row.scheme == "regularised") finest = &row;
-  }
-  return finest != nullptr && !finest->growth(problem) && finest->l1_y;
-}
-
-int study(const CommonArguments& common, const std::string& command_line) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto start = start_of_study(common);
-  const auto& problem = start.problem;
-
-  const InterruptionGuard guard;
-  ProgressLine line(common.quiet);
-  const auto study = fd_fpk::study_regularisation(problem, {}, [&](int row, int rows) {
-    line.show({.done = static_cast<std::size_t>(row),
-               .total = static_cast<std::size_t>(rows),
-               .case_name = problem.name,
-               .method = "regularisation",
-               .fraction = 0});
-  });
-  throw_if_interrupted();
-  line.clear();
-
-  const auto report = compare::regularisation_report(command_line, problem, study);
-  put_study(common,
-            {.stem = "study-regularisation",
-             .report = report,
-             .table = compare::regularisation_table(report, terminal_format()),
-             .csv = compare::regularisation_csv(report)},
-            begin);
-  return reached(study, problem) ? kDone : kNotReached;
-}
-
 }  // namespace
 
-int study_regularisation(const std::vector<std::string>& arguments,
-                         const std::string& command_line) {
+int study_regularisation(const Call& call) {
+  const auto begin = std::chrono::steady_clock::now();
   CommonArguments common;
-  if (!parse(arguments, kUsage,
+  if (!parse(call.arguments, kRegularisationUsage,
              with_common_options({}, common, "write study-regularisation.json and .csv there"),
              common.cases)) {
     return kDone;
   }
-  return study(common, command_line);
+  const auto start = start_of_study(common);
+  const InterruptionGuard guard;
+  ProgressLine line(common.quiet);
+  const auto found = study::study_regularisation(
+      start.problem, [&](const methods::RunProgress& at) { line.show(at); });
+  throw_if_interrupted();
+  line.clear();
+  put_study(common, study::output(found, call.command_line, terminal_format()), begin);
+  return study::reached(found) ? kDone : kNotReached;
 }
 
 }  // namespace fpkcheck::cli

@@ -8,10 +8,9 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
-#include "compare/report.hpp"
-#include "compare/run_directory.hpp"
-#include "compare/transient/report.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
+#include "results/directory.hpp"
+#include "study/transient/report.hpp"
 
 namespace fpkcheck::cli {
 
@@ -23,8 +22,8 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
     throw InputError(
         fmt::format("--until with {} cases (a density over time is of one case)", problems.size()));
   }
-  compare::MadeDirectories made;
-  if (common.out) made = compare::make_writable(*common.out);
+  results::MadeDirectories made;
+  if (common.out) made = results::make_writable(*common.out);
 
   const auto& problem = problems.front();
   const InterruptionGuard guard;
@@ -40,15 +39,15 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
   throw_if_interrupted();
   progress.clear();
 
-  const compare::TransientRun run{command_line, problem, options, transient, std::move(result)};
+  const study::TransientRun run{command_line, problem, options, transient, std::move(result)};
   if (common.json) {
-    fmt::print("{}\n", compare::json_text(compare::transient_json(run)));
+    fmt::print("{}\n", study::transient_json(run));
   } else if (!common.quiet) {
-    fmt::print("{}", compare::transient_table(run, terminal_format().width));
+    fmt::print("{}", study::transient_table(run, terminal_format().width));
     std::fflush(stdout);
   }
   if (common.out) {
-    for (const auto& warning : compare::write_transient(*common.out, run)) {
+    for (const auto& warning : study::write_transient(*common.out, run)) {
       fmt::print(stderr, "fpkcheck: {}\n", warning);
     }
   }

@@ -17,12 +17,21 @@ if(FPKCHECK_SANITIZE)
   target_link_options(fpkcheck_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# fpkcheck_library(NAME SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
+# What only formats, reads or checks need not be optimised hard. At -O1 GCC sees too little of what is
+# inlined to know what is initialized.
+function(fpkcheck_compile_fast target)
+  target_compile_options(
+    ${target} PRIVATE $<$<CONFIG:Release>:-O1>
+                      $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+endfunction()
+
+# fpkcheck_library(NAME [PLAIN] SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
+#   PLAIN     nothing in it computes for long: compiled fast rather than for speed
 #   USES      folders of this project that the folder may use (their headers become visible)
 #   EXTERNAL  third-party targets that appear in its headers
 #   INTERNAL  third-party targets that appear in its sources only
 function(fpkcheck_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
+  cmake_parse_arguments(arg "PLAIN" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
   add_library(fpkcheck_${name} STATIC ${arg_SOURCES})
   set(view "${PROJECT_BINARY_DIR}/include/${name}")
   file(MAKE_DIRECTORY "${view}")
@@ -31,4 +40,7 @@ function(fpkcheck_library name)
   list(TRANSFORM arg_USES PREPEND fpkcheck_)
   target_link_libraries(fpkcheck_${name} PUBLIC ${arg_USES} ${arg_EXTERNAL}
                                          PRIVATE ${arg_INTERNAL} fpkcheck_flags)
+  if(arg_PLAIN)
+    fpkcheck_compile_fast(fpkcheck_${name})
+  endif()
 endfunction()

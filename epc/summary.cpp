@@ -1,144 +1,147 @@
-#include <string_view>
+#include "epc/summary.hpp"
 
-#include "epc/solve.hpp"
-#include "problem/saved_fields.hpp"
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
 
 namespace fpkcheck::epc {
-
-namespace moment {
-static std::string_view name(Tail tail) { return tail == Tail::confined ? "confined" : "cut"; }
-}  // namespace moment
-
-static std::string_view name(MonomialSet set) {
-  return set == MonomialSet::general ? "general" : "point_symmetric";
-}
-
 namespace {
 
-using Json = nlohmann::ordered_json;
+using transform::counted;
+using transform::Kind;
+using transform::Observer;
+using transform::value_of;
 
-Json coefficients(const std::vector<Term>& terms) {
-  Json list = Json::array();
-  for (const auto& [p, q, a] : terms) list.push_back({{"x1", p}, {"x2", q}, {"a", a}});
-  return list;
+parameters::Value word(std::string_view text) { return std::string(text); }
+
+// Where nothing holds the density, the points of the quadrature follow the path of the search, and
+// the last digits of the answer with them.
+bool depends_on_path(const Summary& summary) {
+  constexpr int kSettledOrder = 8;
+  return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-Json support(const Summary& summary) {
-  if (!summary.support || !summary.leading_form) return nullptr;
+// The size below which a change of the coefficient of x1^p x2^q is no more than rounding: what it
+// does to the density, sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2) of the peak,
+// is judged by kRelative of itself.
+double least_scale(const Term& term, const transform::Moments& moments, double rounding) {
+  constexpr double kRelative = 50e-8;
+  if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
+  const auto summit = [](int p) { return p == 0 ? 1 : std::pow(p / std::numbers::e, p / 2.0); };
+  const double effect = std::pow(moments.y2, term.x1 / 2.0) * std::pow(moments.v2, term.x2 / 2.0) *
+                        summit(term.x1) * summit(term.x2);
+  return rounding / (effect * kRelative);
+}
+
+void observe_coefficients(const Summary& summary, const transform::Moments& moments,
+                          Observer& observer) {
+  constexpr double kRounding = 1e-14, kPathRounding = 3e-9;  // of the density's peak
+  if (summary.coefficients.empty()) observer.empty_list("coefficients");
+  const double rounding = depends_on_path(summary) ? kPathRounding : kRounding;
+  for (std::size_t k = 0; k < summary.coefficients.size(); ++k) {
+    const Term& term = summary.coefficients[k];
+    const std::string path = fmt::format("coefficients[{}].", k);
+    observer.result(path + "x1", counted(term.x1))
+        .result(path + "x2", counted(term.x2))
+        .add({.path = path + "a",
+              .value = term.a,
+              .kind = Kind::coefficient,
+              .least_scale = least_scale(term, moments, rounding)});
+  }
+}
+
+void observe_support(const Summary& summary, Observer& observer) {
+  if (!summary.support || !summary.leading_form) {
+    observer.result("support", {});
+    return;
+  }
   const SupportSummary& support = *summary.support;
   const LeadingForm& form = *summary.leading_form;
-  return {{"least_radius", support.least_radius},
-          {"greatest_radius", support.greatest_radius},
-          {"y_max", support.y_max},
-          {"v_max", support.v_max},
-          {"edge_density", support.edge_density},
-          {"cut_off", support.cut_off},
-          {"rising_share", form.rising_share},
-          {"worst_direction", {{"x1", form.worst.x1}, {"x2", form.worst.x2}}},
-          {"rises_from", form.negative ? Json(nullptr) : Json(form.rises_from)}};
+  // A density next to 0, in units of the peak, where coefficients decide.
+  const auto observe_faint = [&](const char* path, double value) {
+    observer.add({.path = path,
+                  .value = value,
+                  .kind = depends_on_path(summary) ? Kind::work : Kind::result,
+                  .least_scale = 1e-6,
+                  .delicate = true});
+  };
+  observer.result("support.least_radius", support.least_radius)
+      .result("support.greatest_radius", support.greatest_radius)
+      .result("support.y_max", support.y_max)
+      .result("support.v_max", support.v_max);
+  observe_faint("support.edge_density", support.edge_density);
+  observe_faint("support.cut_off", support.cut_off);
+  observer
+      .result("support.rising_share", form.rising_share)
+      // any direction where the form is isotropic
+      .work("support.worst_direction.x1", form.worst.x1)
+      .work("support.worst_direction.x2", form.worst.x2)
+      .result("support.rises_from",
+              form.negative ? parameters::Value() : parameters::Value(form.rises_from));
 }
 
-std::string_view name(const LeadingForm& form) { return form.negative ? "negative" : "indefinite"; }
+parameters::Value text_of(const LeadingForm& form) {
+  return word(form.negative ? "negative" : "indefinite");
+}
 
 // Of the density's exponent: a confinement makes it negative whatever Q_n does.
-Json leading_form(const Summary& summary) {
-  if (!summary.leading_form) return nullptr;
-  if (summary.moment && summary.moment->tail == moment::Tail::confined) return "negative";
-  return name(*summary.leading_form);
+parameters::Value leading_form(const Summary& summary) {
+  if (!summary.leading_form) return {};
+  if (summary.half_plane && summary.half_plane->tail == Tail::confined) return word("negative");
+  return text_of(*summary.leading_form);
 }
 
-void add_moment_fields(const Summary& summary, Json& json) {
-  if (!summary.moment) return;
-  const MomentSummary& own = *summary.moment;
-  json["tail"] = {{"kind", name(own.tail)},
-                  {"level", own.level},
-                  {"level_deviations", own.level_deviations},
-                  {"beyond_level", own.beyond_level},
-                  {"polynomial_leading_form", name(*summary.leading_form)}};
-  json["quadrature_change"] = own.quadrature_change;
-  json["homotopies"] = own.homotopies;
-}
-
-std::string_view name(BranchEnd end) {
-  switch (end) {
-    case BranchEnd::not_followed:
-      return "not_followed";
-    case BranchEnd::full_problem:
-      return "full_problem";
-    case BranchEnd::white_noise:
-      return "white_noise";
-    case BranchEnd::far_away:
-      return "far_away";
-    case BranchEnd::lost:
-      return "lost";
+void observe_branch(const Branch& branch, Observer& observer) {
+  if (branch.end == BranchEnd::not_followed) {
+    observer.result("branch", {});
+    return;
   }
-  return "";
-}
-
-Json branch(const Branch& branch) {
-  if (branch.end == BranchEnd::not_followed) return nullptr;
-  Json points = Json::array();
-  for (const BranchPoint& point : branch.points) {
-    points.push_back({{"fraction", point.fraction},
-                      {"norm", point.norm},
-                      {"smallest_singular_value", point.smallest_singular_value},
-                      {"determinant_sign", point.determinant_sign},
-                      {"falls", point.falls},
-                      {"fold", point.fold}});
+  observer.result("branch.end", word(name(branch.end))).result("branch.furthest", branch.furthest);
+  if (branch.points.empty()) observer.empty_list("branch.points", Kind::work);
+  for (std::size_t k = 0; k < branch.points.size(); ++k) {
+    const BranchPoint& point = branch.points[k];
+    const std::string path = fmt::format("branch.points[{}].", k);
+    observer.work(path + "fraction", point.fraction)
+        .work(path + "norm", point.norm)
+        .work(path + "smallest_singular_value", point.smallest_singular_value)
+        .work(path + "determinant_sign", counted(point.determinant_sign))
+        .work(path + "falls", point.falls)
+        .work(path + "fold", point.fold);
   }
-  return {{"end", name(branch.end)}, {"furthest", branch.furthest}, {"points", points}};
 }
 
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
-
-void add_gaussian_fields(const Summary& summary, Json& json) {
-  if (summary.formulation != Formulation::gaussian) return;
-  json["disc_sensitivity"] = number_or_null(summary.disc_sensitivity);
-  json["branch"] = branch(summary.branch);
+void observe_half_plane(const Summary& summary, Observer& observer) {
+  const HalfPlaneSummary& own = *summary.half_plane;
+  observer.result("tail.kind", word(name(own.tail)))
+      .result("tail.level", own.level)
+      .result("tail.level_deviations", own.level_deviations)
+      .result("tail.beyond_level", own.beyond_level)
+      .result("tail.polynomial_leading_form", text_of(*summary.leading_form))
+      .work("quadrature_change", own.quadrature_change)
+      .work("homotopies", counted(own.homotopies));
 }
 
 }  // namespace
 
-nlohmann::ordered_json to_json(const Summary& summary) {
-  Json json{{"order", summary.order},
-            {"formulation", name(summary.formulation)},
-            {"iterations", summary.iterations},
-            {"residual", summary.residual},
-            {"condition", number_or_null(summary.condition)},
-            {"coefficients", coefficients(summary.coefficients)},
-            {"support", support(summary)},
-            {"leading_form", leading_form(summary)},
-            {"distance_to_previous", number_or_null(summary.distance_to_previous)}};
-  add_gaussian_fields(summary, json);
-  add_moment_fields(summary, json);
-  return json;
-}
-
-nlohmann::ordered_json to_json(const Options& options) {
-  return {{"order", options.order},
-          {"formulation", name(options.formulation)},
-          {"monomials", name(options.monomials)},
-          {"equation", name(options.equation)},
-          {"tail", name(options.tail)},
-          {"tolerance", options.tolerance},
-          {"max_iterations", options.max_iterations}};
-}
-
-Options options_from_json(const nlohmann::ordered_json& json) {
-  problem::SavedFields saved(json, "options");
-  const Options options{
-      .order = saved.integer("order"),
-      .formulation = saved.choice("formulation",
-                                  {Formulation::gaussian, Formulation::moment, Formulation::polar}),
-      .monomials = saved.choice("monomials", {MonomialSet::point_symmetric, MonomialSet::general}),
-      .equation = saved.choice("equation", {Equation::white, Equation::km4, Equation::kf}),
-      .tail = saved.choice("tail", {moment::Tail::confined, moment::Tail::cut}),
-      .tolerance = saved.number("tolerance"),
-      .max_iterations = saved.integer("max_iterations")};
-  saved.require_all_read();
-  return options;
+transform::Observations observations(const Summary& summary, const transform::Moments& moments) {
+  Observer observer;
+  observer.result("order", counted(summary.order))
+      .result("formulation", word(name(summary.formulation)))
+      .work("iterations", counted(summary.iterations))
+      .work("residual", summary.residual)
+      .work("condition", value_of(summary.condition));
+  observe_coefficients(summary, moments, observer);
+  observe_support(summary, observer);
+  observer.result("leading_form", leading_form(summary))
+      .result("distance_to_previous", value_of(summary.distance_to_previous));
+  if (summary.formulation == Formulation::gaussian) {
+    observer.result("disc_sensitivity", value_of(summary.disc_sensitivity));
+    observe_branch(summary.branch, observer);
+  }
+  if (summary.half_plane) observe_half_plane(summary, observer);
+  return std::move(observer).take();
 }
 
 }  // namespace fpkcheck::epc

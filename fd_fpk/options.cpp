@@ -4,79 +4,128 @@
 
 #include <cmath>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kSmallestTolerance = 1e-10;
+using namespace parameters;
 
 // A line needs room for the one-sided stencils on either side of x2 = 0.
 constexpr int kSmallestLine = 16;
 constexpr int kLargestLine = 2000;
 constexpr double kMostOriginRefinement = 1000;
+constexpr double kSmallestTolerance = 1e-10;
+
+// The impacts of a density equation; the exact one only a simulation has.
+constexpr Impact kImpacts[] = {Impact::map, Impact::delta};
+
+std::vector<std::string> impact_names() {
+  std::vector<std::string> list;
+  for (const Impact impact : kImpacts) list.emplace_back(problem::name(impact));
+  return list;
+}
+
+Range resolvable() {
+  return {[](double x) { return std::isfinite(x) && x >= kSmallestTolerance; },
+          fmt::format("at least {}, where rounding ends", kSmallestTolerance)};
+}
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw InputError(message);
 }
 
-void require_positive(const std::optional<double>& value, std::string_view option) {
-  require(!value || (std::isfinite(*value) && *value > 0),
-          fmt::format("{} = {} (must be a positive number)", option, value.value_or(0)));
-}
-
-void require_cells(const std::optional<int>& cells, std::string_view option) {
-  require(!cells || (*cells >= kSmallestLine && *cells <= kLargestLine),
-          fmt::format("{} = {} (must be between {} and {} cells)", option, cells.value_or(0),
-                      kSmallestLine, kLargestLine));
-}
-
 }  // namespace
 
-std::string_view name(Stepper stepper) { return stepper == Stepper::cvode ? "cvode" : "direct"; }
+const Description<Options>& description() {
+  using O = Options;
+  static const auto description =
+      Description<O>("fd ")
+          .add("equation", &O::equation, {"E", "white, km4, km4-pade or kf"})
+          .add("impact", &O::impact,
+               {"I",
+                "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2; delta: the paper's, first order "
+                "in 1-r"})
+          .with_choices(impact_names())
+          .add("stepper", &O::stepper, {"S", "cvode, or direct: the null vector alone"})
+          .add("order", &O::order,
+               {"P", "order of the transport terms, 2 .. 8; odd ones are upwind-biased"},
+               between(2, 8))
+          .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"},
+               positive())
+          .add("origin_refinement", &O::origin_refinement,
+               {"F",
+                "cells at the origin are F times narrower than far from it (default: 16 when r < "
+                "0.95 and the density is bounded there, else 1)"},
+               between(1, kMostOriginRefinement))
+          .add("nx", &O::nx, {"N", "cells in y (default: from equivalent linearisation)"},
+               between(kSmallestLine, kLargestLine))
+          .add("nv", &O::nv, {"N", "cells in y', even (default: likewise)"},
+               even_between(kSmallestLine, kLargestLine).because("y' = 0 lies between two cells"))
+          .add("x1_max", &O::x1_max, {"Y", "box 0 <= y <= Y (default: until it is empty there)"},
+               positive())
+          .with_flag("y-max")
+          .add("x2_max", &O::x2_max, {"V", "box |y'| <= V (default: likewise)"}, positive())
+          .with_flag("v-max")
+          .add("regularisation_length", &O::regularisation_length,
+               {"L",
+                "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4])); 0: the "
+                "literal scheme"},
+               not_negative())
+          .add("wall_density", &O::wall_density,
+               {"D", "density on a wall, relative to the peak, beyond which the box is widened"},
+               strictly_between(0, 1))
+          .add("refine_unresolved", &O::refine_unresolved,
+               {"", "an automatic grid that does not resolve its density is refined"})
+          .without_flag()
+          .add("error_estimate", &O::error_estimate,
+               {"", "estimate the discretisation error from two coarser grids"})
+          .with_flag("error")
+          .add("tolerance", &O::tolerance,
+               {"T",
+                "pick the grid whose error estimate, L1 of p(y) and p(y') and the second moments, "
+                "is below T"},
+               resolvable())
+          .add("residual_tolerance", &O::residual_tolerance,
+               {"R", "stationarity residual ||L p||_1 / ||p||_1 to reach"}, positive())
+          .with_flag("residual");
+  return description;
+}
+
+void validate(const Options& options) {
+  description().validate(options);
+  require(options.impact != Impact::exact,
+          "impact exact (only the simulation has it: use map or delta)");
+  require(!options.regularisation_length || options.equation == Equation::km4,
+          fmt::format("regularisation length with equation {} (only km4 has one: leave it out)",
+                      problem::name(options.equation)));
+  require(!options.tolerance || (!options.nx && !options.nv),
+          "tolerance with a given nx or nv (the tolerance picks the grid: leave them out)");
+}
 
 std::string id(const Options& options) {
-  const std::string equation = fmt::format("fd-{}", name(options.equation));
-  return options.impact == problem::Impact::map
+  const std::string equation = fmt::format("fd-{}", problem::name(options.equation));
+  return options.impact == Impact::map
              ? equation
              : fmt::format("{}-{}", equation, problem::name(options.impact));
 }
 
-void validate(const Options& options) {
-  require(options.order >= 2 && options.order <= 8,
-          fmt::format("finite-difference order {} (must be 2 .. 8)", options.order));
-  require(options.impact != problem::Impact::exact,
-          "impact exact (only the simulation has it: use map or delta)");
-  require(std::isfinite(options.refinement) && options.refinement > 0,
-          fmt::format("refinement {} (must be a positive number)", options.refinement));
-  const double at_origin = options.origin_refinement.value_or(1);
-  require(at_origin >= 1 && at_origin <= kMostOriginRefinement,
-          fmt::format("origin refinement {} (must be between 1 and {})", at_origin,
-                      kMostOriginRefinement));
-  require_cells(options.nx, "nx");
-  require_cells(options.nv, "nv");
-  require(
-      !options.nv || *options.nv % 2 == 0,
-      fmt::format("nv = {} (must be even: x2 = 0 lies between two cells)", options.nv.value_or(0)));
-  require_positive(options.x1_max, "y-max");
-  require_positive(options.x2_max, "v-max");
-  require(!options.regularisation_length || options.equation == Equation::km4,
-          fmt::format("regularisation length with equation {} (only km4 has one: leave it out)",
-                      name(options.equation)));
-  require(!options.regularisation_length || (std::isfinite(*options.regularisation_length) &&
-                                             *options.regularisation_length >= 0),
-          fmt::format("regularisation length {} (must be positive, or 0 for the literal scheme)",
-                      options.regularisation_length.value_or(0)));
-  require_positive(options.tolerance, "tolerance");
-  require(!options.tolerance || *options.tolerance >= kSmallestTolerance,
-          fmt::format("tolerance {} (rounding ends at about {})", options.tolerance.value_or(0),
-                      kSmallestTolerance));
-  require(!options.tolerance || (!options.nx && !options.nv),
-          "tolerance with a given nx or nv (the tolerance picks the grid: leave them out)");
-  require(options.wall_density > 0 && options.wall_density < 1,
-          fmt::format("wall density {} (must be between 0 and 1)", options.wall_density));
-  require(std::isfinite(options.residual_tolerance) && options.residual_tolerance > 0,
-          fmt::format("residual tolerance {} (must be positive)", options.residual_tolerance));
+transform::Identity identity(const Options& options) {
+  return {.id = id(options),
+          .method = "fd",
+          .equation = options.equation,
+          .impact = options.impact,
+          .role = transform::Role::equation};
+}
+
+std::optional<Options> options_of(std::string_view wanted) {
+  for (const auto& equation : names(Equation{})) {
+    for (const Impact impact : kImpacts) {
+      const Options options{.equation = equation.value, .impact = impact};
+      if (id(options) == wanted) return options;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace fpkcheck::fd_fpk

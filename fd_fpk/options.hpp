@@ -2,24 +2,31 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "fd_fpk/excitation.hpp"
-#include "problem/energy_balance.hpp"
+#include "parameters/description.hpp"
+#include "problem/model.hpp"
+#include "transform/identity.hpp"
 
 namespace fpkcheck::fd_fpk {
+
+using problem::Equation;
+using problem::Impact;
 
 /// How the stationary density is reached.
 enum class Stepper {
   cvode,  ///< pseudo-transient stepping by CVODE, checked against the direct null vector
   direct  ///< the null vector by inverse iteration alone
 };
-
-/// The stepper's name: "cvode", "direct".
-std::string_view name(Stepper stepper);
+inline constexpr parameters::Named<Stepper> kStepperNames[] = {
+    {Stepper::cvode, "cvode", "stepped to stationarity"},
+    {Stepper::direct, "direct", "the null vector alone"}};
+constexpr std::span<const parameters::Named<Stepper>> names(Stepper) { return kStepperNames; }
+constexpr std::string_view name(Stepper stepper) { return parameters::name_of(stepper); }
 
 struct Options {
   Equation equation = Equation::kf;
-  problem::Impact impact = problem::Impact::map;  ///< map or delta
+  Impact impact = Impact::map;  ///< map or delta
   Stepper stepper = Stepper::cvode;
   /// Order of the transport terms, 2 .. 8. Odd orders are upwind-biased and keep the tails clean;
   /// even ones are centred and leave grid-scale ripples of about 1e-4 of the peak.
@@ -52,10 +59,20 @@ struct Options {
   double residual_tolerance = 1e-10;
 };
 
+/// The options as files and the command line name them.
+const parameters::Description<Options>& description();
+
+/// @throws InputError on the first option that cannot be used, or not together with another
+void validate(const Options& options);
+
 /// The solution's id: "fd-kf", "fd-km4-delta" where the impact is not `map`.
 std::string id(const Options& options);
 
-/// @throws InputError on the first option that cannot be used
-void validate(const Options& options);
+/// Which solution these options ask for.
+transform::Identity identity(const Options& options);
+
+/// The options of which this is the id, all others as by default; nothing when it is of no such
+/// solution.
+std::optional<Options> options_of(std::string_view id);
 
 }  // namespace fpkcheck::fd_fpk

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fd_fpk/discretisation.hpp"
-#include "fd_fpk/null_vector.hpp"
-#include "fd_fpk/observables.hpp"
-#include "fd_fpk/rightmost_eigenvalue.hpp"
+#include "fd_fpk/linear/null_vector.hpp"
+#include "fd_fpk/linear/rightmost_eigenvalue.hpp"
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/well_posedness.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -67,8 +68,7 @@ NullVector reference(const problem::Problem& problem, Options options) {
   options.equation = Equation::kf;
   const Discretisation on = discretise(problem, options, box_of(options));
   if (!on.refusal.empty()) return {std::nullopt, 0, on.refusal};
-  const auto op =
-      fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid, options.order);
+  const auto op = fokker_planck_operator(problem, options, on);
   return by_gmres(problem, options, on, op);
 }
 
@@ -112,11 +112,9 @@ RegularisationRow study_row(const problem::Problem& problem, const Scheme& schem
   const Discretisation on = discretise(problem, options, box_of(options));
   row.remark = on.refusal;
   if (!on.refusal.empty()) return row;
-  const auto [line, excitation] = unbounded_excitation(problem, options, step);
-  row.symbol = largest_growth(line, excitation, options.order + options.order % 2);
+  row.symbol = largest_growth(problem, options, step);
   const bool symbol_grows = grows(*row.symbol, problem.impulses);
-  const auto op =
-      fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid, options.order);
+  const auto op = fokker_planck_operator(problem, options, on);
   find_eigenvalues(problem, op, symbol_grows, row);
   find_density(problem, options, on, op, symbol_grows, kf, row);
   return row;

@@ -3,14 +3,8 @@
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/summary.hpp"
 #include "problem/problem.hpp"
-#include "transform/solution.hpp"
 
 namespace fpkcheck::fd_fpk {
-
-struct Result {
-  transform::Solution solution;  ///< density as transform::GridDensity
-  Summary summary;
-};
 
 /// The stationary density of the (generalised) Fokker-Planck-Kolmogorov equation, paper (15), by
 /// finite volumes of high order on the point-symmetric half of the (z, z') plane with the exact

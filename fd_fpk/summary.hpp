@@ -1,10 +1,11 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
-#include "fd_fpk/grid.hpp"
-#include "fd_fpk/options.hpp"
+#include "fd_fpk/operator/wall_density.hpp"
+#include "transform/density.hpp"
+#include "transform/observation.hpp"
+#include "transform/solution.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -46,14 +47,14 @@ struct Summary {
   double impact_rate = 0;                   ///< impacts per unit time, int_{v<0} |v| p(0, v) dv
 };
 
-/// The fields of summary.json that are this method's own.
-nlohmann::ordered_json to_json(const Summary& summary);
+/// What this solver alone knows of its solution, in the order of summary.json. The errors that
+/// transform::StatedError holds are not repeated.
+transform::Observations observations(const Summary& summary);
 
-/// The options as asked for; null where automatic.
-nlohmann::ordered_json to_json(const Options& options);
-
-/// The options that to_json wrote.
-/// @throws InputError naming the field that is missing, unknown or of the wrong type
-Options options_from_json(const nlohmann::ordered_json& json);
+/// A solution and how it came about.
+struct Result {
+  transform::Solution solution;  ///< density as transform::GridDensity
+  Summary summary;
+};
 
 }  // namespace fpkcheck::fd_fpk

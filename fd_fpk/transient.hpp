@@ -1,42 +1,20 @@
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "fd_fpk/grid.hpp"
-#include "fd_fpk/options.hpp"
+#include "fd_fpk/operator/wall_density.hpp"
+#include "fd_fpk/transient_options.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::fd_fpk {
 
-/// What to integrate, and how accurately. Times in the units of the problem.
-struct TransientOptions {
-  double until = 0;    ///< T > 0
-  int snapshots = 50;  ///< N: densities are kept at t = 0, T/N, .. T
-  /// Deviations of z and z' in the Gaussian to start from, of mean zero; automatic: half of those
-  /// of equivalent linearisation.
-  std::optional<double> start_displacement{};
-  std::optional<double> start_velocity{};
-  /// Local error of a step, relative to the largest density.
-  double relative_tolerance = 1e-6;
-  /// Highest order of BDF, 1 .. 5. Only up to 2 is it stable on the whole imaginary axis, close to
-  /// which the eigenvalues of the turning oscillator lie.
-  int max_order = 2;
-  /// Told the fraction of the time that is done; may be empty.
-  std::function<void(double)> progress{};
-};
-
-/// @throws InputError on the first option that cannot be used for a density over time
-void validate(const Options& options, const TransientOptions& transient);
-
 /// The density at one time.
 struct Snapshot {
   double time = 0;
   transform::Moments moments{};
-  double energy = 0;  ///< E[v^2]/2 + k E[y^2]/2 + mu E[y^4]/4
+  double energy = 0;  ///< E[v^2]/2 + E[U(y)], U the spring's potential
   double power = 0;   ///< input minus dissipation, problem::power: dE/dt if all is right
   /// What `power` differs by from the dE/dt of dp/dt = L p, relative to lambda E[Y^2]/2: an error
   /// of the grid alone.
@@ -76,9 +54,8 @@ struct TransientResult {
 /// modes.
 ///
 /// Status: `ok`; `ill_posed` as solve(); `not_converged` when CVODE stopped on the way;
-/// `inadmissible` when the density at some snapshot is negative or misses the balance of power by
-/// more than a resolved one would; `failed` when the box is too small or the grid would be too
-/// large.
+/// `inadmissible` when the density at some snapshot exceeds kBarsOverTime; `failed` when the box is
+/// too small or the grid would be too large.
 /// @throws InputError when the options cannot be used
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient);

@@ -3,22 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
+#include <functional>
 #include <optional>
-#include <thread>
 
-#include "mcs/histogram.hpp"
-#include "mcs/impulse_source.hpp"
-#include "mcs/trajectory.hpp"
-#include "problem/input_error.hpp"
+#include "mcs/estimate/estimate.hpp"
+#include "mcs/motion/start.hpp"
+#include "mcs/motion/trajectory.hpp"
+#include "mcs/simulation/plan.hpp"
+#include "mcs/simulation/workers.hpp"
+#include "parameters/input_error.hpp"
+#include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr double kStep = 0.9;  // radians, as in simulate()
 // Sums are made within shares of the ensemble and then over the shares in their order, so that
 // nothing depends on the number of threads.
 constexpr std::uint32_t kShares = 64;
@@ -59,21 +58,15 @@ struct Sums {
   }
 };
 
-/// The Gaussian of (z, z') folded by paper (5): y = |z|, y' = z' sgn z.
-State folded_start(const EnsembleOptions& options, const ImpulseSource& source) {
-  const auto normals = source.standard_normals();
-  const double z = options.start_displacement * normals[0];
-  const double z_dot = options.start_velocity * normals[1];
-  return {std::abs(z), std::copysign(1.0, z) * z_dot};
-}
-
 std::vector<Sums> run_share(const problem::Problem& problem, const EnsembleOptions& options,
                             const Bins& y_bins, const Bins& v_bins, std::uint32_t share) {
+  const Oscillator oscillator(problem.system);
+  const Excitation excitation = poisson_excitation(problem.impulses);
   std::vector<Sums> sums(options.times.size(), Sums(y_bins, v_bins));
   for (std::uint32_t n = share; n < options.trajectories; n += kShares) {
-    ImpulseSource source(problem.impulses, options.seed, n);
-    const State start = folded_start(options, source);
-    Trajectory trajectory(problem.system, source, start, kStep);
+    ImpulseSource source(excitation, options.seed, n);
+    const State start = folded_start(source, options.start_displacement, options.start_velocity);
+    Trajectory trajectory(oscillator, source, start, kAutomaticStep);
     NoWitness no_witness;
     double time = 0;
     for (std::size_t k = 0; k < options.times.size(); ++k) {
@@ -85,39 +78,8 @@ std::vector<Sums> run_share(const problem::Problem& problem, const EnsembleOptio
   return sums;
 }
 
-std::vector<std::vector<Sums>> run_shares(const problem::Problem& problem,
-                                          const EnsembleOptions& options, const Bins& y_bins,
-                                          const Bins& v_bins) {
-  std::vector<std::vector<Sums>> shares(kShares);
-  std::atomic<std::uint32_t> next = 0;
-  std::mutex mutex;  // guards the failure
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::uint32_t s = next++; s < kShares; s = next++) {
-      try {
-        shares[s] = run_share(problem, options, y_bins, v_bins, s);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = std::current_exception();
-        next = kShares;  // nobody begins another share
-      }
-    }
-  };
-  {
-    const int threads = options.threads > 0
-                            ? options.threads
-                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    std::vector<std::jthread> others;
-    for (int t = 1; t < threads; ++t) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
-  return shares;
-}
-
 transform::Marginal marginal(const Bins& bins, const std::vector<std::uint64_t>& counts,
                              double trajectories) {
-  constexpr double kNormal95 = 1.959964;
   if (!bins) return {};
   transform::Marginal m{.edges = bins->edges(), .density = {}, .lower = {}, .upper = {}};
   for (std::size_t b = 0; b < bins->bins(); ++b) {
@@ -151,27 +113,22 @@ void require(bool holds, const std::string& message) {
 
 void validate(const EnsembleOptions& options) {
   constexpr std::uint32_t kFewest = 100;
-  constexpr int kMostThreads = 1024;
   for (const double deviation : {options.start_displacement, options.start_velocity}) {
     require(std::isfinite(deviation) && deviation >= 0,
             fmt::format("deviation {} of the start (must be 0 or a positive number)", deviation));
   }
-  require(!options.times.empty() && options.times.front() >= 0 &&
-              std::isfinite(options.times.back()) &&
-              std::ranges::is_sorted(options.times, std::less_equal<>{}),
-          fmt::format("{} times of an ensemble (must be increasing, from 0 or later)",
-                      options.times.size()));
+  require(
+      !options.times.empty() && options.times.front() >= 0 && std::isfinite(options.times.back()) &&
+          std::ranges::adjacent_find(options.times, std::greater_equal<>{}) == options.times.end(),
+      fmt::format("{} times of an ensemble (must be increasing, from 0 or later)",
+                  options.times.size()));
   require(options.trajectories >= kFewest,
           fmt::format("{} trajectories (standard errors need at least {})", options.trajectories,
                       kFewest));
-  require(options.threads >= 0 && options.threads <= kMostThreads,
-          fmt::format("{} threads (must be 1 to {}; use 0 for one per processor)", options.threads,
-                      kMostThreads));
-  for (const auto* edges : {&options.y_edges, &options.v_edges}) {
-    require(edges->empty() ||
-                (edges->size() > 1 && std::ranges::is_sorted(*edges, std::less_equal<>{})),
-            fmt::format("{} bin edges (must be two or more increasing numbers)", edges->size()));
-  }
+  // What both fronts have is described once.
+  mcs::validate({.seed = options.seed, .threads = options.threads});
+  if (!options.y_edges.empty()) require_edges("y_edges", options.y_edges);
+  if (!options.v_edges.empty()) require_edges("v_edges", options.v_edges);
 }
 
 }  // namespace
@@ -183,7 +140,10 @@ std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
     return edges.empty() ? Bins() : Bins(edges);
   };
   const Bins y_bins = bins(options.y_edges), v_bins = bins(options.v_edges);
-  const auto shares = run_shares(problem, options, y_bins, v_bins);
+  std::vector<std::vector<Sums>> shares(kShares);
+  share_work(number_of_threads(options.threads), kShares, [&](std::size_t s) {
+    shares[s] = run_share(problem, options, y_bins, v_bins, static_cast<std::uint32_t>(s));
+  });
   std::vector<EnsembleSnapshot> snapshots;
   for (std::size_t k = 0; k < options.times.size(); ++k) {
     Sums sums(y_bins, v_bins);

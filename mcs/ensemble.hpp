@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "problem/problem.hpp"
 #include "transform/density.hpp"
 #include "transform/marginal.hpp"
+
+namespace fpkcheck::problem {
+struct Problem;
+}
 
 namespace fpkcheck::mcs {
 
@@ -18,7 +22,8 @@ struct EnsembleOptions {
   std::vector<double> times{};  ///< increasing, from 0 or later
   std::uint32_t trajectories = 100000;
   std::uint64_t seed = 1;
-  int threads = 0;  ///< automatic: one per processor. The results do not depend on it.
+  /// Automatic: one per processor. The results do not depend on it.
+  std::optional<int> threads{};
   /// Bin edges for the marginals, increasing; empty for none.
   std::vector<double> y_edges{};
   std::vector<double> v_edges{};

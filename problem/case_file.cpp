@@ -5,17 +5,15 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
+#include <boost/locale/utf.hpp>
 #include <boost/program_options.hpp>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <tuple>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::problem {
@@ -23,16 +21,22 @@ namespace {
 
 namespace po = boost::program_options;
 
-const std::vector<std::string> kKeys{"system.damping",     "system.stiffness", "system.cubic",
-                                     "system.restitution", "impulse.rate",     "impulse.law",
-                                     "impulse.intensity",  "impulse.mean"};
-// The only key with a default: the paper's impulses have zero mean.
-constexpr const char* kDefaultMean = "0";
+// "system.damping", ..
+std::vector<std::string> known_keys() {
+  std::vector<std::string> keys;
+  const auto add = [&](const parameters::Descriptions& section) {
+    for (const auto& parameter : section.all()) keys.push_back(section.prefix() + parameter.name);
+  };
+  add(system_description());
+  add(impulse_description());
+  return keys;
+}
 
 void require_known(const std::string& key, const std::string& where) {
-  if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
+  const auto keys = known_keys();
+  if (std::ranges::find(keys, key) == keys.end()) {
     throw InputError(
-        fmt::format("{}: unknown key '{}' (known keys: {})", where, key, fmt::join(kKeys, ", ")));
+        fmt::format("{}: unknown key '{}' (known keys: {})", where, key, fmt::join(keys, ", ")));
   }
 }
 
@@ -48,13 +52,13 @@ std::string without_semicolon_comments(std::istream& ini) {
   return text;
 }
 
-using Values = std::map<std::string, std::string>;
+using Texts = std::map<std::string, std::string>;  // of keys
 
-Values parse_file(std::istream& ini, const std::string& where) {
+Texts parse_file(std::istream& ini, const std::string& where) {
   po::options_description keys;
-  for (const auto& key : kKeys) keys.add_options()(key.c_str(), po::value<std::string>());
+  for (const auto& key : known_keys()) keys.add_options()(key.c_str(), po::value<std::string>());
   std::istringstream text(without_semicolon_comments(ini));
-  Values values;
+  Texts values;
   try {
     const auto parsed = po::parse_config_file(text, keys, /*allow_unregistered=*/true);
     for (const auto& option : parsed.options) {
@@ -72,7 +76,7 @@ Values parse_file(std::istream& ini, const std::string& where) {
   return values;
 }
 
-void apply(const std::vector<std::string>& overrides, Values& values) {
+void apply(const std::vector<std::string>& overrides, Texts& values) {
   for (const auto& pair : overrides) {
     const auto equals = pair.find('=');
     if (equals == std::string::npos) {
@@ -85,19 +89,31 @@ void apply(const std::vector<std::string>& overrides, Values& values) {
   }
 }
 
-double number(const Values& values, const std::string& key) {
-  const std::string& text = values.at(key);
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  if (error == std::errc::result_out_of_range) {
-    throw InputError(fmt::format("{} = '{}' (out of the range of double precision)", key, text));
+// The section's part of a case file, from the texts of its keys.
+template <class Owner>
+Owner section(const parameters::Description<Owner>& description, const Texts& texts) {
+  Owner owner{};
+  for (const auto& parameter : description.all()) {
+    const std::string key = description.prefix() + parameter.name;
+    const auto found = texts.find(key);
+    if (found != texts.end()) {
+      description.parse(owner, parameter, found->second, key + " =");
+    } else if (parameter.fallback) {
+      description.assign(owner, parameter, *parameter.fallback, key + " =");
+    } else {
+      throw InputError(
+          fmt::format("key '{}' is missing (add it, or give --set {}=VALUE)", key, key));
+    }
   }
-  if (error != std::errc{} || stop != end) {
-    throw InputError(fmt::format("{} = '{}' (not a number)", key, text));
+  return owner;
+}
+
+bool is_utf8(const std::string& text) {
+  using Utf8 = boost::locale::utf::utf_traits<char>;
+  for (auto at = text.begin(); at != text.end();) {
+    if (!boost::locale::utf::is_valid_codepoint(Utf8::decode(at, text.end()))) return false;
   }
-  return value;
+  return true;
 }
 
 // A case's name goes into tables, file names, JSON, netCDF names and pictures.
@@ -105,12 +121,7 @@ void require_presentable(const std::string& name) {
   constexpr std::size_t kLongest = 100;
   const bool plain =
       std::ranges::none_of(name, [](unsigned char c) { return std::iscntrl(c) != 0; });
-  bool utf8 = true;
-  try {
-    std::ignore = nlohmann::json(name).dump();
-  } catch (const nlohmann::json::exception&) {
-    utf8 = false;
-  }
+  const bool utf8 = is_utf8(name);
   if (plain && utf8 && !name.empty() && name.size() <= kLongest) return;
   throw InputError(fmt::format(
       "the case's name, that of its file, {} (rename the file: 1 .. {} bytes of UTF-8 without "
@@ -126,25 +137,11 @@ void require_presentable(const std::string& name) {
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides) {
   const std::string where = fmt::format("case {}", source);
-  Values values = parse_file(ini, where);
-  apply(overrides, values);
-  values.emplace("impulse.mean", kDefaultMean);
-  for (const auto& key : kKeys) {
-    if (!values.contains(key)) {
-      throw InputError(
-          fmt::format("{}: key '{}' is missing (add it, or give --set {}=VALUE)", where, key, key));
-    }
-  }
+  Texts texts = parse_file(ini, where);
+  apply(overrides, texts);
   try {
-    return {name,
-            System({.damping = number(values, "system.damping"),
-                    .stiffness = number(values, "system.stiffness"),
-                    .cubic = number(values, "system.cubic"),
-                    .restitution = number(values, "system.restitution")}),
-            ImpulseTrain({.arrival_rate = number(values, "impulse.rate"),
-                          .law = values.at("impulse.law"),
-                          .intensity = number(values, "impulse.intensity"),
-                          .mean = number(values, "impulse.mean")})};
+    return {name, System(section(system_description(), texts)),
+            ImpulseTrain(section(impulse_description(), texts))};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
   }

@@ -2,18 +2,6 @@
 
 namespace fpkcheck::problem {
 
-std::string_view name(Impact impact) {
-  switch (impact) {
-    case Impact::map:
-      return "map";
-    case Impact::delta:
-      return "delta";
-    case Impact::exact:
-      return "exact";
-  }
-  return "";
-}
-
 Power power(const Problem& problem, Impact impact, const EnergyTerms& terms) {
   const double r = problem.system.restitution();
   const double kappa = impact == Impact::delta ? 1 - r : (1 - r * r) / 2;

@@ -1,20 +1,9 @@
 #pragma once
 
-#include <string_view>
-
+#include "problem/model.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
-
-/// How the impact enters a density equation.
-enum class Impact {
-  map,    ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
-  delta,  ///< paper (12): (1-r) x2 |x2| delta(x1), taken on the upstream side
-  exact   ///< the trajectory itself is reflected, paper (2)
-};
-
-/// The impact's name in summaries: "map", "delta", "exact".
-std::string_view name(Impact impact);
 
 /// What the balance of power needs to know of a density on the physical half-plane.
 struct EnergyTerms {
@@ -23,8 +12,8 @@ struct EnergyTerms {
   double impact_energy_flux;    ///< int_{v<0} |v|^3 p(0, v) dv
 };
 
-/// The two sides of the balance of power, per unit time. Their difference is dE/dt of
-/// E = E[v^2]/2 + k E[y^2]/2 + mu E[y^4]/4, at any time and for any of the equations.
+/// The two sides of the balance of power, per unit time. Their difference is dE/dt of the mean
+/// energy E[v^2]/2 + E[U(y)], U the potential of System, at any time and for any of the equations.
 struct Power {
   double input;       ///< lambda E[Y^2]/2 + lambda E[Y] E[v]
   double dissipated;  ///< c E[v^2] + kappa int_{v<0} |v|^3 p(0,v) dv, kappa as below

@@ -1,5 +1,6 @@
 #include "problem/equivalent_linearisation.hpp"
 
+#include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
@@ -19,14 +20,29 @@ double positive_root(const Function& f) {
   return (low + high) / 2;
 }
 
+// E[g'(|x|)] of x ~ N(0, s^2): E|x|^m = s^m 2^(m/2) Gamma((m+1)/2) / sqrt(pi).
+double mean_tangent_stiffness(const System& system, double s) {
+  const Polynomial& slope = system.tangent_stiffness();
+  double mean = 0;
+  for (std::size_t m = 0; m <= slope.degree(); ++m) {
+    if (slope.coefficient(m) == 0) continue;
+    // (m-1)!! for even m
+    const double absolute_moment = m == 0
+                                       ? 1
+                                       : std::pow(2, static_cast<double>(m) / 2) *
+                                             boost::math::tgamma((static_cast<double>(m) + 1) / 2) *
+                                             std::numbers::inv_sqrtpi;
+    mean += slope.coefficient(m) * absolute_moment * std::pow(s, m);
+  }
+  return mean;
+}
+
 }  // namespace
 
 EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   const System& system = problem.system;
   const double d2 = problem.impulses.intensity() / 2;
-  const auto stiffness = [&](double s1) {
-    return system.stiffness() + 3 * system.cubic() * s1 * s1;
-  };
+  const auto stiffness = [&](double s1) { return mean_tangent_stiffness(system, s1); };
   const auto damping = [&](double k_eq) {
     // sigma_2 / sigma_1 = sqrt(k_eq)
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);
@@ -51,7 +67,7 @@ double slowest_decay(const EquivalentLinearisation& linear) {
 double static_deflection(const Problem& problem) {
   const double force = problem.impulses.rate_moment(1);
   if (force <= 0) return 0;
-  return positive_root([&](double y) { return problem.system.restoring_force(y) - force; });
+  return positive_root([&](double y) { return problem.system.force()(y) - force; });
 }
 
 }  // namespace fpkcheck::problem

@@ -16,7 +16,7 @@ struct EquivalentLinearisation {
 /// Solves, with D2 = lambda E[Y^2] / 2,
 ///
 ///     c_eq = c + (1-r) (2/pi) sigma_2 / sigma_1       (the impulsive damping term of paper (13))
-///     k_eq = k + 3 mu sigma_1^2
+///     k_eq = E[g'(|z|)] = k + 3 mu sigma_1^2
 ///     sigma_2^2 = D2 / c_eq,   sigma_1 = sigma_2 / sqrt(k_eq).
 EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 
@@ -25,7 +25,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 /// far above it.
 double slowest_decay(const EquivalentLinearisation& linear);
 
-/// Where the mean of the impulses alone would hold the oscillator: k y + mu y^3 = lambda E[Y] when
+/// Where the mean of the impulses alone would hold the oscillator: g(y) = lambda E[Y] when
 /// they push away from the wall, else 0. The Gaussian above knows nothing of it.
 double static_deflection(const Problem& problem);
 

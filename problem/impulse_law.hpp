@@ -2,48 +2,23 @@
 
 #include <array>
 #include <complex>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "problem/laws/gaussian.hpp"
+#include "problem/laws/laplace.hpp"
+#include "problem/laws/two_point.hpp"
+#include "problem/laws/uniform.hpp"
+
 namespace fpkcheck::problem {
-
-/// Y ~ N(mean, deviation^2).
-struct GaussianLaw {
-  double mean;
-  double deviation;
-};
-
-/// Density exp(-|y - mean| / scale) / (2 scale): variance 2 scale^2.
-struct LaplaceLaw {
-  double mean;
-  double scale;
-};
-
-/// Y = mean - deviation or mean + deviation, each with probability 1/2.
-struct TwoPointLaw {
-  double mean;
-  double deviation;
-};
-
-/// Constant density on (mean - half_width, mean + half_width): variance half_width^2 / 3.
-struct UniformLaw {
-  double mean;
-  double half_width;
-};
-
-/// A value that Y takes with a positive probability.
-struct Atom {
-  double amplitude;
-  double probability;
-};
 
 /// Number of moments of the impulse amplitude that summaries hold: E[Y^0] .. E[Y^6].
 inline constexpr int kMomentCount = 7;
 
-/// The law of an impulse amplitude Y of the Poisson train, paper (3). Every law is symmetric about
-/// its mean. A further law is one more alternative of Kind and one more overload of each function
-/// of impulse_law.cpp.
+/// The law of an impulse amplitude Y of the Poisson train, paper (3). A further law is a file in
+/// problem/laws, one more alternative of Kind, and how to draw from it (mcs/lanes).
 class ImpulseLaw {
  public:
   using Kind = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw>;
@@ -51,6 +26,8 @@ class ImpulseLaw {
   /// @throws InputError when the mean is not finite or the width is not a positive number
   explicit ImpulseLaw(const Kind& kind);
 
+  /// Names of all laws, as case files have them.
+  static std::vector<std::string> known();
   /// The law of a name with a mean and a standard deviation.
   /// @throws InputError as above, and listing the known names when there is no such law
   static ImpulseLaw named(std::string_view name, double mean, double deviation);

@@ -4,25 +4,21 @@
 
 #include <cmath>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/magnitude.hpp"
 
 namespace fpkcheck::problem {
+
+using namespace parameters;
+
 namespace {
 
 ImpulseLaw law_of(const ImpulseParameters& parameters) {
+  impulse_description().validate(parameters);
+  require_magnitudes(impulse_description(), parameters);
   const auto& [rate, law, intensity, mean] = parameters;
-  if (!std::isfinite(rate) || rate <= 0) {
-    throw InputError(fmt::format("impulse.rate = {} (must be a positive number)", rate));
-  }
-  if (!std::isfinite(intensity) || intensity <= 0) {
-    throw InputError(fmt::format("impulse.intensity = {} (must be a positive number)", intensity));
-  }
-  require_magnitude("impulse.rate", rate);
-  require_magnitude("impulse.intensity", intensity);
-  require_magnitude("impulse.mean", mean);
   const double variance = intensity / rate - mean * mean;
-  if (!std::isfinite(mean) || variance <= 0) {
+  if (variance <= 0) {
     throw InputError(fmt::format(
         "impulse.mean = {} (its square must be below impulse.intensity / impulse.rate = {:.6g}, "
         "which is E[Y^2])",
@@ -33,7 +29,23 @@ ImpulseLaw law_of(const ImpulseParameters& parameters) {
 
 }  // namespace
 
+const Description<ImpulseParameters>& impulse_description() {
+  using P = ImpulseParameters;
+  static const auto description =
+      Description<P>("impulse.")
+          .add("rate", &P::arrival_rate, {"LAMBDA", "impulses per unit of time"}, positive())
+          .with_symbol("lambda", "λ")
+          .add("law", &P::law, {"LAW", "law of the amplitudes"})
+          .with_choices(ImpulseLaw::known())
+          .add("intensity", &P::intensity, {"I", "intensity"}, positive())
+          .with_symbol("lambda E[Y^2]", "λ E[Y²]")
+          .add("mean", &P::mean, {"M", "mean amplitude"}, any_number())
+          .with_symbol("E[Y]", "E[Y]")
+          .with_fallback(0.0);
+  return description;
+}
+
 ImpulseTrain::ImpulseTrain(const ImpulseParameters& parameters)
-    : arrival_rate_(parameters.arrival_rate), law_(law_of(parameters)) {}
+    : parameters_(parameters), law_(law_of(parameters)) {}
 
 }  // namespace fpkcheck::problem

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "parameters/description.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::problem {
@@ -14,6 +15,9 @@ struct ImpulseParameters {
   double mean;          ///< E[Y], with E[Y]^2 < intensity / arrival_rate
 };
 
+/// The parameters as case files, tables and files name them.
+const parameters::Description<ImpulseParameters>& impulse_description();
+
 /// The excitation xi(t) of paper (3): impulses Y_k at the times of a Poisson process.
 class ImpulseTrain {
  public:
@@ -21,16 +25,17 @@ class ImpulseTrain {
   /// @throws InputError naming the parameter, its value and the allowed range
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
-  double arrival_rate() const { return arrival_rate_; }
+  const ImpulseParameters& parameters() const { return parameters_; }
+  double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& law() const { return law_; }
 
   /// lambda E[Y^order], the coefficients of paper (15).
-  double rate_moment(int order) const { return arrival_rate_ * law_.moment(order); }
+  double rate_moment(int order) const { return arrival_rate() * law_.moment(order); }
   /// lambda E[Y^2], the intensity of the Gaussian white noise of equal power.
   double intensity() const { return rate_moment(2); }
 
  private:
-  double arrival_rate_;
+  ImpulseParameters parameters_;
   ImpulseLaw law_;
 };
 

@@ -4,17 +4,21 @@
 
 #include <cmath>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 
-void require_magnitude(const std::string& key, double value) {
-  const double magnitude = std::abs(value);
-  if (value == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude)) return;
-  throw InputError(
-      fmt::format("{} = {} (magnitudes must lie within {} .. {}: choose other units of time and "
-                  "length)",
-                  key, value, kSmallestMagnitude, kLargestMagnitude));
+void require_magnitudes(const std::string& prefix, const parameters::Values& values) {
+  for (const auto& [name, value] : values) {
+    const auto* number = std::get_if<double>(&value);
+    if (number == nullptr || *number == 0) continue;
+    const double magnitude = std::abs(*number);
+    if (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) continue;
+    throw InputError(
+        fmt::format("{}{} = {} (magnitudes must lie within {} .. {}: choose other units of time "
+                    "and length)",
+                    prefix, name, *number, kSmallestMagnitude, kLargestMagnitude));
+  }
 }
 
 }  // namespace fpkcheck::problem

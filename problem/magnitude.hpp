@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "parameters/description.hpp"
+
 namespace fpkcheck::problem {
 
 /// Bounds of a parameter that is not zero. Beyond them powers of the deviations, of which the
@@ -10,9 +12,14 @@ namespace fpkcheck::problem {
 inline constexpr double kSmallestMagnitude = 1e-30;
 inline constexpr double kLargestMagnitude = 1e30;
 
-/// @param key as in a case file
-/// @throws InputError naming the key, its value and the bounds, when the value is outside them and
+/// @param values with the prefix of their names in case files
+/// @throws InputError naming the first number, its value and the bounds, that is outside them and
 /// not zero
-void require_magnitude(const std::string& key, double value);
+void require_magnitudes(const std::string& prefix, const parameters::Values& values);
+
+template <class Owner>
+void require_magnitudes(const parameters::Description<Owner>& description, const Owner& owner) {
+  require_magnitudes(description.prefix(), description.values(owner));
+}
 
 }  // namespace fpkcheck::problem

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "parameters/value.hpp"
 #include "problem/impulse_train.hpp"
 #include "problem/system.hpp"
 
@@ -13,5 +15,34 @@ struct Problem {
   System system;
   ImpulseTrain impulses;
 };
+
+/// A section of a case file: "system", "impulse".
+struct Section {
+  std::string name;
+  parameters::Values values;  ///< in the order of its description
+};
+
+/// What defines a problem besides its name, as case files hold it.
+std::vector<Section> sections(const Problem& problem);
+
+/// The problem that such sections define.
+/// @throws InputError naming the key that is missing, unknown, of the wrong type or out of range
+Problem problem_from(const std::string& name, const std::vector<Section>& sections);
+
+/// A parameter as tables, titles and files show it.
+struct ShownParameter {
+  std::string section, name;    ///< "system", "damping"
+  std::string symbol, typeset;  ///< "mu", "μ"; empty for a word
+  std::string meaning;          ///< "cubic stiffness"
+  parameters::Value value;
+  bool usual;  ///< as in a file that leaves it out: need not be shown
+};
+
+/// All parameters of a problem, in the order of case files.
+std::vector<ShownParameter> shown_parameters(const Problem& problem);
+
+/// A problem in one line: "c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1, ..".
+/// @param typeset with the letters of formulas: "μ = 0.1"
+std::string parameters_text(const Problem& problem, bool typeset = false);
 
 }  // namespace fpkcheck::problem

@@ -2,37 +2,43 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/magnitude.hpp"
 
 namespace fpkcheck::problem {
-namespace {
 
-void require(bool holds, const char* key, double value, const char* allowed) {
-  if (!holds) {
-    throw InputError(fmt::format("system.{} = {} ({})", key, value, allowed));
-  }
+using namespace parameters;
+
+const Description<SystemCoefficients>& system_description() {
+  using C = SystemCoefficients;
+  static const auto description =
+      Description<C>("system.")
+          .add("damping", &C::damping, {"C", "damping"},
+               positive().because("without damping there is no stationary density"))
+          .with_symbol("c", "c")
+          .add("stiffness", &C::stiffness, {"K", "stiffness"}, not_negative())
+          .with_symbol("k", "k")
+          .add("cubic", &C::cubic, {"MU", "cubic stiffness"},
+               not_negative().because("a softening spring has no stationary density"))
+          .with_symbol("mu", "μ")
+          .add("restitution", &C::restitution, {"R", "coefficient of restitution"},
+               Range{[](double r) { return r > 0 && r <= 1; }, "above 0 and at most 1"})
+          .with_symbol("r", "r");
+  return description;
 }
 
-}  // namespace
-
-System::System(const SystemCoefficients& coefficients) : c_(coefficients) {
-  require(std::isfinite(c_.damping) && c_.damping > 0, "damping", c_.damping,
-          "must be a positive number: without damping there is no stationary density");
-  require(std::isfinite(c_.cubic) && c_.cubic >= 0, "cubic", c_.cubic,
-          "must be zero or positive: a softening spring has no stationary density");
-  require(std::isfinite(c_.stiffness) && c_.stiffness >= 0, "stiffness", c_.stiffness,
-          "must be zero or positive");
-  require(c_.stiffness > 0 || c_.cubic > 0, "stiffness", c_.stiffness,
-          "must be positive when system.cubic is zero: nothing else holds the mass");
-  require(c_.restitution > 0 && c_.restitution <= 1, "restitution", c_.restitution,
-          "must be above 0 and at most 1");
-  require_magnitude("system.damping", c_.damping);
-  require_magnitude("system.stiffness", c_.stiffness);
-  require_magnitude("system.cubic", c_.cubic);
-  require_magnitude("system.restitution", c_.restitution);
+System::System(const SystemCoefficients& coefficients)
+    : c_(coefficients),
+      force_({0, c_.stiffness, 0, c_.cubic}),
+      tangent_(force_.derivative()),
+      potential_(force_.antiderivative()) {
+  system_description().validate(c_);
+  if (force_.degree() == 0) {
+    throw InputError(
+        "system.stiffness = 0 (must be positive when system.cubic is zero: nothing else holds the "
+        "mass)");
+  }
+  require_magnitudes(system_description(), c_);
 }
 
 }  // namespace fpkcheck::problem

@@ -1,5 +1,8 @@
 #include "transform/marginal.hpp"
 
+#include <cmath>
+#include <stdexcept>
+
 #include "transform/mass_transfer.hpp"
 #include "transform/panels.hpp"
 
@@ -29,15 +32,15 @@ std::vector<double> bin_averages(const GridDensity& density, Variable variable,
 
 std::vector<double> bin_averages(const SmoothDensity& density, Variable variable,
                                  std::span<const double> edges) {
-  constexpr int kPanels = 6;
+  constexpr int kPanelsOfAMarginal = 6;
   const auto at = [&](double x) {
     if (variable == Variable::y) {
       const auto p = [&](double v) { return density.value(x, v); };
-      return integrate_panels(p, -density.v_max, 0.0, kPanels) +
-             integrate_panels(p, 0.0, density.v_max, kPanels);
+      return integrate_panels(p, -density.v_max, 0.0, kPanelsOfAMarginal) +
+             integrate_panels(p, 0.0, density.v_max, kPanelsOfAMarginal);
     }
     return integrate_panels([&](double y) { return density.value(y, x); }, 0.0, density.y_max,
-                            kPanels);
+                            kPanelsOfAMarginal);
   };
   std::vector<double> averages;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
@@ -48,14 +51,23 @@ std::vector<double> bin_averages(const SmoothDensity& density, Variable variable
 
 }  // namespace
 
-std::string_view name(Variable variable) { return variable == Variable::y ? "y" : "ydot"; }
-
 Marginal marginal(const Density& density, Variable variable, std::span<const double> edges) {
   return {.edges = {edges.begin(), edges.end()},
           .density = std::visit(
               [&](const auto& form) { return bin_averages(form, variable, edges); }, density),
           .lower = {},
           .upper = {}};
+}
+
+double l1(const Marginal& a, const Marginal& b) {
+  if (a.edges != b.edges || a.size() != b.size()) {
+    throw std::invalid_argument("L1 distance of marginals on different bins");
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += std::abs(a.density[k] - b.density[k]) * a.width(k);
+  }
+  return sum;
 }
 
 }  // namespace fpkcheck::transform

@@ -4,14 +4,18 @@
 #include <string_view>
 #include <vector>
 
+#include "parameters/names.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::transform {
 
 enum class Variable { y, ydot };
-
-/// The variable's name in tables and files: "y", "ydot".
-std::string_view name(Variable variable);
+inline constexpr Variable kVariables[] = {Variable::y, Variable::ydot};
+/// In tables and files.
+inline constexpr parameters::Named<Variable> kVariableNames[] = {
+    {Variable::y, "y", "displacement"}, {Variable::ydot, "ydot", "velocity"}};
+constexpr std::span<const parameters::Named<Variable>> names(Variable) { return kVariableNames; }
+constexpr std::string_view name(Variable variable) { return parameters::name_of(variable); }
 
 /// A marginal density as averages over bins, so that densities given on cells, by a histogram or by
 /// a function are compared like with like.
@@ -30,5 +34,9 @@ struct Marginal {
 /// A grid density is carried over by MassTransfer; where the edges coincide nothing is
 /// interpolated.
 Marginal marginal(const Density& density, Variable variable, std::span<const double> edges);
+
+/// int |a - b|, as the sum over the common bins: from 0 (equal) to 2 (disjoint, of mass 1 each).
+/// @throws std::invalid_argument when the bins differ
+double l1(const Marginal& a, const Marginal& b);
 
 }  // namespace fpkcheck::transform

@@ -5,34 +5,23 @@
 
 namespace fpkcheck::transform {
 
-std::string_view name(Status status) {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::not_converged:
-      return "not_converged";
-    case Status::ill_posed:
-      return "ill_posed";
-    case Status::inadmissible:
-      return "inadmissible";
-    case Status::failed:
-      return "failed";
-  }
-  return "";
+const Solution* find_solution(std::span<const Solution> solutions, std::string_view id) {
+  const auto found = std::ranges::find(solutions, id, &Solution::id);
+  return found == solutions.end() ? nullptr : &*found;
 }
 
 Marginal marginal(const Solution& solution, Variable variable, std::span<const double> edges) {
   for (const auto& [estimated, estimate] : solution.estimated_marginals) {
     if (estimated == variable && std::ranges::equal(estimate.edges, edges)) return estimate;
   }
-  if (!solution.density) throw std::logic_error("solution " + solution.id + " has no density");
+  if (!solution.density) throw std::logic_error("solution " + solution.id() + " has no density");
   return marginal(*solution.density, variable, edges);
 }
 
 Marginal limit_marginal(const Solution& solution, Variable variable,
                         std::span<const double> edges) {
   if (!solution.density || !solution.extrapolation) {
-    throw std::logic_error("solution " + solution.id + " has no limit");
+    throw std::logic_error("solution " + solution.id() + " has no limit");
   }
   const auto& [coarser, factor] = *solution.extrapolation;
   Marginal limit = marginal(*solution.density, variable, edges);
@@ -41,6 +30,18 @@ Marginal limit_marginal(const Solution& solution, Variable variable,
     limit.density[k] += factor * (limit.density[k] - before.density[k]);
   }
   return limit;
+}
+
+std::optional<double> expected(const SamplingError& sampling, Variable variable) {
+  return variable == Variable::y ? sampling.y : sampling.ydot;
+}
+
+std::optional<double> in_99(const SamplingError& sampling, Variable variable) {
+  return variable == Variable::y ? sampling.y_99 : sampling.ydot_99;
+}
+
+double l1(const StatedError& error, Variable variable) {
+  return variable == Variable::y ? error.y_l1 : error.ydot_l1;
 }
 
 }  // namespace fpkcheck::transform

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "problem/energy_balance.hpp"
+#include "parameters/value.hpp"
 #include "transform/density.hpp"
+#include "transform/identity.hpp"
 #include "transform/marginal.hpp"
+#include "transform/observation.hpp"
 
 namespace fpkcheck::transform {
 
@@ -19,9 +23,16 @@ enum class Status {
   inadmissible,   ///< the equations are met, but by no probability density
   failed          ///< the solver broke down
 };
-
-/// The status as written in summary.json.
-std::string_view name(Status status);
+/// As written in summary.json.
+inline constexpr parameters::Named<Status> kStatusNames[] = {
+    {Status::ok, "ok"},
+    {Status::not_converged, "not_converged", "the equations are not met"},
+    {Status::ill_posed, "ill_posed", "the discrete problem grows without bound"},
+    {Status::inadmissible, "inadmissible",
+     "the equations are met, but not by a probability density"},
+    {Status::failed, "failed", "the solver broke down"}};
+constexpr std::span<const parameters::Named<Status>> names(Status) { return kStatusNames; }
+constexpr std::string_view name(Status status) { return parameters::name_of(status); }
 
 /// What a sequence of grids tends to, as far as its last two tell (Richardson):
 /// limit = fine + factor (fine - coarser), with the solution's own density the fine one.
@@ -30,28 +41,62 @@ struct Extrapolation {
   double factor;  ///< 1/(R - 1) where differences of neighbouring grids fall by R
 };
 
-/// What every solver returns, whatever its method.
+/// Of a solution that chance enters, in the units of what they belong to.
+struct StandardErrors {
+  Moments moments = {};
+  double energy_residual = 0;
+};
+
+/// How far chance takes a marginal from the truth, in L1; nothing where a marginal has no errors.
+struct SamplingError {
+  std::optional<double> y{}, ydot{};        ///< expected
+  std::optional<double> y_99{}, ydot_99{};  ///< what 99 runs of 100 stay below
+};
+
+/// What a method states of its own error (other than by chance).
+struct StatedError {
+  double y_l1 = 0;       ///< of p(y), in L1
+  double ydot_l1 = 0;    ///< of p(y')
+  Moments moments = {};  ///< absolute
+};
+
+/// What every solver returns, whatever its method, and what a run that was saved has of it.
 struct Solution {
-  std::string id = {};   ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
-  std::string method;    ///< "epc", "fd" or "mcs"
-  std::string equation;  ///< "white", "km4" or "kf": the excitation term that was solved
-  problem::Impact impact = problem::Impact::map;
+  Identity identity;
+  parameters::Values options = {};  ///< what was asked for
   Status status = Status::failed;
   std::string reason = {};  ///< one sentence; never empty unless the status is ok
   double seconds = 0;       ///< wall-clock time of the solve
 
-  /// Absent when there is nothing that could be called a density.
+  /// Absent when there is nothing that could be called a density, and in a run that was read back.
   std::optional<Density> density = {};
   /// Marginals that the solver estimated itself, with intervals (simulation); else empty.
   std::vector<std::pair<Variable, Marginal>> estimated_marginals = {};
   /// Where the solver also has a coarser grid and estimated its discretisation error.
   std::optional<Extrapolation> extrapolation = {};
 
+  /// Of the density, where there is one.
   Moments moments = {};
   double mass = 0;             ///< integral of the density as returned
   double min_density = 0;      ///< smallest value, relative to the largest
   double energy_residual = 0;  ///< problem::energy_residual
+
+  std::optional<StandardErrors> standard_errors = {};
+  std::optional<SamplingError> sampling = {};
+  std::optional<StatedError> error = {};
+  Observations observations = {};  ///< what its solver alone knows
+
+  /// In a run that was read back: there was a density.
+  bool had_density = false;
+
+  const std::string& id() const { return identity.id; }
+  bool is_ok() const { return status == Status::ok; }
+  /// Whether there is anything that could be called a density, and so moments and mass.
+  bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
+
+/// The solution with this id, or null.
+const Solution* find_solution(std::span<const Solution> solutions, std::string_view id);
 
 /// The marginal over the given bins: the solver's own estimate where it made one on these very
 /// edges, else from the density.
@@ -61,5 +106,10 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
 /// The marginal of what the solution's grids tend to; averages near 0 may come out negative.
 /// @throws std::logic_error when the solution has no density or no extrapolation
 Marginal limit_marginal(const Solution& solution, Variable variable, std::span<const double> edges);
+
+/// The part that belongs to one variable.
+std::optional<double> expected(const SamplingError& sampling, Variable variable);
+std::optional<double> in_99(const SamplingError& sampling, Variable variable);
+double l1(const StatedError& error, Variable variable);
 
 }  // namespace fpkcheck::transform

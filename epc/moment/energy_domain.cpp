@@ -1,48 +1,36 @@
 #include "epc/moment/energy_domain.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/legendre.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::moment {
 
-Line legendre_rule(int points, double a, double b) {
-  std::vector<double> nodes;
-  for (const double zero : boost::math::legendre_p_zeros<double>(points)) {
-    if (zero > 0) nodes.push_back(-zero);
-    nodes.push_back(zero);
-  }
-  std::ranges::sort(nodes);
-  Line line{Eigen::VectorXd(points), Eigen::VectorXd(points)};
-  for (int i = 0; i < points; ++i) {
-    const double x = nodes[i];
-    const double slope = boost::math::legendre_p_prime(points, x);
-    line.at[i] = (a + b) / 2 + (b - a) / 2 * x;
-    line.weight[i] = (b - a) / ((1 - x * x) * slope * slope);
-  }
-  return line;
+using half_plane::Line;
+using half_plane::Points;
+
+namespace {
+
+problem::Polynomial potential_of(const problem::Problem& problem) {
+  auto a = problem.system.potential().coefficients();
+  a[1] -= problem.impulses.rate_moment(1);
+  return problem::Polynomial(a);
 }
 
+}  // namespace
+
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
-    : stiffness_(problem.system.stiffness()),
-      cubic_(problem.system.cubic()),
-      mean_force_(problem.impulses.rate_moment(1)),
+    : potential_(potential_of(problem)),
       level_(level),
       minimum_(problem::static_deflection(problem)),
-      least_(potential(minimum_)) {
+      least_(potential_(minimum_)) {
   double beyond = minimum_ + 1;
   while (energy(beyond, 0) < level_) beyond = minimum_ + 2 * (beyond - minimum_);
   y_high_ = turning_point(minimum_, beyond);
   y_low_ = energy(0, 0) <= level_ ? 0 : turning_point(minimum_, 0);
-}
-
-double EnergyDomain::potential(double y) const {
-  return y * y * (stiffness_ / 2 + cubic_ * y * y / 4) - mean_force_ * y;
 }
 
 double EnergyDomain::turning_point(double from, double towards) const {
@@ -67,27 +55,35 @@ Points EnergyDomain::rule(int y_points, int v_points) const {
   const double centre = cut_by_wall ? minimum_ : (y_low_ + y_high_) / 2;
   const double reach = y_high_ - centre;
   const double first = cut_by_wall ? std::asin(-centre / reach) : -std::numbers::pi / 2;
-  const Line phi = legendre_rule(y_points, first, std::numbers::pi / 2);
-  const Line t = legendre_rule(v_points, -1, 1);
+  const Line phi = half_plane::legendre_rule(y_points, first, std::numbers::pi / 2);
+  const Line tau = half_plane::legendre_rule(v_points, -1, 1);
 
-  const int count = y_points * v_points;
-  Points points{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd(count)};
+  const Eigen::Index count = Eigen::Index{y_points} * v_points;
+  Points points;
+  for (auto* column : {&points.y, &points.v, &points.energy, &points.weight}) {
+    column->resize(count);
+  }
+  Eigen::Index k = 0;
   for (int i = 0; i < y_points; ++i) {
     const double y = centre + reach * std::sin(phi.at[i]);
     const double width = half_width(y);
     const double y_weight = phi.weight[i] * reach * std::cos(phi.at[i]);
-    points.y.segment(i * v_points, v_points).setConstant(y);
-    points.v.segment(i * v_points, v_points) = width * t.at;
-    points.weight.segment(i * v_points, v_points) = y_weight * width * t.weight;
+    for (int j = 0; j < v_points; ++j, ++k) {
+      points.y[k] = y;
+      points.v[k] = width * tau.at[j];
+      points.energy[k] = energy(y, points.v[k]);
+      points.weight[k] = y_weight * width * tau.weight[j];
+    }
   }
+  points.s = points.y;
+  points.t = points.v;
   return points;
 }
 
-Points EnergyDomain::wall_rule(int points) const {
+Line EnergyDomain::wall_rule(int points) const {
   const double width = y_low_ == 0 ? half_width(0) : 0;
-  if (width == 0) return {Eigen::VectorXd(0), Eigen::VectorXd(0), Eigen::VectorXd(0)};
-  const Line v = legendre_rule(points, -width, 0);
-  return {Eigen::VectorXd::Zero(points), v.at, v.weight};
+  if (width == 0) return {};
+  return half_plane::legendre_rule(points, -width, 0);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -1,6 +1,11 @@
 #pragma once
 
-#include "epc/solve.hpp"
+#include "epc/options.hpp"
+#include "epc/summary.hpp"
+
+namespace fpkcheck::problem {
+struct Problem;
+}  // namespace fpkcheck::problem
 
 /// The closure on the physical half-plane: p(y, v) = C exp(Q_n(y, v)), y >= 0, with all monomials
 /// of degree 1 .. n, such that the exact moment equations of the impact process hold for every
@@ -9,8 +14,8 @@
 namespace fpkcheck::epc::moment {
 
 /// The formulation `moment` of epc::solve, options validated. The status is
-///  - ok: the equations are met by a density that has decayed to Support::kEdgeAllowed of its peak
-///    on the edge of its support;
+///  - ok: the equations are met by a density that has decayed to kEdgeAllowed of its peak on the
+///    edge of its support;
 ///  - inadmissible: they are met, but not by such a density;
 ///  - not_converged: Newton's method and the homotopy were lost, or the quadrature did not settle.
 Result solve(const problem::Problem& problem, const Options& options);

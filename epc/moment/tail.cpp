@@ -6,34 +6,31 @@
 #include <numbers>
 
 namespace fpkcheck::epc::moment {
-namespace {
 
-constexpr int kContourPoints = 48;
-
-// Visits points (y, +-v) of a contour with dphi, where dA/dh = sum of dy/v over them and
-// y = centre + reach sin(phi).
-template <class Visit>
-void along_contour(const EnergyDomain& domain, const Visit& visit) {
+half_plane::Contour contour(const EnergyDomain& domain) {
+  constexpr int kPoints = 48;
+  // dA/dh is the integral of dy/|v| over the points (y, +-v), with y = centre + reach sin(phi).
   const double centre = (domain.y_low() + domain.y_max()) / 2;
   const double reach = (domain.y_max() - domain.y_low()) / 2;
-  for (int i = 0; i < kContourPoints; ++i) {
-    const double phi = std::numbers::pi * ((i + 0.5) / kContourPoints - 0.5);
+  half_plane::Contour contour;
+  for (int i = 0; i < kPoints; ++i) {
+    const double phi = std::numbers::pi * ((i + 0.5) / kPoints - 0.5);
     const double y = centre + reach * std::sin(phi);
     const double v = domain.half_width(y);
-    const double dy = std::numbers::pi / kContourPoints * reach * std::cos(phi);
-    visit(y, v, dy);
-    visit(y, -v, dy);
+    const double dy = std::numbers::pi / kPoints * reach * std::cos(phi);
+    for (const double side : {1, -1}) {
+      contour.push_back({.s = y, .t = side * v, .y = y, .v = side * v, .area = dy / v});
+    }
   }
+  return contour;
 }
-
-}  // namespace
 
 double largest_on_contour(const Polynomial& q, const problem::Problem& problem, double energy) {
   const EnergyDomain domain(problem, energy);
+  const double at_low = domain.half_width(domain.y_low());
   double largest =
-      std::max(q(domain.y_max(), 0), q(domain.y_low(), domain.half_width(domain.y_low())));
-  largest = std::max(largest, q(domain.y_low(), -domain.half_width(domain.y_low())));
-  along_contour(domain, [&](double y, double v, double) { largest = std::max(largest, q(y, v)); });
+      std::max({q(domain.y_max(), 0), q(domain.y_low(), at_low), q(domain.y_low(), -at_low)});
+  for (const auto& point : contour(domain)) largest = std::max(largest, q(point.y, point.v));
   return largest;
 }
 
@@ -56,25 +53,6 @@ Fall fall_of(const Polynomial& q, const problem::Problem& problem, double from, 
     before = largest;
   }
   return fall;
-}
-
-std::pair<double, double> radii(const EnergyDomain& domain, const Deviations& sigma) {
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  along_contour(domain, [&](double y, double v, double) {
-    const double radius = std::hypot(y / sigma.x1, v / sigma.x2);
-    least = std::min(least, radius);
-    greatest = std::max(greatest, radius);
-  });
-  return {least, greatest};
-}
-
-double probability_beyond(const Polynomial& q, const problem::Problem& problem, double energy,
-                          double temperature, double log_normalisation) {
-  double density = 0;
-  along_contour(EnergyDomain(problem, energy), [&](double y, double v, double dy) {
-    density += std::exp(q(y, v) - log_normalisation) * dy / std::abs(v);
-  });
-  return temperature * density;
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
-#include "epc/basis.hpp"
+#include "epc/form/polynomial.hpp"
+#include "epc/half_plane/contour.hpp"
 #include "epc/moment/energy_domain.hpp"
-#include "epc/polynomial.hpp"
-#include "problem/problem.hpp"
 
 namespace fpkcheck::epc::moment {
+
+/// The edge of a domain, as points.
+half_plane::Contour contour(const EnergyDomain& domain);
 
 /// The largest Q_n on the contour of an energy (EnergyDomain), y >= 0.
 double largest_on_contour(const Polynomial& q, const problem::Problem& problem, double energy);
@@ -23,14 +24,5 @@ struct Fall {
 /// everywhere on one. Nothing is reached when it rises before, or at `farthest`.
 Fall fall_of(const Polynomial& q, const problem::Problem& problem, double from, double farthest,
              double depth);
-
-/// Least and greatest distance of a domain's edge from the origin in a scaled plane.
-std::pair<double, double> radii(const EnergyDomain& domain, const Deviations& sigma);
-
-/// Probability beyond an energy E if the density fell from there on like exp(-h/T):
-/// T oint p dA/dh.
-/// @param log_normalisation of exp(Q_n)
-double probability_beyond(const Polynomial& q, const problem::Problem& problem, double energy,
-                          double temperature, double log_normalisation);
 
 }  // namespace fpkcheck::epc::moment

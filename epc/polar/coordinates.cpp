@@ -1,28 +1,47 @@
 #include "epc/polar/coordinates.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <boost/math/tools/roots.hpp>
+#include <limits>
 #include <numbers>
 #include <utility>
 
-#include "epc/moment/energy_domain.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::polar {
+
+using half_plane::Line;
+using half_plane::Points;
+
 namespace {
 
-// Least share of the linearised stiffness in K.
-constexpr double kLeastShare = 0.1;
+// K
+double own_stiffness(const problem::Problem& problem) {
+  constexpr double kLeastShare = 0.1;  // of the linearised stiffness
+  return std::max(problem.system.stiffness(),
+                  kLeastShare * problem::equivalent_linearisation(problem).stiffness);
+}
+
+// A polynomial divided by y^power and multiplied by a factor, with another constant.
+problem::Polynomial divided(const problem::Polynomial& polynomial, std::size_t power, double factor,
+                            double constant) {
+  problem::Polynomial::Coefficients a{};
+  for (std::size_t n = power; n < a.size(); ++n) {
+    a[n - power] = factor * polynomial.coefficient(n);
+  }
+  a[0] = constant;
+  return problem::Polynomial(a);
+}
 
 // Gauss-Legendre panels on [0, end] between the breaks: points in proportion, and some for the
 // ends.
-moment::Line panels(double end, const std::vector<double>& breaks, int points) {
-  if (breaks.empty()) return moment::legendre_rule(points, 0, end);
-  moment::Line all;
+Line panels(double end, const std::vector<double>& breaks, int points) {
+  if (breaks.empty()) return half_plane::legendre_rule(points, 0, end);
+  Line all;
   double from = 0;
   const auto add = [&](double to) {
     const int own = static_cast<int>(points * (0.2 + (to - from) / end)) + 2;
-    const moment::Line panel = moment::legendre_rule(own, from, to);
+    const Line panel = half_plane::legendre_rule(own, from, to);
     const Eigen::Index before = all.at.size();
     for (auto [whole, part] : {std::pair{&all.at, &panel.at}, {&all.weight, &panel.weight}}) {
       whole->conservativeResize(before + own);
@@ -38,51 +57,54 @@ moment::Line panels(double end, const std::vector<double>& breaks, int points) {
 }  // namespace
 
 Coordinates::Coordinates(const problem::Problem& problem)
-    : stiffness_(problem.system.stiffness()),
-      cubic_(problem.system.cubic()),
-      own_stiffness_(std::max(
-          stiffness_, kLeastShare * problem::equivalent_linearisation(problem).stiffness)) {}
+    : share_(divided(problem.system.potential(), 2, 2, own_stiffness(problem))),
+      pull_(divided(problem.system.force(), 1, 1, own_stiffness(problem))),
+      force_(divided(problem.system.force(), 1, 1, problem.system.stiffness())) {}
 
-double Coordinates::w(double y) const { return y * std::sqrt(own_stiffness_ + cubic_ * y * y / 2); }
-
-double Coordinates::slope(double y) const {
-  return (own_stiffness_ + cubic_ * y * y) / std::sqrt(own_stiffness_ + cubic_ * y * y / 2);
+double Coordinates::bound(double w) const {
+  // Where one term of 2 V is w^2, 2 V is no less.
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n <= share_.degree(); ++n) {
+    if (!(share_.coefficient(n) > 0)) continue;
+    const double power = static_cast<double>(n) + 2;
+    least = std::min(least, std::pow(w / std::sqrt(share_.coefficient(n)), 2 / power));
+  }
+  return least;
 }
 
 double Coordinates::y(double w) const {
-  // K y^2 + mu y^4 / 2 = w^2, without cancellation
-  return w * std::sqrt(2 / (own_stiffness_ +
-                            std::sqrt(own_stiffness_ * own_stiffness_ + 2 * cubic_ * w * w)));
-}
-
-double Coordinates::rho(double y, double v) const { return std::hypot(w(y), v); }
-
-double Coordinates::theta(double y, double v) const { return std::atan2(v, w(y)); }
-
-double Coordinates::force_by_w(double y) const {
-  return (stiffness_ + cubic_ * y * y) / std::sqrt(own_stiffness_ + cubic_ * y * y / 2);
+  if (w == 0) return 0;
+  const auto excess = [&](double y) { return std::pair{this->w(y) - w, slope(y)}; };
+  const double guess = bound(w);
+  double beyond = 2 * guess;
+  while (this->w(beyond) < w) beyond *= 2;
+  constexpr int kDigits = std::numeric_limits<double>::digits - 2;
+  std::uintmax_t iterations = 100;
+  return boost::math::tools::newton_raphson_iterate(excess, guess, 0.0, beyond, kDigits,
+                                                    iterations);
 }
 
 Points rule(const Coordinates& coordinates, double rho_max, const std::vector<double>& breaks,
-            const QuadratureSize& size) {
-  const moment::Line rho = panels(rho_max, breaks, size.rho);
-  const moment::Line theta =
-      moment::legendre_rule(size.theta, -std::numbers::pi / 2, std::numbers::pi / 2);
+            const half_plane::QuadratureSize& size) {
+  const Line rho = panels(rho_max, breaks, size.s);
+  const Line theta = half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
   const Eigen::Index count = rho.at.size() * theta.at.size();
   Points points;
-  for (auto* column : {&points.rho, &points.theta, &points.y, &points.v, &points.weight}) {
+  for (auto* column :
+       {&points.s, &points.t, &points.y, &points.v, &points.energy, &points.weight}) {
     column->resize(count);
   }
-  Eigen::Index t = 0;
+  Eigen::Index k = 0;
   for (Eigen::Index i = 0; i < rho.at.size(); ++i) {
-    for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++t) {
-      points.rho[t] = rho.at[i];
-      points.theta[t] = theta.at[j];
-      points.y[t] = coordinates.y(rho.at[i] * std::cos(theta.at[j]));
-      points.v[t] = rho.at[i] * std::sin(theta.at[j]);
+    for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++k) {
+      points.s[k] = rho.at[i];
+      points.t[k] = theta.at[j];
+      points.y[k] = coordinates.y(rho.at[i] * std::cos(theta.at[j]));
+      points.v[k] = rho.at[i] * std::sin(theta.at[j]);
+      points.energy[k] = energy_at(rho.at[i]);
       // dy dv = dw dv / w'(y) = rho drho dtheta / w'(y)
-      points.weight[t] =
-          rho.weight[i] * theta.weight[j] * rho.at[i] / coordinates.slope(points.y[t]);
+      points.weight[k] =
+          rho.weight[i] * theta.weight[j] * rho.at[i] / coordinates.slope(points.y[k]);
     }
   }
   return points;

@@ -5,15 +5,19 @@
 #include <cmath>
 #include <string>
 
-#include "epc/admissibility.hpp"
+#include "epc/form/allowed.hpp"
+#include "epc/form/put_density.hpp"
+#include "epc/half_plane/report.hpp"
+#include "epc/half_plane/search.hpp"
 #include "epc/polar/search.hpp"
 #include "epc/polar/tail.hpp"
-#include "epc/put_density.hpp"
+#include "transform/panel_marginals.hpp"
 
 namespace fpkcheck::epc::polar {
 namespace {
 
-using transform::Status;
+using half_plane::Root;
+using half_plane::Shape;
 
 // By how much more points may change Q_n, in standard deviations: below what the exponent's shape
 // leaves at the usual orders.
@@ -21,29 +25,30 @@ constexpr double kQuadratureAllowed = 1e-3;
 // Largest density where the confinement begins, relative to the peak: beyond, it would shape it.
 constexpr double kLevelAllowed = 1e-4;
 
-transform::SmoothDensity density_of(const Coordinates& coordinates, const Root& root) {
+transform::SmoothDensity density_of(const Coordinates& coordinates, const Shape& shape,
+                                    const half_plane::Confinement& confinement) {
+  const double support = amplitude_at(shape.support);
   return {.value =
-              [coordinates, q = root.q, confinement = moment::Confinement{root.level},
-               support = root.support, constant = root.log_normalisation](double y, double v) {
+              [coordinates, q = shape.q, confinement, support, constant = shape.log_normalisation](
+                  double y, double v) {
                 const double rho = coordinates.rho(y, v);
                 if (y < 0 || rho > support) return 0.0;
-                return std::exp(q(rho, coordinates.theta(y, v)) + confined(confinement, rho) -
+                return std::exp(q(rho, coordinates.theta(y, v)) + confinement(energy_at(rho)) -
                                 constant);
               },
-          .y_max = coordinates.y(root.support),
-          .v_max = root.support};
+          .y_max = coordinates.y(support),
+          .v_max = support};
 }
 
-// C exp(Q_(n-2)) on the box of another density, C such that it integrates to 1 there.
-double distance_to_previous(const Coordinates& coordinates, const Root& root,
-                            const transform::PanelMarginals& marginals,
-                            const transform::SmoothDensity& density) {
-  const auto& q = *root.previous;
-  const double near_peak = q(0, 0);
+// Of C exp(Q_(n-2)) on the box of another density, C such that it integrates to 1 there.
+transform::PanelMarginals marginals_before(const Coordinates& coordinates, const Shape& previous,
+                                           const transform::SmoothDensity& density) {
+  const double near_peak = exponent(previous, 0, 0);
   transform::PanelMarginals before = transform::panel_marginals(
       {.value =
            [&](double y, double v) {
-             return std::exp(q(coordinates.rho(y, v), coordinates.theta(y, v)) - near_peak);
+             const double rho = coordinates.rho(y, v), theta = coordinates.theta(y, v);
+             return std::exp(exponent(previous, rho, theta) - near_peak);
            },
        .y_max = density.y_max,
        .v_max = density.v_max},
@@ -51,20 +56,22 @@ double distance_to_previous(const Coordinates& coordinates, const Root& root,
   for (auto* marginal : {&before.p_y, &before.p_v}) {
     for (double& p : *marginal) p /= before.mass;
   }
-  return distance(marginals, before);
+  return before;
 }
 
-// @param edge largest density on the edge of the support, relative to the peak
-std::string objection(const Root& root, double edge) {
-  if (!(root.level_density < kLevelAllowed)) {
+// @param at_level largest density where the confinement begins or beyond, relative to the peak
+// @param edge     the same on the edge of the support
+std::string objection(double at_level, double edge) {
+  if (!(at_level < kLevelAllowed)) {
     return fmt::format(
-        "the density is {:.1e} of its peak where its confinement begins, or beyond (allowed {:.0e})",
-        root.level_density, kLevelAllowed);
+        "the density is {:.1e} of its peak where its confinement begins, or beyond (allowed "
+        "{:.0e})",
+        at_level, kLevelAllowed);
   }
-  if (!(edge < Support::kEdgeAllowed)) {
+  if (!(edge < kEdgeAllowed)) {
     return fmt::format(
         "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e})", edge,
-        Support::kEdgeAllowed);
+        kEdgeAllowed);
   }
   return "";
 }
@@ -73,60 +80,32 @@ std::string objection(const Root& root, double edge) {
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const Coordinates coordinates(problem);
-  const Root root = find_root(problem, coordinates,
-                              {.order = options.order,
-                               .tolerance = options.tolerance,
-                               .max_iterations = options.max_iterations});
-  Result result;
-  auto& [solution, summary] = result;
-  summary.iterations = root.newton.iterations;
-  summary.residual = root.newton.residual;
-  solution.status = Status::not_converged;
-  solution.reason = root.failure;
+  const Root root = find_root(problem, coordinates, options);
+  Result result = half_plane::reported(root);
   if (!root.failure.empty()) return result;
 
-  const transform::SmoothDensity density = density_of(coordinates, root);
-  const transform::PanelMarginals marginals =
-      put_density(problem, problem::Impact::map, density, solution, transform::Panels::graded);
+  auto& [solution, summary] = result;
+  const Shape& shape = root.shape;
+  const auto confinement = half_plane::confinement_of(shape.level, options.tail);
+  const transform::SmoothDensity density = density_of(coordinates, shape, confinement);
+  const auto marginals =
+      put_density(problem, Impact::map, density, solution, transform::Panels::graded);
   if (root.previous) {
-    summary.distance_to_previous = distance_to_previous(coordinates, root, marginals, density);
+    summary.distance_to_previous =
+        distance(marginals, marginals_before(coordinates, *root.previous, density));
   }
-  const Deviations sigma{std::sqrt(solution.moments.y2), std::sqrt(solution.moments.v2)};
-  const double level = std::sqrt(2 * root.level);
-  const double beyond =
-      probability_beyond(root.q, coordinates, level, root.temperature, root.log_normalisation);
-  const auto [least, greatest] = radii(coordinates, root.support, sigma);
-  const double edge = std::exp(largest_at(root.q, root.support) +
-                               confined(moment::Confinement{root.level}, root.support) - root.peak);
-  summary.condition = root.condition;
-  summary.coefficients = root.q.terms();
-  summary.leading_form = polar::leading_form(root.q, sigma);
-  summary.support = {.least_radius = least,
-                     .greatest_radius = greatest,
-                     .y_max = density.y_max,
-                     .v_max = density.v_max,
-                     .edge_density = edge,
-                     .cut_off = probability_beyond(root.q, coordinates, root.support,
-                                                   root.temperature, root.log_normalisation)};
-  summary.moment = {.tail = moment::Tail::confined,
-                    .level = root.level,
-                    .level_deviations = std::sqrt(2 * root.level / root.temperature),
-                    .beyond_level = beyond,
-                    .quadrature_change = root.quadrature_change,
-                    .homotopies = root.homotopies};
-  if (!(root.quadrature_change < kQuadratureAllowed)) {
-    solution = {.method = {}, .equation = {}, .status = Status::not_converged};
-    solution.reason = fmt::format(
-        "half as many more points of the quadrature still changed Q_n by {:.1e} of a unit (allowed "
-        "{:.0e}): the density or the law of the impulses has features that {} x {} points miss",
-        root.quadrature_change, kQuadratureAllowed, root.quadrature.rho, root.quadrature.theta);
-    return result;
-  }
-  solution.reason = objection(root, edge);
-  if (solution.reason.empty()) {
-    solution.reason = half_plane_objection(options.order, solution, summary);
-  }
-  solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
+  const double support = amplitude_at(shape.support);
+  const double edge =
+      std::exp(largest_at(shape.q, support) + confinement(energy_at(support)) - shape.peak);
+  summary.leading_form =
+      leading_form_in_amplitude(shape.q, half_plane::deviations(solution.moments));
+  half_plane::describe(root, options.tail, density,
+                       {.support = contour(coordinates, support),
+                        .level = contour(coordinates, amplitude_at(shape.level)),
+                        .density = edge},
+                       result);
+  half_plane::conclude(options.order, root, kQuadratureAllowed, objection(root.remains, edge),
+                       result);
   return result;
 }
 

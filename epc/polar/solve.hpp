@@ -1,6 +1,11 @@
 #pragma once
 
-#include "epc/solve.hpp"
+#include "epc/options.hpp"
+#include "epc/summary.hpp"
+
+namespace fpkcheck::problem {
+struct Problem;
+}  // namespace fpkcheck::problem
 
 /// The closure in amplitude and phase: p(y, v) = C exp(Q_n(rho, theta)) on y >= 0, Q_n a polynomial
 /// of degree n in the coordinates of polar::Coordinates, such that the means of all products

@@ -1,6 +1,7 @@
 #include "epc/polar/tail.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,18 +9,38 @@
 namespace fpkcheck::epc::polar {
 namespace {
 
+// Evenly over the half-circle, its ends on the wall among them.
 constexpr int kPhases = 33;
-
-template <class Visit>
-void along_phases(const Visit& visit) {
-  for (int i = 0; i < kPhases; ++i) visit(std::numbers::pi * (i / (kPhases - 1.0) - 0.5));
+const std::array<double, kPhases>& phases() {
+  static const auto list = [] {
+    std::array<double, kPhases> angles{};
+    for (int i = 0; i < kPhases; ++i) angles[i] = std::numbers::pi * (i / (kPhases - 1.0) - 0.5);
+    return angles;
+  }();
+  return list;
 }
 
 }  // namespace
 
+half_plane::Contour contour(const Coordinates& coordinates, double rho) {
+  // dA/dh is the integral of dtheta / w'(y), here by the trapezoidal rule.
+  constexpr double kStep = std::numbers::pi / (kPhases - 1);
+  half_plane::Contour contour;
+  for (const double theta : phases()) {
+    const bool end = theta == phases().front() || theta == phases().back();
+    const double y = coordinates.y(rho * std::cos(theta)), v = rho * std::sin(theta);
+    contour.push_back({.s = rho,
+                       .t = theta,
+                       .y = y,
+                       .v = v,
+                       .area = (end ? 0.5 : 1) * kStep / coordinates.slope(y)});
+  }
+  return contour;
+}
+
 double largest_at(const Polynomial& q, double rho) {
   double largest = -std::numeric_limits<double>::infinity();
-  along_phases([&](double theta) { largest = std::max(largest, q(rho, theta)); });
+  for (const double theta : phases()) largest = std::max(largest, q(rho, theta));
   return largest;
 }
 
@@ -38,32 +59,7 @@ Fall fall_of(const Polynomial& q, double depth, double farthest) {
   return {{}, farthest};
 }
 
-double probability_beyond(const Polynomial& q, const Coordinates& coordinates, double rho,
-                          double temperature, double log_normalisation) {
-  // dA/dh is the integral of dtheta / w'(y).
-  double density = 0;
-  along_phases([&](double theta) {
-    const double slope = coordinates.slope(coordinates.y(rho * std::cos(theta)));
-    const double share = std::abs(std::abs(theta) - std::numbers::pi / 2) < 1e-9 ? 0.5 : 1;
-    density += share * std::exp(q(rho, theta) - log_normalisation) / slope * std::numbers::pi /
-               (kPhases - 1);
-  });
-  return temperature * density;
-}
-
-std::pair<double, double> radii(const Coordinates& coordinates, double rho,
-                                const Deviations& sigma) {
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  along_phases([&](double theta) {
-    const double y = coordinates.y(rho * std::cos(theta)), v = rho * std::sin(theta);
-    const double radius = std::hypot(y / sigma.x1, v / sigma.x2);
-    least = std::min(least, radius);
-    greatest = std::max(greatest, radius);
-  });
-  return {least, greatest};
-}
-
-LeadingForm leading_form(const Polynomial& q, const Deviations& sigma) {
+LeadingForm leading_form_in_amplitude(const Polynomial& q, const Deviations& sigma) {
   const int degree = q.degree();
   const auto highest = std::ranges::find_if(
       q.terms(), [&](const Term& term) { return term.x1 == degree && term.x2 == 0; });
@@ -71,7 +67,7 @@ LeadingForm leading_form(const Polynomial& q, const Deviations& sigma) {
   if (form.negative) return form;
   form.rising_share = 1;
   const std::vector<double> slope = derivative(q.along(1, 0));
-  double radius = Support::kFarthest;
+  double radius = kFarthest;
   while (radius > 0 && horner(slope, radius * sigma.x2) > 0) radius -= 0.05;
   form.rises_from = std::max(radius, 0.0);
   return form;

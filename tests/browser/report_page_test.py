@@ -131,7 +131,7 @@ class ReportPage(unittest.TestCase):
                         self.assert_close(curves[solution]['y'], density, (plot, axis, solution))
                 differences = self.curves(plot, 'y3')
                 self.assertEqual(set(differences), set(expected))
-                reference = expected['fd-kf'][1]
+                reference = expected[one['reference']][1]
                 for solution, (_, density) in expected.items():
                     difference = [p - q for p, q in zip(density, reference)]
                     self.assert_close(differences[solution]['y'], difference, (plot, solution), 1e-14)

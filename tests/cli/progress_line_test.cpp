@@ -5,7 +5,7 @@
 namespace fpkcheck::cli {
 namespace {
 
-compare::RunProgress at(double fraction, const std::string& note = "") {
+methods::RunProgress at(double fraction, const std::string& note = "") {
   return {.done = 3,
           .total = 8,
           .case_name = "case1",

@@ -2,314 +2,34 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <map>
-
-#include "epc/projection.hpp"
+#include "closures.hpp"
 #include "paper_cases.hpp"
-#include "problem/energy_balance.hpp"
-#include "problem/equivalent_linearisation.hpp"
-#include "problem/exact.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::epc {
 namespace {
 
-using transform::Status;
-
-std::map<std::pair<int, int>, double> coefficients(const Result& result) {
-  std::map<std::pair<int, int>, double> table;
-  for (const auto& [p, q, a] : result.summary.coefficients) table[{p, q}] = a;
-  return table;
-}
-
-// The coefficients in the scaled plane, where they are of comparable size.
-std::map<std::pair<int, int>, double> scaled_coefficients(const Result& result,
-                                                          const problem::Problem& problem) {
-  const auto linear = problem::equivalent_linearisation(problem);
-  auto table = coefficients(result);
-  for (auto& [power, a] : table) {
-    a *= std::pow(linear.displacement_deviation, power.first) *
-         std::pow(linear.velocity_deviation, power.second);
-  }
-  return table;
-}
-
-TEST(Solve, OrderTwoIsEquivalentLinearisation) {
-  for (int number = 1; number <= 4; ++number) {
-    const problem::Problem p = tests::paper_case(number);
-    const auto linear = problem::equivalent_linearisation(p);
-    const Result result = solve(p, {.order = 2});
-    const auto a = coefficients(result);
-    EXPECT_EQ(result.solution.status, Status::ok) << result.solution.reason;
-    EXPECT_NEAR(a.at({2, 0}) * -2 * std::pow(linear.displacement_deviation, 2), 1, 1e-10);
-    EXPECT_NEAR(a.at({0, 2}) * -2 * std::pow(linear.velocity_deviation, 2), 1, 1e-10);
-    EXPECT_NEAR(a.at({1, 1}), 0, 1e-10);
-    EXPECT_EQ(result.summary.iterations, 1);  // the start is the root; one step polishes it
-    EXPECT_NEAR(result.solution.moments.v2 / std::pow(linear.velocity_deviation, 2), 1, 1e-9);
-    // A Gaussian loses energy at the wall as the linearised damping has it.
-    EXPECT_NEAR(result.solution.energy_residual, 0, 1e-9);
+TEST(Closure, NamesWhatWasSolved) {
+  const auto p = tests::paper_case(1);
+  for (const auto& [formulation, name, meaning] : kFormulationNames) {
+    const Options options = tests::closure(formulation, 4);
+    const auto [solution, summary] = solve(p, options);
+    EXPECT_EQ(solution.identity, identity(options)) << name;
+    EXPECT_EQ(solution.id(), id(options));
+    EXPECT_GT(solution.seconds, 0);
+    EXPECT_EQ(solution.observations, observations(summary, solution.moments));
   }
 }
 
-TEST(Solve, WhiteNoiseWithoutLossGivesTheExactDensityFromOrderFourOn) {
-  const problem::Problem p = tests::make_problem(
-      {.damping = 0.2, .stiffness = 1.3, .cubic = 0.6, .restitution = 1, .intensity = 0.3});
-  const problem::exact::WhiteNoiseDensity exact(p);
-  const double beta = 0.2 / (0.3 / 2);
-  for (const int order : {4, 6, 8, 12}) {
-    for (const MonomialSet set : {MonomialSet::point_symmetric, MonomialSet::general}) {
-      const Result result =
-          solve(p, {.order = order, .monomials = set, .equation = Equation::white});
-      ASSERT_EQ(result.solution.status, Status::ok) << result.solution.reason;
-      for (const auto& [power, a] : coefficients(result)) {
-        const double expected = power == std::pair{2, 0}   ? -beta * 1.3 / 2
-                                : power == std::pair{0, 2} ? -beta / 2
-                                : power == std::pair{4, 0} ? -beta * 0.6 / 4
-                                                           : 0;
-        EXPECT_NEAR(a, expected, 1e-10) << power.first << ' ' << power.second << " n " << order;
-      }
-      const auto& density = std::get<transform::SmoothDensity>(*result.solution.density);
-      // The physical half-plane carries twice the density of the (z, z') plane.
-      EXPECT_NEAR(density.value(0.4, -0.7), 2 * exact(0.4, -0.7), 1e-10);
-      EXPECT_NEAR(result.solution.moments.v2, problem::exact::mean_square_velocity(p), 1e-9);
-      EXPECT_NEAR(result.solution.energy_residual, 0, 1e-9);
-      EXPECT_TRUE(result.summary.leading_form->negative);
-    }
-  }
+// Not a density's, where there is none.
+TEST(Closure, NamesWhatWasNotSolvedToo) {
+  const auto solution = solve(tests::paper_case(1), {.order = 8}).solution;
+  EXPECT_EQ(solution.status, transform::Status::not_converged);
+  EXPECT_EQ(solution.id(), "epc-gaussian-n8");
+  EXPECT_FALSE(solution.density.has_value());
 }
 
-TEST(Solve, PaperCasesAtOrderSixAreDensities) {
-  for (int number = 1; number <= 4; ++number) {
-    const Result result = solve(tests::paper_case(number), {.order = 6});
-    const auto& [solution, summary] = result;
-    EXPECT_EQ(solution.status, Status::ok) << solution.reason;
-    EXPECT_TRUE(solution.reason.empty());
-    EXPECT_LT(summary.residual, 1e-12);
-    EXPECT_LE(summary.iterations, 8);
-    EXPECT_NEAR(solution.mass, 1, 1e-8);
-    EXPECT_LT(summary.support->edge_density, 1e-6);
-    EXPECT_LT(summary.support->cut_off, 1e-8);
-    EXPECT_LT(std::abs(solution.energy_residual), 0.01);
-    // Theory notes, section 5: (19) fails along x1 in cases 2 to 4.
-    EXPECT_EQ(summary.leading_form->negative, number == 1);
-    EXPECT_EQ(coefficients(result).at({6, 0}) > 0, number != 1);
-    EXPECT_LT(coefficients(result).at({0, 6}), 0);
-  }
-}
-
-TEST(Solve, PaperCasesAtOrderFourAreRootsButNoDensities) {
-  for (int number = 1; number <= 4; ++number) {
-    const Result result = solve(tests::paper_case(number), {.order = 4});
-    const auto& [solution, summary] = result;
-    EXPECT_EQ(solution.status, Status::inadmissible);
-    EXPECT_NE(solution.reason.find("edge"), std::string::npos) << solution.reason;
-    EXPECT_LT(summary.residual, 1e-12);
-    EXPECT_LE(summary.iterations, 9);
-    EXPECT_GT(summary.support->edge_density, 1e-4);
-    EXPECT_FALSE(summary.leading_form->negative);
-    EXPECT_GT(coefficients(result).at({0, 4}), 0);
-    EXPECT_EQ(coefficients(result).at({4, 0}) > 0, number == 1);
-    // It can still be drawn, on the set where it falls.
-    ASSERT_TRUE(solution.density.has_value());
-    EXPECT_NEAR(solution.mass, 1, 1e-4);
-  }
-}
-
-TEST(Solve, OrderEightOfThePaperCasesIsNotPassedOff) {
-  for (int number = 1; number <= 4; ++number) {
-    const auto [solution, summary] = solve(tests::paper_case(number), {.order = 8});
-    EXPECT_NE(solution.status, Status::ok) << number;
-    EXPECT_FALSE(solution.reason.empty());
-    EXPECT_EQ(solution.reason.find('\n'), std::string::npos);
-    if (solution.status == Status::not_converged) {
-      EXPECT_GT(summary.residual, 1e-10);
-      EXPECT_FALSE(solution.density.has_value());
-      EXPECT_TRUE(summary.coefficients.empty());
-    }
-  }
-}
-
-TEST(Solve, ASpuriousRootThatFallsProperlyIsNamedByItsEnergyBalance) {
-  // Rare impulses: the root at n = 6 is a bell that dissipates twice the power it is given.
-  const auto [solution, summary] = solve(tests::make_problem({.rate = 0.3}), {.order = 6});
-  EXPECT_EQ(solution.status, Status::inadmissible);
-  EXPECT_LT(summary.residual, 1e-10);
-  EXPECT_LT(summary.support->edge_density, 1e-6);
-  EXPECT_LT(solution.energy_residual, -0.9);
-  EXPECT_NE(solution.reason.find("balance of power"), std::string::npos);
-}
-
-TEST(Solve, AgreesWithTheJumpEquationWhereImpulsesAreFrequent) {
-  // Theory notes, section 7: `kf` with r = 1, rate 10, by an independent spectral computation.
-  const problem::Problem p = tests::make_problem({.restitution = 1, .rate = 10});
-  const auto [solution, summary] = solve(p, {.order = 8});
-  EXPECT_EQ(solution.status, Status::ok) << solution.reason;
-  EXPECT_NEAR(solution.moments.y2, 0.44410, 2e-5);
-  EXPECT_NEAR(solution.moments.y4, 0.55904, 5e-5);
-  EXPECT_NEAR(solution.moments.v2, 0.5, 1e-5);
-  EXPECT_NEAR(solution.moments.v4, 0.7558, 1e-4);
-}
-
-TEST(Solve, EnergyResidualIsThatOfTheDensityReturned) {
-  const problem::Problem p = tests::make_problem({.restitution = 0.9, .mean = 0.2});
-  const auto solution = solve(p, {.order = 6}).solution;
-  const auto& density = std::get<transform::SmoothDensity>(*solution.density);
-  const auto& m = solution.moments;
-  ASSERT_GT(std::abs(m.v1), 1e-6);
-  EXPECT_DOUBLE_EQ(solution.energy_residual,
-                   problem::energy_residual(p, problem::Impact::delta,
-                                            {.mean_velocity = m.v1,
-                                             .mean_square_velocity = m.v2,
-                                             .impact_energy_flux = impact_flux(density, 3)}));
-}
-
-TEST(Solve, OrderEightIsReachedWhereImpulsesAreFrequent) {
-  const problem::Problem p = tests::make_problem({.rate = 10});
-  const Result six = solve(p, {.order = 6}), eight = solve(p, {.order = 8});
-  EXPECT_EQ(eight.solution.status, Status::ok) << eight.solution.reason;
-  EXPECT_NEAR(eight.solution.moments.y2, six.solution.moments.y2, 2e-4);
-  EXPECT_NEAR(eight.solution.moments.v2, six.solution.moments.v2, 2e-4);
-}
-
-TEST(Solve, FollowsTheBranchWherePlainNewtonStepsAreLost) {
-  const problem::Problem p = tests::make_problem({.restitution = 0.5});
-  const Result result = solve(p, {.order = 4});
-  EXPECT_GT(result.summary.iterations, 30);
-  EXPECT_LT(result.summary.residual, 1e-10);
-  EXPECT_NE(result.solution.status, Status::not_converged) << result.solution.reason;
-}
-
-// z -> a z takes (mu, lambda E[Y^2]) to (mu/a^2, a^2 lambda E[Y^2]), so case 3 is case 2 with
-// a^2 = 1/10, and a_pq(case 3) = a_pq(case 2) 10^((p+q)/2).
-TEST(Solve, CaseThreeIsCaseTwoInOtherUnits) {
-  for (const int order : {4, 6}) {
-    const Result two = solve(tests::paper_case(2), {.order = order});
-    const Result three = solve(tests::paper_case(3), {.order = order});
-    const auto a = coefficients(two), b = coefficients(three);
-    for (const auto& [power, value] : a) {
-      const double expected = value * std::pow(10, (power.first + power.second) / 2.0);
-      EXPECT_NEAR(b.at(power), expected, 1e-9 * std::abs(expected) + 1e-12);
-    }
-    EXPECT_NEAR(three.solution.moments.y2 * 10, two.solution.moments.y2, 1e-7);
-  }
-}
-
-TEST(Solve, TheGeneralSetGivesThePointSymmetricSolutionWhateverTheMean) {
-  for (const double mean : {0.0, 0.1, -0.15}) {
-    const problem::Problem p = tests::make_problem({.mean = mean});
-    for (const int order : {2, 4, 6}) {
-      const Result half = solve(p, {.order = order});
-      const Result whole = solve(p, {.order = order, .monomials = MonomialSet::general});
-      ASSERT_NE(half.solution.status, Status::not_converged);
-      EXPECT_EQ(half.solution.status, whole.solution.status);
-      const auto a = scaled_coefficients(half, p);
-      for (const auto& [power, value] : scaled_coefficients(whole, p)) {
-        const double expected = (power.first + power.second) % 2 == 0 ? a.at(power) : 0;
-        EXPECT_NEAR(value, expected, 1e-10) << power.first << ' ' << power.second;
-      }
-      EXPECT_NEAR(whole.solution.moments.y2, half.solution.moments.y2, 1e-9);
-    }
-  }
-}
-
-TEST(Solve, AnOutwardMeanPushesTheResponseOutwards) {
-  const auto y1 = [](double mean) {
-    return solve(tests::make_problem({.mean = mean}), {.order = 6}).solution.moments.y1;
-  };
-  EXPECT_GT(y1(0.1), y1(0) + 0.02);
-  EXPECT_LT(y1(-0.1), y1(0) - 0.02);
-}
-
-TEST(Solve, ReportsAPointWhereTheEquationsAreMetIndependently) {
-  const problem::Problem p = tests::paper_case(4);
-  const Result result = solve(p, {.order = 6});
-  const Projection projection(
-      Basis(6, MonomialSet::general, deviations(problem::equivalent_linearisation(p))));
-  const Eigen::VectorXd residual =
-      projection.residual(residual_coefficients(p, Equation::km4),
-                          projection.basis().scaled(result.summary.coefficients));
-  EXPECT_LT(residual.norm(), 1e-12);
-}
-
-TEST(Solve, NamesWhatWasSolved) {
-  const problem::Problem p = tests::paper_case(1);
-  const auto km4 = solve(p, {.order = 6}).solution;
-  EXPECT_EQ(km4.id, "epc-gaussian-n6");
-  EXPECT_EQ(km4.method, "epc");
-  EXPECT_EQ(km4.equation, "km4");
-  EXPECT_EQ(km4.impact, problem::Impact::delta);
-  EXPECT_GT(km4.seconds, 0);
-  const auto white = solve(p, {.order = 4, .equation = Equation::white}).solution;
-  EXPECT_EQ(white.id, "epc-gaussian-white-n4");
-  EXPECT_EQ(white.equation, "white");
-}
-
-TEST(Solve, SummaryHasTheFieldsOfTheContract) {
-  const auto json = to_json(solve(tests::paper_case(2), {.order = 6}).summary);
-  EXPECT_EQ(json.at("order"), 6);
-  EXPECT_EQ(json.at("formulation"), "gaussian");
-  EXPECT_EQ(json.at("leading_form"), "indefinite");
-  EXPECT_GT(json.at("iterations"), 0);
-  EXPECT_LT(json.at("residual"), 1e-10);
-  ASSERT_EQ(json.at("coefficients").size(), 15u);
-  EXPECT_EQ(json.at("coefficients")[0].at("x1"), 2);
-  EXPECT_EQ(json.at("coefficients")[0].at("x2"), 0);
-  EXPECT_LT(json.at("coefficients")[0].at("a"), 0);
-  EXPECT_GT(json.at("support").at("rises_from"), 4);
-  EXPECT_LT(json.at("support").at("cut_off"), 1e-8);
-
-  EXPECT_LT(json.at("distance_to_previous"), 0.05);
-  EXPECT_TRUE(json.at("branch").is_null());
-  EXPECT_TRUE(json.at("disc_sensitivity").is_null());
-
-  const auto lost = to_json(solve(tests::paper_case(1), {.order = 8}).summary);
-  EXPECT_TRUE(lost.at("support").is_null());
-  EXPECT_TRUE(lost.at("leading_form").is_null());
-  EXPECT_TRUE(lost.at("coefficients").empty());
-  EXPECT_EQ(lost.at("branch").at("end"), "white_noise");
-  EXPECT_NEAR(lost.at("branch").at("furthest"), 0.65475, 1e-5);
-  EXPECT_EQ(lost.at("branch").at("points")[0].at("fraction"), 0);
-}
-
-TEST(Solve, SaysInWordsWhatTheRestrictionOfSupportCutsOff) {
-  const auto [solution, summary] = solve(tests::paper_case(1), {.order = 4});
-  EXPECT_NE(solution.reason.find("cuts off about 5.2e-04"), std::string::npos) << solution.reason;
-  EXPECT_NE(solution.reason.find("from radius"), std::string::npos);
-}
-
-TEST(Solve, NearlyWithoutDampingIsNoMatterOfRounding) {
-  // Impulses as weak as the damping, so that the response is that of case 1.
-  for (const double damping : {1e-5, 1e-7}) {
-    const auto solution =
-        solve(tests::make_problem(
-                  {.damping = damping, .restitution = 1, .rate = 1, .intensity = damping}),
-              {.order = 4})
-            .solution;
-    EXPECT_EQ(solution.status, Status::ok) << solution.reason;
-    EXPECT_NEAR(solution.moments.v2, 0.5, 1e-4);
-  }
-}
-
-TEST(Options, AreRefusedWithOneLine) {
-  const auto refused = [](const Options& options) {
-    try {
-      validate(options);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  for (const int order : {-2, 0, 1, 3, 7, 14, 100}) {
-    const std::string message = refused({.order = order});
-    EXPECT_NE(message.find("order = " + std::to_string(order)), std::string::npos) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos);
-  }
-  EXPECT_FALSE(refused({.tolerance = 0}).empty());
-  EXPECT_FALSE(refused({.tolerance = std::nan("")}).empty());
-  EXPECT_FALSE(refused({.max_iterations = 0}).empty());
-  for (int order = 2; order <= greatest_order(Formulation::gaussian); order += 2)
-    EXPECT_EQ(refused({.order = order}), "");
+TEST(Closure, RefusesOptionsThatAreNotValid) {
   EXPECT_THROW(solve(tests::paper_case(1), {.order = 5}), InputError);
 }
 

@@ -6,18 +6,16 @@
 #include <cmath>
 
 #include "distances.hpp"
-#include "fd_fpk/gmres.hpp"
-#include "fd_fpk/null_vector.hpp"
-#include "fd_fpk/observables.hpp"
+#include "exact/closed_forms.hpp"
+#include "exact/linear_density.hpp"
+#include "fd_fpk/linear/gmres.hpp"
+#include "fd_fpk/linear/null_vector.hpp"
+#include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
-#include "problem/exact.hpp"
-#include "problem/exact_linear_density.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
-
-using problem::Impact;
 
 // Cell averages of a function, five Gauss points a direction.
 template <class Function>
@@ -77,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Convergence, OrderOf, testing::Values(3, 5, 7),
 TEST_P(OrderOf, TheJointDensityUnderWhiteNoiseIsThatOfTheScheme) {
   const int order = GetParam();
   const auto p = tests::make_problem({.restitution = 1});
-  const problem::exact::WhiteNoiseDensity exact(p);
+  const exact::WhiteNoiseDensity exact(p);
   const auto error = [&](int nx) {
     const auto [grid, averages] = stationary(p, Equation::white, order, nx, 2 * nx, 4.6, 5.0);
     return l1(grid,
@@ -89,7 +87,7 @@ TEST_P(OrderOf, TheJointDensityUnderWhiteNoiseIsThatOfTheScheme) {
 TEST_P(OrderOf, MarginalsAndJointDensityUnderJumpsAreThatOfTheScheme) {
   const int order = GetParam();
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
-  static const problem::exact::LinearDensity exact(p);
+  static const exact::LinearDensity exact(p);
   struct Errors {
     double joint, y, v;
   };
@@ -117,7 +115,7 @@ TEST(ImpulseLaws, EachGivesTheExactMarginalsOfTheLinearOscillator) {
   for (const auto* law : {"gaussian", "laplace", "uniform", "two_point"}) {
     SCOPED_TRACE(law);
     const auto p = tests::make_problem({.cubic = 0, .restitution = 1, .law = law});
-    const problem::exact::LinearDensity exact(p, 1e-11);
+    const exact::LinearDensity exact(p, 1e-11);
     const auto solution = solve(p, {.stepper = Stepper::direct}).solution;
     ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
     const auto [y, v] = tests::distances(
@@ -139,15 +137,15 @@ struct Manufactured {
     const double s = scale(v), u = s * v;
     return std::exp(-x * x) * s * s * std::pow(u, 6) * std::exp(-u * u);
   }
-  // L p = -v p_x + [(c v + k x + mu x^3) p]_v + D2 p_vv
+  // L p = -v p_x + [(c v + g(x)) p]_v + D2 p_vv
   double rate(double x, double v) const {
     const double s = scale(v), u = s * v, e = std::exp(-x * x) * s * s * std::exp(-u * u);
     const double p = std::pow(u, 6) * e;
     const double p_v = s * (6 * std::pow(u, 5) - 2 * std::pow(u, 7)) * e;
     const double p_vv =
         s * s * (30 * std::pow(u, 4) - 26 * std::pow(u, 6) + 4 * std::pow(u, 8)) * e;
-    return 2 * x * v * p + system.damping() * p +
-           (system.damping() * v + system.restoring_force(x)) * p_v + d2 * p_vv;
+    return 2 * x * v * p + system.damping() * p + (system.damping() * v + system.force()(x)) * p_v +
+           d2 * p_vv;
   }
 };
 
@@ -189,10 +187,9 @@ TEST(SelfConvergence, OfThePapersCasesIsOfFifthOrderOnGradedGrids) {
   for (const double r : {0.98, 0.7}) {
     for (const int number : {1, 2, 4}) {  // 3 is 2 in other units
       auto p = tests::paper_case(number);
-      p.system = problem::System({.damping = p.system.damping(),
-                                  .stiffness = p.system.stiffness(),
-                                  .cubic = p.system.cubic(),
-                                  .restitution = r});
+      auto coefficients = p.system.coefficients();
+      coefficients.restitution = r;
+      p.system = problem::System(coefficients);
       const auto moments_at = [&](double refinement) {
         return solve(p, {.stepper = Stepper::direct,
                          .refinement = refinement,

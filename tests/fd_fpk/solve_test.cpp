@@ -4,35 +4,24 @@
 
 #include <cmath>
 
+#include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "problem/exact.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
+#include "uniform_edges.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
+using tests::uniform_edges;
 using transform::Status;
 using transform::Variable;
 
 Options direct(Equation equation) { return {.equation = equation, .stepper = Stepper::direct}; }
 
-std::vector<double> uniform(double a, double b, int n) {
-  std::vector<double> edges;
-  for (int k = 0; k <= n; ++k) edges.push_back(a + (b - a) * k / n);
-  return edges;
-}
-
-double l1(const transform::Marginal& a, const transform::Marginal& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += std::abs(a.density[i] - b.density[i]) * a.width(i);
-  return sum;
-}
-
 TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
   const auto p = tests::make_problem({.restitution = 1});
-  const problem::exact::WhiteNoiseDensity exact(p);
-  const auto y_edges = uniform(0, 4, 50), v_edges = uniform(-4, 4, 80);
+  const exact::WhiteNoiseDensity exact(p);
+  const auto y_edges = uniform_edges(0, 4, 50), v_edges = uniform_edges(-4, 4, 80);
   const auto error = [&](int cells) {
     Options options = direct(Equation::white);
     options.nx = cells;
@@ -68,17 +57,43 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
   EXPECT_LT(fine, 4e-5);
 }
 
+TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
+  const auto p = tests::paper_case(1);
+  Options options{.equation = Equation::km4, .impact = Impact::delta, .stepper = Stepper::direct};
+  const auto plain = solve(p, options);
+  EXPECT_EQ(plain.solution.identity, identity(options));
+  EXPECT_EQ(plain.solution.observations, observations(plain.summary));
+  EXPECT_FALSE(plain.solution.error);
+  options.error_estimate = true;
+  const auto [solution, summary] = solve(p, options);
+  EXPECT_EQ(solution.identity, identity(options));
+  EXPECT_EQ(solution.observations, observations(summary));
+  ASSERT_TRUE(solution.error && summary.error);
+  EXPECT_EQ(solution.error->y_l1, summary.error->y_l1);
+  EXPECT_EQ(solution.error->ydot_l1, summary.error->ydot_l1);
+  EXPECT_EQ(solution.error->moments.v4, summary.error->moments.v4);
+  EXPECT_GT(solution.error->moments.v4, 0);
+}
+
+TEST(Solve, SaysWhatItSolvedOfAProblemWithoutASolutionToo) {
+  const Options literal{.equation = Equation::km4, .regularisation_length = 0};
+  const auto [solution, summary] = solve(tests::paper_case(1), literal);
+  EXPECT_EQ(solution.id(), "fd-km4");
+  EXPECT_EQ(solution.observations, observations(summary));
+  EXPECT_GT(*number(solution.observations, "growth_rate"), 1.0);
+}
+
 TEST(Solve, JumpsReproduceTheExactCumulantsOfTheLinearOscillator) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   const auto solution = solve(p, direct(Equation::kf)).solution;
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   const auto fourth = [&](double k4, double k2) { return k4 + 3 * k2 * k2; };
-  const double x2 = problem::exact::linear_cumulant(p, 2, 0);
-  const double v2 = problem::exact::linear_cumulant(p, 0, 2);
+  const double x2 = exact::linear_cumulant(p, 2, 0);
+  const double v2 = exact::linear_cumulant(p, 0, 2);
   EXPECT_NEAR(solution.moments.y2, x2, 3e-5);
   EXPECT_NEAR(solution.moments.v2, v2, 3e-5);
-  EXPECT_NEAR(solution.moments.y4, fourth(problem::exact::linear_cumulant(p, 4, 0), x2), 2e-4);
-  EXPECT_NEAR(solution.moments.v4, fourth(problem::exact::linear_cumulant(p, 0, 4), v2), 2e-4);
+  EXPECT_NEAR(solution.moments.y4, fourth(exact::linear_cumulant(p, 4, 0), x2), 2e-4);
+  EXPECT_NEAR(solution.moments.v4, fourth(exact::linear_cumulant(p, 0, 4), v2), 2e-4);
 }
 
 TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
@@ -101,8 +116,7 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
     EXPECT_NEAR(solution.moments.y2, row.y2, 5e-5 * row.y2);
     EXPECT_NEAR(solution.moments.y4, row.y4, row.y4_error);
     EXPECT_NEAR(solution.moments.v4, row.v4, row.v4_error);
-    EXPECT_NEAR(solution.moments.v2, problem::exact::mean_square_velocity(p),
-                1e-4 * row.intensity * 5);
+    EXPECT_NEAR(solution.moments.v2, exact::mean_square_velocity(p), 1e-4 * row.intensity * 5);
   }
 }
 
@@ -129,7 +143,7 @@ TEST(Solve, CasesTwoAndThreeAreOneProblem) {
   const auto two = solve(tests::paper_case(2), direct(Equation::kf)).solution;
   const auto three = solve(tests::paper_case(3), direct(Equation::kf)).solution;
   for (const auto variable : {Variable::y, Variable::ydot}) {
-    const auto edges = variable == Variable::y ? uniform(0, 2, 40) : uniform(-2, 2, 80);
+    const auto edges = variable == Variable::y ? uniform_edges(0, 2, 40) : uniform_edges(-2, 2, 80);
     auto scaled_edges = edges;
     for (double& e : scaled_edges) e *= a;
     const auto p3 = marginal(three, variable, edges), p2 = marginal(two, variable, scaled_edges);
@@ -143,7 +157,7 @@ TEST(Solve, TruncationCostsLittleAndWhiteNoiseMuch) {
   const auto kf = solve(p, direct(Equation::kf)).solution;
   const auto km4 = solve(p, direct(Equation::km4)).solution;
   const auto white = solve(p, direct(Equation::white)).solution;
-  const auto edges = uniform(-4.5, 4.5, 120);
+  const auto edges = uniform_edges(-4.5, 4.5, 120);
   const auto reference = marginal(kf, Variable::ydot, edges);
   EXPECT_LT(l1(marginal(km4, Variable::ydot, edges), reference), 1.5e-3);
   EXPECT_GT(l1(marginal(white, Variable::ydot, edges), reference), 2e-2);
@@ -245,14 +259,8 @@ TEST(Solve, SaysThatAResidualWasNotReached) {
 }
 
 TEST(Solve, RefusesOptionsThatCannotBeUsed) {
-  const auto p = tests::paper_case(1);
-  EXPECT_THROW(solve(p, {.order = 1}), InputError);
-  EXPECT_THROW(solve(p, {.order = 9}), InputError);
-  EXPECT_THROW(solve(p, {.nx = 3}), InputError);
-  EXPECT_THROW(solve(p, {.nv = 31}), InputError);
-  EXPECT_THROW(solve(p, {.x1_max = -1.0}), InputError);
-  EXPECT_THROW(solve(p, {.regularisation_length = 0.3}), InputError);  // kf has none
-  EXPECT_THROW(solve(p, {.equation = Equation::km4, .regularisation_length = -0.3}), InputError);
+  EXPECT_THROW(solve(tests::paper_case(1), {.order = 9}), InputError);
+  EXPECT_THROW(solve(tests::paper_case(1), {.regularisation_length = 0.3}), InputError);
 }
 
 }  // namespace

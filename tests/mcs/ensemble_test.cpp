@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "exact/linear_moments.hpp"
 #include "paper_cases.hpp"
-#include "problem/exact_linear_moments.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 #include "statistics.hpp"
 
 namespace fpkcheck::mcs {
@@ -23,8 +23,7 @@ TEST(Ensemble, HasTheExactMomentsOfTheLinearOscillatorOverTime) {
     const auto problem = tests::make_problem({.cubic = 0, .restitution = 1, .law = law});
     for (const auto& s : simulate_ensemble(problem, ensemble({0, 0.7, 1.9, 3, 8}))) {
       SCOPED_TRACE(s.time);
-      const auto exact =
-          problem::exact::linear_moments_at(problem, {.var_z = 0.25, .var_v = 0.64}, s.time);
+      const auto exact = exact::linear_moments_at(problem, {.var_z = 0.25, .var_v = 0.64}, s.time);
       expect_near(s.moments.y2, exact.zz, s.standard_errors.y2, "E[y^2]");
       expect_near(s.moments.v2, exact.vv, s.standard_errors.v2, "E[y'^2]");
     }

@@ -3,27 +3,20 @@
 #include <cmath>
 #include <numeric>
 
-#include "mcs/simulate.hpp"
-#include "mcs/stream.hpp"
+#include "exact/closed_forms.hpp"
+#include "exact/linear_density.hpp"
+#include "mcs/solve.hpp"
+#include "mcs/streams/stream.hpp"
 #include "paper_cases.hpp"
-#include "problem/exact.hpp"
-#include "problem/exact_linear_density.hpp"
 #include "statistics.hpp"
+#include "uniform_edges.hpp"
 
 // Everything that is estimated, against the exact stationary density of the linear oscillator with
 // r = 1 under impulses.
 namespace fpkcheck::mcs {
 namespace {
 
-namespace exact = problem::exact;
-
 problem::Problem linear() { return tests::make_problem({.cubic = 0, .restitution = 1}); }
-
-std::vector<double> even(double from, double to, int bins) {
-  std::vector<double> edges;
-  for (int k = 0; k <= bins; ++k) edges.push_back(from + (to - from) * k / bins);
-  return edges;
-}
 
 // Sum of averages times the exact integral of x^order over their bins.
 double moment(const std::vector<double>& edges, const std::vector<double>& averages, int order) {
@@ -41,7 +34,7 @@ double moment(const std::vector<double>& edges, const std::vector<double>& avera
 std::vector<double> exact_moments() {
   const auto problem = linear();
   const exact::LinearDensity density(problem);
-  const auto y = even(0, 6, 1500), v = even(-6, 6, 1500);
+  const auto y = tests::uniform_edges(0, 6, 1500), v = tests::uniform_edges(-6, 6, 1500);
   const auto p_y = density.displacement_averages(y), p_v = density.velocity_averages(v);
   const auto kappa = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
   const double zz = kappa(2, 0), vv = kappa(0, 2), zv = kappa(1, 1);
@@ -90,15 +83,17 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
   const auto problem = linear();
   const auto truth = exact_moments();
   const exact::LinearDensity density(problem);
-  Options options{
-      .time = 1e4, .streams = 24, .y_edges = even(0, 3, 30), .v_edges = even(-3, 3, 40)};
+  Options options{.time = 1e4,
+                  .streams = 24,
+                  .y_edges = tests::uniform_edges(0, 3, 30),
+                  .v_edges = tests::uniform_edges(-3, 3, 40)};
   const auto p_y = density.displacement_averages(options.y_edges);
   const auto p_v = density.velocity_averages(options.v_edges);
   const auto p = density.joint_averages(options.y_edges, options.v_edges);
   Coverage of_moments, of_y, of_v, of_cells, of_quantiles;
   for (int run = 0; run < 100; ++run) {
     options.seed = 1000 + run;
-    const Result result = simulate(problem, options);
+    const Result result = solve(problem, options);
     constexpr double kStudent = 2.0796;  // 21 degrees of freedom
     for (std::size_t n = 0; n < kPowers.size(); ++n) {
       const auto [mean, error] = result.summary.joint_moments[n];
@@ -143,9 +138,9 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
 TEST(ExactLinear, HalvingTheStepMovesMomentsByLessThanATenthOfTheirError) {
   for (const auto& problem : {linear(), tests::paper_case(1), tests::paper_case(2)}) {
     Options options{.time = 1e5, .seed = 3};
-    const Result coarse = simulate(problem, options);
+    const Result coarse = solve(problem, options);
     options.step = coarse.summary.step / 2;
-    const Result fine = simulate(problem, options);
+    const Result fine = solve(problem, options);
     EXPECT_GT(fine.summary.flights, coarse.summary.flights);
     for (std::size_t n = 0; n < kPowers.size(); ++n) {
       const auto &a = coarse.summary.joint_moments[n], &b = fine.summary.joint_moments[n];
@@ -159,7 +154,7 @@ TEST(ExactLinear, LevelsAreCrossedUpwardsAtRicesRate) {
   const auto problem = linear();
   const exact::LinearDensity density(problem);
   const auto summary = tests::simulate(problem, 3e5).summary;
-  const auto v = even(0, 6, 600);
+  const auto v = tests::uniform_edges(0, 6, 600);
   int compared = 0;
   for (const LevelRate& crossing : summary.crossings) {
     if (crossing.rate.mean < 1e-4) continue;
@@ -184,7 +179,7 @@ TEST(ExactLinear, SplittingResolvesTheTailsDownTo1eMinus8OfThePeak) {
   const auto problem = linear();
   const exact::LinearDensity density(problem);
   Options options{.time = 6e4, .seed = 5, .tails = true};
-  const Result result = simulate(problem, options);
+  const Result result = solve(problem, options);
   EXPECT_GT(result.summary.thresholds.size(), 10u);
   for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
     const auto truth = variable == transform::Variable::y

@@ -1,13 +1,13 @@
+#include "mcs/options.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
 
-#include "mcs/plan.hpp"
-#include "mcs/simulate.hpp"
+#include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "problem/equivalent_linearisation.hpp"
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -27,9 +27,13 @@ void expect_refused(Change change, const std::string& key) {
 
 TEST(Options, OutOfRangeAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused([](auto& o) { o.equation = Equation::km4; }, "equation");
   expect_refused([](auto& o) { o.time = -1; }, "time");
+  expect_refused([](auto& o) { o.time = 0; }, "time");
   expect_refused([&](auto& o) { o.time = nan; }, "time");
+  expect_refused([](auto& o) { o.seed = std::uint64_t{1} << 63; }, "seed");
   expect_refused([](auto& o) { o.threads = -1; }, "threads");
+  expect_refused([](auto& o) { o.threads = 0; }, "threads");
   expect_refused([](auto& o) { o.threads = 100000; }, "threads");
   expect_refused([](auto& o) { o.streams = 0; }, "streams");
   expect_refused([](auto& o) { o.streams = 7; }, "streams");
@@ -49,23 +53,76 @@ TEST(Options, OutOfRangeAreRefusedByName) {
   expect_refused([&](auto& o) { o.v_edges = {0, nan}; }, "v_edges");
   Options one_stream;
   one_stream.streams = 1;
-  EXPECT_THROW(simulate(tests::paper_case(1), one_stream), InputError);
+  EXPECT_THROW(solve(tests::paper_case(1), one_stream), InputError);
   EXPECT_NO_THROW(validate({}));
 }
 
-TEST(Options, LeftOutAreChosenFromTheEquivalentLinearisation) {
-  const auto problem = tests::paper_case(4);
-  const auto linear = problem::equivalent_linearisation(problem);
-  const Plan plan = make_plan(problem, {});
-  const double time = plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
-  EXPECT_NEAR(time * problem::slowest_decay(linear), 1.6e6, 4e3);
-  EXPECT_NEAR(plan.burn_in * problem::slowest_decay(linear), 20, 1e-12);
-  EXPECT_EQ(plan.y_bins.bins(), 140u);
-  EXPECT_EQ(plan.v_bins.bins(), 140u);
-  EXPECT_EQ(plan.y_bins.edges().front(), 0.0);
-  EXPECT_NEAR(plan.y_bins.edges().back(), 7 * linear.displacement_deviation, 1e-12);
-  EXPECT_NEAR(plan.v_bins.edges().front(), -7 * linear.velocity_deviation, 1e-12);
-  EXPECT_GE(plan.threads, 1);
+TEST(Options, ComeBackFromTheirValues) {
+  const Options changed{.equation = Equation::white,
+                        .time = 12345.5,
+                        .samples = 2e6,
+                        .target_error = 1e-3,
+                        .seed = 9223372036854775807u,
+                        .threads = 3,
+                        .streams = 64,
+                        .step = 0.7,
+                        .white_step = 0.04,
+                        .tails = true};
+  const auto values = description().values(changed);
+  const auto usual = description().values({});
+  ASSERT_EQ(values.size(), usual.size());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    EXPECT_NE(values[k].value, usual[k].value) << values[k].name;
+  }
+  EXPECT_EQ(description().values(description().read(values, "options")), values);
+  EXPECT_EQ(description().values(description().read(usual, "options")), usual);
+}
+
+TEST(Options, HaveTheNamesAndFlagsOfFilesAndTheCommandLine) {
+  std::vector<std::string> names, flags;
+  for (const auto& parameter : description().all()) {
+    names.push_back(parameter.name);
+    flags.push_back(parameter.flag);
+    EXPECT_FALSE(parameter.help.empty()) << parameter.name;
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"equation", "time", "samples", "target_error", "seed",
+                                             "threads", "streams", "step", "white_step", "tails"}));
+  EXPECT_EQ(flags, (std::vector<std::string>{"equation", "time", "samples", "target-error", "seed",
+                                             "threads", "streams", "step", "white-step", "tails"}));
+}
+
+TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {
+  const auto refusal = [](const char* name, const char* text) -> std::string {
+    Options options;
+    try {
+      description().parse(options, *description().find(name), text, std::string("--") + name);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal("seed", "-1"), "--seed -1 (must be zero or positive)");
+  EXPECT_EQ(refusal("equation", "km4"), "--equation 'km4' (must be one of kf, white)");
+  EXPECT_EQ(refusal("seed", "9223372036854775807"), "accepted");
+  EXPECT_EQ(refusal("threads", "auto"), "accepted");
+}
+
+TEST(Options, HaveAnIdThatLeadsBackToThem) {
+  EXPECT_EQ(id({}), "mcs");
+  EXPECT_EQ(id({.equation = Equation::white}), "mcs-white");
+  for (const char* name : {"mcs", "mcs-white"}) {
+    const auto options = options_of(name);
+    ASSERT_TRUE(options) << name;
+    EXPECT_EQ(id(*options), name);
+    const auto who = identity(*options);
+    EXPECT_EQ(who.id, name);
+    EXPECT_EQ(who.method, "mcs");
+    EXPECT_EQ(who.equation, options->equation);
+    EXPECT_EQ(who.impact, problem::Impact::exact);
+    EXPECT_EQ(who.role, transform::Role::simulation);
+  }
+  EXPECT_FALSE(options_of("mcs-km4"));
+  EXPECT_FALSE(options_of("fd-kf"));
 }
 
 }  // namespace

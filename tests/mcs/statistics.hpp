@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mcs/simulate.hpp"
+#include "mcs/solve.hpp"
 
 namespace fpkcheck::tests {
 
@@ -20,7 +20,7 @@ inline mcs::Result simulate(const problem::Problem& problem, double time = 6e5,
   mcs::Options options;
   options.time = time;
   options.seed = seed;
-  return mcs::simulate(problem, options);
+  return mcs::solve(problem, options);
 }
 
 }  // namespace fpkcheck::tests

@@ -1,17 +1,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
-#include "mcs/simulate.hpp"
+#include "exact/closed_forms.hpp"
+#include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "problem/exact.hpp"
 #include "statistics.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-Result under_white_noise(const problem::Problem& problem, double time, double step = 0) {
-  return simulate(problem, {.equation = Equation::white, .time = time, .white_step = step});
+Result under_white_noise(const problem::Problem& problem, double time,
+                         std::optional<double> step = {}) {
+  return solve(problem, {.equation = Equation::white, .time = time, .white_step = step});
 }
 
 TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
@@ -19,9 +21,9 @@ TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
     SCOPED_TRACE(mean);
     const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .mean = mean});
     const Result result = under_white_noise(problem, 2e5);
-    EXPECT_EQ(result.solution.id, "mcs-white");
-    EXPECT_EQ(result.solution.equation, "white");
-    const problem::exact::WhiteNoiseDensity exact(problem);
+    EXPECT_EQ(result.solution.id(), "mcs-white");
+    EXPECT_EQ(result.solution.identity.equation, Equation::white);
+    const exact::WhiteNoiseDensity exact(problem);
     double distances[2] = {0, 0};
     for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
       const bool is_y = variable == transform::Variable::y;
@@ -31,12 +33,12 @@ TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
         distances[is_y ? 0 : 1] += std::abs(estimate.density[b] - p) * estimate.width(b);
       }
     }
-    EXPECT_LT(distances[0], 1.5 * result.summary.sampling_l1_y);
-    EXPECT_LT(distances[1], 1.5 * result.summary.sampling_l1_ydot);
+    EXPECT_LT(distances[0], 1.5 * *result.solution.sampling->y);
+    EXPECT_LT(distances[1], 1.5 * *result.solution.sampling->ydot);
     // The weights would hide a wrong intensity: look before them.
     tests::expect_near(result.summary.excess_power, 0, result.summary.excess_power_error, "power");
     tests::expect_near(result.solution.energy_residual, 0,
-                       result.summary.standard_errors.energy_residual, "balance of power");
+                       result.solution.standard_errors->energy_residual, "balance of power");
   }
 }
 
@@ -45,7 +47,7 @@ TEST(WhiteNoise, WithLossesHasAnErrorOfTheFirstOrderInTheStep) {
   const auto problem = tests::make_problem({.restitution = 0.5});
   const auto v2 = [&](double step) {
     const Result result = under_white_noise(problem, 1e6, step);
-    return Estimate{result.solution.moments.v2, result.summary.standard_errors.moments.v2};
+    return Estimate{result.solution.moments.v2, result.solution.standard_errors->moments.v2};
   };
   const Estimate coarse = v2(0.4), middle = v2(0.2), fine = v2(0.1);
   const double first = middle.mean - coarse.mean, second = fine.mean - middle.mean;

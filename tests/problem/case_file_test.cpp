@@ -7,7 +7,7 @@
 
 #include <sstream>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::problem {
@@ -35,7 +35,7 @@ TEST(CaseFile, ReadsEveryKeyAndBothKindsOfComment) {
   const Problem p = read(kGood + "mean = 0.1\n");
   EXPECT_EQ(p.system.damping(), 0.1);
   EXPECT_EQ(p.system.stiffness(), 2.0);
-  EXPECT_EQ(p.system.cubic(), 0.3);
+  EXPECT_EQ(p.system.coefficients().cubic, 0.3);
   EXPECT_EQ(p.system.restitution(), 0.9);
   EXPECT_EQ(p.impulses.arrival_rate(), 4.0);
   EXPECT_NEAR(p.impulses.intensity(), 0.5, 1e-15);
@@ -44,14 +44,14 @@ TEST(CaseFile, ReadsEveryKeyAndBothKindsOfComment) {
 
 TEST(CaseFile, ReadsWhatEditorsLeaveInFiles) {
   EXPECT_EQ(read("\xEF\xBB\xBF" + kGood).system.stiffness(), 2.0);
-  EXPECT_EQ(read(kGood, {"system.cubic= +7 "}).system.cubic(), 7.0);
+  EXPECT_EQ(read(kGood, {"system.cubic= +7 "}).system.coefficients().cubic, 7.0);
   EXPECT_NE(message(kGood, {"system.cubic=1e400"}).find("out of the range"), std::string::npos);
 }
 
 TEST(CaseFile, MeanDefaultsToZero) { EXPECT_EQ(read(kGood).impulses.law().moment(1), 0.0); }
 
 TEST(CaseFile, OverridesReplaceAndComplete) {
-  EXPECT_EQ(read(kGood, {"system.cubic=7", "system.cubic=8"}).system.cubic(), 8.0);
+  EXPECT_EQ(read(kGood, {"system.cubic=7", "system.cubic=8"}).system.coefficients().cubic, 8.0);
   EXPECT_EQ(read("[system]\n" + kGood.substr(kGood.find("stiffness")), {"system.damping=0.2"})
                 .system.damping(),
             0.2);
@@ -112,7 +112,7 @@ TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
     EXPECT_EQ(p.system.damping(), 0.1);
     EXPECT_EQ(p.system.stiffness(), 1.0);
     EXPECT_EQ(p.system.restitution(), 0.98);
-    EXPECT_EQ(p.system.cubic(), cubic[n]);
+    EXPECT_EQ(p.system.coefficients().cubic, cubic[n]);
     EXPECT_EQ(p.impulses.arrival_rate(), 1.0);
     EXPECT_NEAR(p.impulses.intensity(), intensity[n], 1e-15);
   }

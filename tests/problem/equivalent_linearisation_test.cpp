@@ -15,7 +15,7 @@ TEST(EquivalentLinearisation, MeetsItsOwnEquations) {
     const Problem p = tests::paper_case(n);
     const auto [c_eq, k_eq, s1, s2] = equivalent_linearisation(p);
     EXPECT_NEAR(c_eq, 0.1 + 0.02 * 2 / std::numbers::pi * s2 / s1, 1e-14);
-    EXPECT_NEAR(k_eq, 1 + 3 * p.system.cubic() * s1 * s1, 1e-13);
+    EXPECT_NEAR(k_eq, 1 + 3 * p.system.coefficients().cubic * s1 * s1, 1e-13);
     EXPECT_NEAR(s2 * s2, p.impulses.intensity() / (2 * c_eq), 1e-13);
     EXPECT_NEAR(s1 * std::sqrt(k_eq), s2, 1e-14);
   }
@@ -35,7 +35,7 @@ TEST(EquivalentLinearisation, SlowestDecayIsThatOfTheRootsOfTheCharacteristicPol
 
 TEST(EquivalentLinearisation, StaticDeflectionBalancesTheMeanForce) {
   const Problem p = tests::make_problem({.cubic = 0.5, .rate = 2, .intensity = 1, .mean = 0.6});
-  EXPECT_NEAR(p.system.restoring_force(static_deflection(p)), 1.2, 1e-12);
+  EXPECT_NEAR(p.system.force()(static_deflection(p)), 1.2, 1e-12);
   EXPECT_EQ(static_deflection(tests::make_problem({.mean = -0.1})), 0.0);  // against the wall
 }
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {

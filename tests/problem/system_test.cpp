@@ -4,17 +4,17 @@
 
 #include <limits>
 
-#include "problem/input_error.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
-constexpr SystemCoefficients kGood{
+constexpr SystemCoefficients kGoodCoefficients{
     .damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.98};
 
 template <class Change>
 void expect_refused(Change change, const std::string& key) {
-  SystemCoefficients bad = kGood;
+  SystemCoefficients bad = kGoodCoefficients;
   change(bad);
   try {
     System{bad};
@@ -41,8 +41,14 @@ TEST(System, AcceptsTheEndsOfTheRanges) {
   EXPECT_NO_THROW(System({.damping = 0.1, .stiffness = 0, .cubic = 1, .restitution = 0.01}));
 }
 
-TEST(System, RestoringForceIsLinearPlusCubic) {
-  EXPECT_DOUBLE_EQ(System(kGood).restoring_force(2.0), 2.0 + 0.1 * 8.0);
+TEST(System, ForceIsLinearPlusCubicAndItsSlopeAndPotentialFollow) {
+  const System system(kGoodCoefficients);
+  EXPECT_DOUBLE_EQ(system.force()(2.0), 2.0 + 0.1 * 8.0);
+  EXPECT_DOUBLE_EQ(system.tangent_stiffness()(2.0), 1 + 3 * 0.1 * 4.0);
+  EXPECT_DOUBLE_EQ(system.potential()(2.0), 2.0 + 0.1 * 16.0 / 4);
+  EXPECT_DOUBLE_EQ(system.stiffness(), 1);
+  EXPECT_FALSE(system.linear());
+  EXPECT_TRUE(System({.damping = 1, .stiffness = 2, .cubic = 0, .restitution = 1}).linear());
 }
 
 }  // namespace

@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
-#include "epc/moment/homotopy.hpp"
-#include "epc/moment/jacobian_check.hpp"
-#include "epc/moment/newton.hpp"
+#include "half_plane/galerkin_checks.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::moment {
@@ -16,6 +13,10 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using half_plane::Basis;
+using half_plane::Confinement;
+using half_plane::Equations;
+using half_plane::Points;
 using tests::make_problem;
 
 std::vector<double> rate_moments(const problem::Problem& p, int order, int last) {
@@ -24,38 +25,26 @@ std::vector<double> rate_moments(const problem::Problem& p, int order, int last)
   return moments;
 }
 
+constexpr int kWallPoints = 60;
+Points points_of(const EnergyDomain& domain) { return domain.rule(50, 60); }
+
 // Equations on a domain far out, in a basis of the white-noise density without impact losses.
 Equations equations_of(const problem::Problem& p, int order, int last_moment, double deviations,
                        bool confined = false) {
-  const double temperature = p.impulses.intensity() / (2 * p.system.damping());
+  const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
   const EnergyDomain domain(p, level * (confined ? Confinement::reach() : 1));
-  const QuadratureSize size{50, 60, 60};
-  const Points points = domain.rule(size.y, size.v);
-  VectorXd mass(points.y.size());
-  for (Eigen::Index i = 0; i < mass.size(); ++i) {
-    mass[i] = points.weight[i] * std::exp(-domain.energy(points.y[i], points.v[i]) / temperature);
-  }
-  mass /= mass.sum();
-  return {p,
-          rate_moments(p, order, last_moment),
-          domain,
-          confined ? Confinement{level} : Confinement{},
-          Basis(order, points, mass),
-          size};
+  const Points points = points_of(domain);
+  const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
+  return equations(p, rate_moments(p, order, last_moment), domain,
+                   confined ? Confinement{level} : Confinement{}, basis, points, kWallPoints);
 }
 
 VectorXd white_noise_exponent(const problem::Problem& p, const Equations& equations) {
-  const double beta = 2 * p.system.damping() / p.impulses.intensity();
-  const auto& [y, v, weight] = equations.points();
-  const VectorXd exponent =
-      -beta * (v.array().square() / 2 + p.system.stiffness() * y.array().square() / 2 +
-               p.system.cubic() * y.array().pow(4) / 4);
-  const VectorXd mass = (weight.array() * exponent.array().exp()).matrix();
-  return equations.fit(exponent, mass / mass.sum());
+  return tests::boltzmann_coefficients(equations, tests::temperature_of(p));
 }
 
-TEST(Equations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
+TEST(MomentEquations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
   for (const int order : {4, 6, 8}) {
     const Equations equations = equations_of(p, order, 2, 10);
@@ -67,7 +56,7 @@ TEST(Equations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
 // White noise at r < 1: only impacts change the moments of that density, and phi = v^2 loses
 // (1 - r^2) int_{v<0} |v|^3 p(0,v) dv per unit time. With beta = c/D2, p(0,v) = p0 exp(-beta v^2/2)
 // and the integral is 2 p0 / beta^2.
-TEST(Equations, ImpactTakesTheEnergyOfEquationTwo) {
+TEST(MomentEquations, ImpactTakesTheEnergyOfEquationTwo) {
   const auto p = make_problem({.cubic = 0, .restitution = 0.7, .rate = 3, .intensity = 0.4});
   const Equations equations = equations_of(p, 2, 2, 10);
   const auto density = equations.density(white_noise_exponent(p, equations));
@@ -82,7 +71,7 @@ TEST(Equations, ImpactTakesTheEnergyOfEquationTwo) {
 
 // d E[phi]/dt of the impulses alone, lambda E[phi(v + Y) - phi(v)], by brute force for a two-point
 // law: all moments of Y enter, the odd ones with a mean.
-TEST(Equations, ImpulsesChangeTheMomentsAsJumpsDo) {
+TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   const auto p = make_problem({.damping = 1e-9,
                                .stiffness = 1,
                                .cubic = 0,
@@ -92,16 +81,16 @@ TEST(Equations, ImpulsesChangeTheMomentsAsJumpsDo) {
                                .mean = 0.2,
                                .law = "two_point"});
   const EnergyDomain domain(p, 20);
-  const QuadratureSize size{50, 60, 60};
-  const Points points = domain.rule(size.y, size.v);
+  const Points points = points_of(domain);
   VectorXd mass = (-points.v.array().square() - (points.y.array() - 0.4).square()).exp();
   mass = mass.cwiseProduct(points.weight);
   mass /= mass.sum();
   const int order = 5;
   const Basis basis(order, points, mass);
   const auto moments = rate_moments(p, order, order);
-  const Equations with(p, moments, domain, {}, basis, size);
-  const Equations without(p, std::vector<double>(order + 1), domain, {}, basis, size);
+  const Equations with = equations(p, moments, domain, {}, basis, points, kWallPoints);
+  const Equations without =
+      equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
   const VectorXd a = VectorXd::Zero(basis.size());  // constant density: any will do
   const VectorXd change = with.residual(with.density(a)) - without.residual(without.density(a));
 
@@ -119,11 +108,11 @@ TEST(Equations, ImpulsesChangeTheMomentsAsJumpsDo) {
 }
 
 // Up to a constant, which the density does not know.
-TEST(Equations, AFitRecoversAPolynomialExponent) {
+TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
   const Equations equations = equations_of(p, 4, 2, 6);
   const VectorXd a = VectorXd::LinSpaced(14, -0.3, 0.4);
-  const auto& [y, v, weight] = equations.points();
+  const VectorXd &y = equations.points().y, &v = equations.points().v;
   const VectorXd exponent = (equations.basis().values(y, v) * a).array() + 5.0;
   const VectorXd mass = VectorXd::Constant(y.size(), 1.0 / static_cast<double>(y.size()));
   EXPECT_LT((equations.fit(exponent, mass) - a).cwiseAbs().maxCoeff(), 1e-9);
@@ -131,52 +120,22 @@ TEST(Equations, AFitRecoversAPolynomialExponent) {
   EXPECT_NEAR(q(y[7], v[7]) - q(y[900], v[900]), exponent[7] - exponent[900], 1e-9);
 }
 
-TEST(Equations, JacobianIsTheDerivativeOfTheResidual) {
+TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const bool confined : {false, true}) {
     const Equations equations = equations_of(p, 4, 4, 5, confined);
-    std::mt19937_64 engine(1);
-    std::normal_distribution<double> normal(0, 0.05);
-    VectorXd a = white_noise_exponent(p, equations);
-    for (double& x : a) x += normal(engine);
-    tests::expect_jacobian_is_derivative(equations, a);
+    tests::expect_jacobian_is_derivative(equations,
+                                         tests::shaken(white_noise_exponent(p, equations)));
   }
 }
 
-TEST(Equations, CovarianceIsThatOfTheMembers) {
+TEST(MomentEquations, CovarianceIsThatOfTheMembers) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
   const Equations equations = equations_of(p, 4, 2, 10);
   const auto density = equations.density(white_noise_exponent(p, equations));
   const MatrixXd covariance = equations.covariance(density);
   // y and v are independent, so that products of orthonormal polynomials are orthonormal.
   EXPECT_LT((covariance - MatrixXd::Identity(14, 14)).cwiseAbs().maxCoeff(), 1e-10);
-}
-
-// From the density without losses at r = 0.98 to one at r = 0.6.
-TEST(Homotopy, LeadsToTheRootThatNewtonFinds) {
-  const auto p = make_problem({.restitution = 0.6});
-  const Equations equations = equations_of(p, 4, 4, 6, true);
-  const VectorXd start = white_noise_exponent(p, equations);
-  const auto direct = newton(equations, start, p.system.damping(), {.polish = true});
-  ASSERT_TRUE(direct.converged);
-  const auto path = follow_homotopy(equations, start);
-  ASSERT_EQ(path.reached, 1);
-  EXPECT_GT(path.steps, 3);  // it is far
-  const auto refined = newton(equations, path.a, p.system.damping(), {.polish = true});
-  ASSERT_TRUE(refined.converged);
-  EXPECT_LT((refined.a - direct.a).norm(), 1e-9);
-}
-
-TEST(MomentNewton, SizeDoesNotDependOnTheBasis) {
-  VectorXd residual(3);
-  residual << 0.3, -0.1, 0.2;
-  MatrixXd covariance = MatrixXd::Identity(3, 3);
-  covariance(0, 1) = covariance(1, 0) = 0.4;
-  MatrixXd change(3, 3);  // phi' = change * phi
-  change << 2, 0, 1, 0.5, 1, 0, 0, -1, 3;
-  EXPECT_NEAR(size_of(change * residual, change * covariance * change.transpose(), 0.1),
-              size_of(residual, covariance, 0.1), 1e-13);
-  EXPECT_NEAR(size_of(residual, MatrixXd::Identity(3, 3), 0.1), residual.norm() / 0.1, 1e-13);
 }
 
 }  // namespace

@@ -15,21 +15,22 @@ using tests::make_problem;
 const problem::Problem kLinear = make_problem({.cubic = 0});
 
 // exp(-(y^2 + v^2) / 2T) over y > 0 integrates to pi T, and beyond an energy to exp(-E/T) of it.
-TEST(Tail, ProbabilityBeyondIsThatOfAGaussian) {
+TEST(MomentTail, ProbabilityBeyondIsThatOfAGaussian) {
   const double temperature = 0.7, energy = 4;
   const Polynomial q({{2, 0, -1 / (2 * temperature)}, {0, 2, -1 / (2 * temperature)}});
-  EXPECT_NEAR(probability_beyond(q, kLinear, energy, temperature, std::log(M_PI * temperature)),
+  EXPECT_NEAR(probability_beyond(q, contour(EnergyDomain(kLinear, energy)), temperature,
+                                 std::log(M_PI * temperature)),
               std::exp(-energy / temperature), 1e-4 * std::exp(-energy / temperature));
 }
 
-TEST(Tail, LargestOnAContourSeesTheWallAndTheAxis) {
+TEST(MomentTail, LargestOnAContourSeesTheWallAndTheAxis) {
   const double energy = 2;  // radius 2
   EXPECT_NEAR(largest_on_contour(Polynomial({{1, 0, 1}}), kLinear, energy), 2, 1e-12);
   EXPECT_NEAR(largest_on_contour(Polynomial({{0, 1, 1}}), kLinear, energy), 2, 1e-12);
   EXPECT_NEAR(largest_on_contour(Polynomial({{0, 1, -1}}), kLinear, energy), 2, 1e-12);
 }
 
-TEST(Tail, AFallIsFollowedToTheDepthAskedFor) {
+TEST(MomentTail, AFallIsFollowedToTheDepthAskedFor) {
   const Polynomial q({{2, 0, -1}, {0, 2, -1}});  // -2 h
   const Fall fall = fall_of(q, kLinear, 3, 100, 30);
   ASSERT_TRUE(fall.reached.has_value());
@@ -39,7 +40,7 @@ TEST(Tail, AFallIsFollowedToTheDepthAskedFor) {
 }
 
 // Falls to -20 at h = 10 and further out after a rise: nothing is reached.
-TEST(Tail, ARiseEndsAFall) {
+TEST(MomentTail, ARiseEndsAFall) {
   // -2h + hump: along every direction q = -rho^2 + a rho^4 - b rho^6 rises between two radii.
   const double a = 0.1, b = 0.0031;  // 1 - 2a s + 3b s^2 = 0 at s = rho^2 = 7.4 and 14.1
   std::vector<Term> terms{{2, 0, -1}, {0, 2, -1}};
@@ -53,9 +54,9 @@ TEST(Tail, ARiseEndsAFall) {
   EXPECT_TRUE(fall_of(Polynomial(terms), kLinear, 8, 200, 30).reached.has_value());
 }
 
-TEST(Tail, RadiiAreThoseOfTheScaledContour) {
-  const EnergyDomain domain(kLinear, 2);  // radius 2
-  const auto [least, greatest] = radii(domain, {.x1 = 0.5, .x2 = 1});
+TEST(MomentTail, RadiiAreThoseOfTheScaledContour) {
+  const auto edge = contour(EnergyDomain(kLinear, 2));  // radius 2
+  const auto [least, greatest] = radii(edge, {.x1 = 0.5, .x2 = 1});
   EXPECT_NEAR(least, 2, 0.02);  // on the wall
   EXPECT_NEAR(greatest, 4, 0.02);
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "closures.hpp"
+#include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "problem/exact.hpp"
-#include "problem/input_error.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -16,9 +16,7 @@ using tests::make_problem;
 using tests::paper_case;
 using transform::Status;
 
-Options of_order(int order) {
-  return {.order = order, .formulation = Formulation::polar, .equation = Equation::kf};
-}
+Options of_order(int order) { return tests::closure(Formulation::polar, order); }
 
 class PolarCase : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Each, PolarCase, testing::Values(1, 2, 3, 4));
@@ -36,13 +34,13 @@ TEST_P(PolarCase, EveryOrderConverges) {
     if (order >= 8) {
       EXPECT_NEAR(solution.moments.v1, 0, 1e-6 * std::sqrt(solution.moments.v2));
     }
-    EXPECT_LT(summary.moment->quadrature_change, 1e-5) << order;
+    EXPECT_LT(summary.half_plane->quadrature_change, 1e-5) << order;
     EXPECT_LT(summary.condition.value(), 1e3) << order;
   }
 }
 
 // Of docs/reference.md: case 1 by finite differences on three grids, good to 2e-8.
-TEST(Polar, HasTheReferenceMomentsOfCaseOne) {
+TEST(PolarClosure, HasTheReferenceMomentsOfCaseOne) {
   const auto moments = solve(paper_case(1), of_order(10)).solution.moments;
   EXPECT_NEAR(moments.y1 / 0.5004370246, 1, 1e-7);
   EXPECT_NEAR(moments.y2 / 0.3945181775, 1, 1e-7);
@@ -51,7 +49,7 @@ TEST(Polar, HasTheReferenceMomentsOfCaseOne) {
   EXPECT_NEAR(moments.v4 / 0.6344508375, 1, 1e-6);
 }
 
-TEST(Polar, CasesTwoAndThreeAreOneProblem) {
+TEST(PolarClosure, CasesTwoAndThreeAreOneProblem) {
   const auto two = solve(paper_case(2), of_order(6)).solution;
   const auto three = solve(paper_case(3), of_order(6)).solution;
   EXPECT_NEAR(three.moments.y2 * 10 / two.moments.y2, 1, 1e-6);
@@ -60,7 +58,7 @@ TEST(Polar, CasesTwoAndThreeAreOneProblem) {
 
 // Impulses that are frequent and small are white noise: Q_n = -beta rho^2/2 and nothing else, up to
 // the next cumulant, which is of order 1/lambda.
-TEST(Polar, TendsToTheExactDensityOfWhiteNoise) {
+TEST(PolarClosure, TendsToTheExactDensityOfWhiteNoise) {
   const auto p = make_problem({.cubic = 0.7, .restitution = 1, .rate = 300, .intensity = 0.4});
   const double beta = 2 * 0.1 / 0.4;
   const auto [solution, summary] = solve(p, of_order(4));
@@ -73,7 +71,7 @@ TEST(Polar, TendsToTheExactDensityOfWhiteNoise) {
 }
 
 // r = 1, any even potential: E[v^2] = lambda E[Y^2] / (2c), the mean of rho^2/2 being stationary.
-TEST(Polar, HasTheExactVelocityWithoutLosses) {
+TEST(PolarClosure, HasTheExactVelocityWithoutLosses) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     for (const double cubic : {0.0, 3.0}) {
       const auto p = make_problem({.cubic = cubic, .restitution = 1, .law = law});
@@ -83,13 +81,12 @@ TEST(Polar, HasTheExactVelocityWithoutLosses) {
 }
 
 // The linear process without losses, whose fourth moments are no members: they converge.
-TEST(Polar, ConvergesToTheExactMomentsOfTheLinearProcess) {
+TEST(PolarClosure, ConvergesToTheExactMomentsOfTheLinearProcess) {
   for (const char* law : {"gaussian", "laplace"}) {
     const auto p = make_problem({.cubic = 0, .restitution = 1, .law = law});
-    const double y2 = problem::exact::linear_cumulant(p, 2, 0),
-                 v2 = problem::exact::linear_cumulant(p, 0, 2);
-    const double y4 = problem::exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2;
-    const double v4 = problem::exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2;
+    const double y2 = exact::linear_cumulant(p, 2, 0), v2 = exact::linear_cumulant(p, 0, 2);
+    const double y4 = exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2;
+    const double v4 = exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2;
     const auto moments = solve(p, of_order(8)).solution.moments;
     EXPECT_NEAR(moments.y2 / y2, 1, 2e-5) << law;
     EXPECT_NEAR(moments.y4 / y4, 1, 1e-4) << law;
@@ -98,7 +95,7 @@ TEST(Polar, ConvergesToTheExactMomentsOfTheLinearProcess) {
 }
 
 // r from 0.5 to 1, lambda from 0.3 to 18, mu from 0 to 2, every law, means of either sign.
-TEST(Polar, FortyRandomProblemsConverge) {
+TEST(PolarClosure, FortyRandomProblemsConverge) {
   std::mt19937_64 engine(2026);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::generate_canonical<double, 53>(engine);
@@ -125,24 +122,13 @@ TEST(Polar, FortyRandomProblemsConverge) {
   }
 }
 
-TEST(Polar, ReportsTheOrderAtWhichItIsLost) {
+TEST(PolarClosure, ReportsTheOrderAtWhichItIsLost) {
   auto options = of_order(8);
   options.max_iterations = 1;
   const auto [solution, summary] = solve(paper_case(4), options);
   EXPECT_EQ(solution.status, Status::not_converged);
   EXPECT_NE(solution.reason.find("lost at order"), std::string::npos) << solution.reason;
   EXPECT_FALSE(solution.density.has_value());
-}
-
-TEST(Polar, SolvesTheJumpProcessOnly) {
-  auto options = of_order(6);
-  EXPECT_EQ(id(options), "epc-polar-n6");
-  options.equation = Equation::white;
-  EXPECT_THROW(validate(options), InputError);
-  options = of_order(6);
-  options.tail = moment::Tail::cut;
-  EXPECT_THROW(validate(options), InputError);
-  EXPECT_THROW(validate(of_order(14)), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "cli/parameter_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+namespace po = boost::program_options;
+using parameters::NamedValue;
+using parameters::Parameter;
+using parameters::Type;
+using parameters::Value;
+using parameters::Values;
+
+void put(Values& values, const std::string& name, const Value& value) {
+  const auto own = std::ranges::find(values, name, &NamedValue::name);
+  if (own != values.end()) {
+    own->value = value;
+  } else {
+    values.push_back({name, value});
+  }
+}
+
+// As --help shows a default: without quotes.
+std::string default_text(const Value& value) {
+  const auto* word = std::get_if<std::string>(&value);
+  return word != nullptr ? *word : parameters::text_of(value);
+}
+
+void add(const Parameter& parameter, const Value* usual, Values& values,
+         po::options_description& options) {
+  const std::string label = "--" + parameter.flag;
+  if (parameter.type == Type::flag) {
+    options.add_options()(parameter.flag.c_str(),
+                          po::bool_switch()->notifier([&values, parameter](bool given) {
+                            if (given) put(values, parameter.name, true);
+                          }),
+                          parameter.help.c_str());
+    return;
+  }
+  auto* semantic = po::value<std::string>()->value_name(parameter.placeholder);
+  if (usual != nullptr && !parameters::is_nothing(*usual)) {
+    semantic->default_value(default_text(*usual));
+  }
+  semantic->notifier([&values, parameter, label](const std::string& text) {
+    const Value value = parameters::value_from(parameter, text, label);
+    if (!parameter.in_range(value)) {
+      throw InputError(fmt::format("{} {} (must be {})", label, text, parameter.allowed()));
+    }
+    put(values, parameter.name, value);
+  });
+  options.add_options()(parameter.flag.c_str(), semantic, parameter.help.c_str());
+}
+
+}  // namespace
+
+po::options_description options_for(const parameters::Descriptions& description, Values& values) {
+  po::options_description options;
+  for (const auto& parameter : description.all()) {
+    if (parameter.flag.empty()) continue;
+    const auto usual = std::ranges::find(values, parameter.name, &NamedValue::name);
+    add(parameter, usual == values.end() ? nullptr : &usual->value, values, options);
+  }
+  return options;
+}
+
+po::options_description options_for(const parameters::Descriptions& description,
+                                    const std::vector<std::string>& names, Values& given) {
+  po::options_description options;
+  for (const auto& name : names) add(*description.find(name), nullptr, given, options);
+  return options;
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <string>
+#include <vector>
+
+#include "parameters/description.hpp"
+
+namespace fpkcheck::cli {
+
+/// The command-line options of described parameters: each that has a flag, with its help, its
+/// default and its range from the description. What is given replaces the value in `values`.
+/// @param values of all parameters, in any order; kept by reference
+/// @throws InputError from parsing: the flag, the text and what is allowed
+boost::program_options::options_description options_for(const parameters::Descriptions& description,
+                                                        parameters::Values& values);
+
+/// Those of the named parameters only, without defaults: `given` gets the ones that are given.
+boost::program_options::options_description options_for(const parameters::Descriptions& description,
+                                                        const std::vector<std::string>& names,
+                                                        parameters::Values& given);
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,20 @@
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/parameter_options.hpp"
+#include "cli/program.hpp"
+#include "cli/solve_and_report.hpp"
+
+namespace fpkcheck::cli {
+
+int solver_command(const Call& call, const methods::Solver& solver) {
+  CommonArguments common;
+  parameters::Values values = solver.usual_options;
+  const auto own = options_for(*solver.parameters, values);
+  if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
+    return kDone;
+  }
+  return solve_and_report(common, {call.registry.method(solver, values)},
+                          {.required = Required::all}, call.command_line);
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,169 @@
+#include "compare/budget.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compare/chain.hpp"
+#include "compare/distances.hpp"
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+using transform::Marginal;
+using transform::Role;
+using transform::Solution;
+using transform::Status;
+using transform::Variable;
+
+// Two decades below the densities that L1 sees; a simulation of the default length knows them to
+// better than +-40 %.
+constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
+constexpr std::string_view kJoined = " + ";
+
+std::vector<std::size_t> tail_bins(const std::vector<ChainNode>& chain) {
+  const Marginal& reference = chain.back().marginal;
+  std::vector<std::size_t> bins;
+  for (std::size_t k = 0; k < reference.size(); ++k) {
+    if (reference.density[k] < kTailFrom || reference.density[k] >= kTailTo) continue;
+    if (std::ranges::all_of(chain, [k](const ChainNode& node) {
+          return node.marginal.density[k] > 0 && known_well(node.marginal, k);
+        })) {
+      bins.push_back(k);
+    }
+  }
+  return bins;
+}
+
+double tail_distance(const Marginal& a, const Marginal& b, const std::vector<std::size_t>& bins) {
+  if (bins.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  for (const auto k : bins) sum += std::abs(std::log10(a.density[k]) - std::log10(b.density[k]));
+  return sum / static_cast<double>(bins.size());
+}
+
+BudgetPart part_between(Variable variable, const ChainNode& from, const ChainNode& to,
+                        const std::vector<std::size_t>& bins) {
+  BudgetPart part{.links = to.links,
+                  .from = from.id,
+                  .to = to.id,
+                  .l1 = distances(from.marginal, to.marginal).l1,
+                  .tail = tail_distance(from.marginal, to.marginal, bins)};
+  if (from.discretisation_error && to.discretisation_error) {
+    part.uncertainty = *from.discretisation_error + *to.discretisation_error;
+  }
+  if (to.sampling) {
+    part.expected = expected(*to.sampling, variable);
+    part.in_99 = in_99(*to.sampling, variable);
+  }
+  return part;
+}
+
+BudgetRow row_of(const Solution& closure, Variable variable, const std::vector<ChainNode>& chain) {
+  const auto bins = tail_bins(chain);
+  const ChainNode &first = chain.front(), &last = chain.back();
+  BudgetRow row{.solution = closure.id(),
+                .variable = variable,
+                .reference = last.id,
+                .total = distances(first.marginal, last.marginal).l1,
+                .total_tail = tail_distance(first.marginal, last.marginal, bins),
+                .tail_from = kTailFrom,
+                .tail_to = kTailTo,
+                .tail_bins = static_cast<int>(bins.size()),
+                .parts = {}};
+  for (std::size_t k = 1; k < chain.size(); ++k) {
+    row.parts.push_back(part_between(variable, chain[k - 1], chain[k], bins));
+  }
+  return row;
+}
+
+}  // namespace
+
+std::string name(const std::vector<Link>& links) {
+  std::string text;
+  for (const Link link : links) {
+    if (!text.empty()) text += kJoined;
+    text += name(link);
+  }
+  return text;
+}
+
+std::vector<Link> links_named(std::string_view text) {
+  std::vector<Link> links;
+  for (std::string_view rest = text;;) {
+    const auto end = rest.find(kJoined);
+    const auto link = parameters::value_named<Link>(rest.substr(0, end));
+    if (!link) {
+      throw InputError(fmt::format(
+          "'{}' is no part of an error budget (of another version of the program? run again)",
+          text));
+    }
+    links.push_back(*link);
+    if (end == std::string_view::npos) return links;
+    rest.remove_prefix(end + kJoined.size());
+  }
+}
+
+bool BudgetPart::beyond_the_equations() const {
+  return std::ranges::all_of(
+      links, [](Link link) { return link == Link::discretisation || link == Link::sampling; });
+}
+
+const BudgetPart* BudgetRow::find(std::string_view part) const {
+  const auto found = std::ranges::find(parts, part, &BudgetPart::name);
+  return found == parts.end() ? nullptr : &*found;
+}
+
+std::vector<BudgetRow> error_budget(const ComparisonAxes& axes, std::span<const Solution> solutions,
+                                    std::span<const SolutionMarginal> marginals) {
+  std::vector<BudgetRow> budget;
+  for (const auto& solution : solutions) {
+    if (solution.identity.role != Role::closure) continue;
+    for (const auto variable : transform::kVariables) {
+      const auto chain = budget_chain(axes, solutions, marginals, solution, variable);
+      if (!chain.empty()) budget.push_back(row_of(solution, variable, chain));
+    }
+  }
+  return budget;
+}
+
+std::vector<const BudgetRow*> ClosureBudget::rows() const {
+  std::vector<const BudgetRow*> both{y, ydot};
+  std::erase(both, nullptr);
+  return both;
+}
+
+std::vector<ClosureBudget> closure_budgets(std::span<const BudgetRow> budget,
+                                           std::span<const Solution> solutions) {
+  std::vector<ClosureBudget> closures;
+  for (const auto& row : budget) {
+    auto found = std::ranges::find(closures, row.solution, &ClosureBudget::solution);
+    if (found == closures.end()) {
+      const Solution* solution = transform::find_solution(solutions, row.solution);
+      found = closures.insert(found,
+                              {row.solution, solution == nullptr ? Status::ok : solution->status});
+    }
+    (row.variable == Variable::y ? found->y : found->ydot) = &row;
+  }
+  return closures;
+}
+
+std::vector<std::string> part_names(std::span<const ClosureBudget> budgets) {
+  std::vector<std::string> known;
+  for (const auto& budget : budgets) {
+    for (const BudgetRow* row : budget.rows()) {
+      // A name that is new stands before the one that follows it here: the chain's order.
+      auto at = known.end();
+      for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
+        const auto place = std::ranges::find(known, part->name());
+        at = place != known.end() ? place : known.insert(at, part->name());
+      }
+    }
+  }
+  return known;
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,133 @@
+#include "compare/chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fpkcheck::compare {
+namespace {
+
+using problem::Equation;
+using problem::Impact;
+using transform::Marginal;
+using transform::Role;
+using transform::Solution;
+using transform::Variable;
+
+const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const std::string& id,
+                              Variable variable) {
+  for (const auto& found : marginals) {
+    if (found.solution != id || found.variable != variable) continue;
+    const bool finite =
+        std::ranges::all_of(found.marginal.density, [](double p) { return std::isfinite(p); });
+    return finite ? &found.marginal : nullptr;
+  }
+  return nullptr;
+}
+
+/// Builds a chain node by node and remembers the links that no node stands for yet.
+class Chain {
+ public:
+  Chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
+        std::span<const SolutionMarginal> marginals, Variable variable)
+      : edges_(edges(axes, variable)),
+        solutions_(solutions),
+        marginals_(marginals),
+        variable_(variable) {}
+
+  void begin(const Solution& closure, const Marginal& marginal) {
+    nodes_.push_back({closure.id(), {}, marginal, 0.0});
+  }
+
+  void discretised(Link link, Equation equation, Impact impact) {
+    pending_.push_back(link);
+    for (const auto& s : solutions_) {
+      const auto& identity = s.identity;
+      if (identity.role != Role::equation || identity.equation != equation ||
+          identity.impact != impact) {
+        continue;
+      }
+      if (const auto* m = usable(s)) {
+        append({s.id(), {}, *m, discretisation_error(s, *m)});
+        if (equation == Equation::kf && impact == Impact::map) full_ = &s;
+        return;
+      }
+    }
+  }
+
+  void limit() {
+    pending_.push_back(Link::discretisation);
+    if (!full_ || !full_->extrapolation) return;
+    append({full_->id() + " limit", {}, limit_of(*full_), 0.0});
+  }
+
+  void simulation() {
+    pending_.push_back(Link::sampling);
+    // Without an equation on the way nothing was discretised.
+    if (nodes_.size() == 1) std::erase(pending_, Link::discretisation);
+    for (const auto& s : solutions_) {
+      if (s.identity.role != Role::simulation || s.identity.equation != Equation::kf) continue;
+      if (const auto* m = usable(s)) {
+        append({s.id(), {}, *m, std::nullopt, s.sampling});
+        simulated_ = true;
+        return;
+      }
+    }
+  }
+
+  std::vector<ChainNode> nodes() && {
+    return full_ || simulated_ ? std::move(nodes_) : std::vector<ChainNode>{};
+  }
+
+ private:
+  const Marginal* usable(const Solution& solution) const {
+    return solution.is_ok() ? find_marginal(marginals_, solution.id(), variable_) : nullptr;
+  }
+
+  Marginal limit_of(const Solution& solution) const {
+    return transform::limit_marginal(solution, variable_, edges_);
+  }
+
+  std::optional<double> discretisation_error(const Solution& s, const Marginal& m) const {
+    if (!s.extrapolation) return std::nullopt;
+    return distances(m, limit_of(s)).l1;
+  }
+
+  void append(ChainNode node) {
+    node.links = std::exchange(pending_, {});
+    nodes_.push_back(std::move(node));
+  }
+
+  const std::vector<double>& edges_;
+  std::span<const Solution> solutions_;
+  std::span<const SolutionMarginal> marginals_;
+  Variable variable_;
+  std::vector<ChainNode> nodes_;
+  std::vector<Link> pending_;
+  const Solution* full_ = nullptr;
+  bool simulated_ = false;
+};
+
+}  // namespace
+
+std::vector<ChainNode> budget_chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
+                                    std::span<const SolutionMarginal> marginals,
+                                    const Solution& closure, Variable variable) {
+  const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
+  if (!marginal) return {};
+  const Equation equation = closure.identity.equation.value_or(Equation::kf);
+  const Impact impact = closure.identity.impact.value_or(Impact::map);
+  Chain chain(axes, solutions, marginals, variable);
+  chain.begin(closure, *marginal);
+  chain.discretised(Link::closure, equation, impact);
+  if (impact != Impact::map) chain.discretised(Link::impact, equation, Impact::map);
+  if (equation != Equation::kf) {
+    chain.discretised(equation == Equation::white ? Link::white_noise : Link::truncation,
+                      Equation::kf, Impact::map);
+  }
+  chain.limit();
+  chain.simulation();
+  return std::move(chain).nodes();
+}
+
+}  // namespace fpkcheck::compare

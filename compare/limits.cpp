@@ -1,0 +1,127 @@
+#include "compare/limits.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace fpkcheck::compare {
+namespace {
+
+using transform::Solution;
+using transform::Status;
+
+constexpr const char* kBelowTheEnd = "";
+
+/// Closures that one part limits.
+struct Group {
+  std::string part;
+  std::vector<const ClosureBudget*> closures;
+  double least_share = 1, greatest_share = 0;  ///< of the part in the sum of all parts
+};
+
+// What the end of a row's chain is known to: the simulation to what 99 runs of 100 stay below, the
+// limit of the finite differences to their discretisation error; 0 where neither is known.
+double error_of_the_end(const BudgetRow& row) {
+  const BudgetPart& last = row.parts.back();
+  return last.in_99.value_or(last.uncertainty.value_or(0));
+}
+
+// Finite differences and the simulation are further apart than chance explains: then the last part
+// is more than sampling.
+bool references_disagree(const BudgetRow& row) {
+  const BudgetPart& last = row.parts.back();
+  return last.links == std::vector{Link::sampling} && last.in_99 && last.l1 > *last.in_99;
+}
+
+bool nearer_than_the_end_is_known(const ClosureBudget& budget) {
+  return std::ranges::all_of(budget.rows(), [](const BudgetRow* row) {
+    return !references_disagree(*row) && row->total <= error_of_the_end(*row);
+  });
+}
+
+void add(const ClosureBudget& budget, std::vector<Group>& groups) {
+  std::map<std::string, double> parts;
+  double sum = 0;
+  for (const BudgetRow* row : budget.rows()) {
+    for (const auto& part : row->parts) {
+      parts[part.name()] += part.l1;
+      sum += part.l1;
+    }
+  }
+  const auto largest =
+      std::ranges::max_element(parts, {}, [](const auto& part) { return part.second; });
+  const std::string limit = nearer_than_the_end_is_known(budget) ? kBelowTheEnd : largest->first;
+  auto group = std::ranges::find(groups, limit, &Group::part);
+  if (group == groups.end()) group = groups.insert(group, {.part = limit, .closures = {}});
+  group->closures.push_back(&budget);
+  const double share = sum > 0 ? largest->second / sum : 0;
+  group->least_share = std::min(group->least_share, share);
+  group->greatest_share = std::max(group->greatest_share, share);
+}
+
+// "epc-gaussian-n2, -n4 (inadmissible) and -n6"
+std::string list(const std::vector<const ClosureBudget*>& closures) {
+  std::vector<std::string> ids;
+  std::string stem_before;
+  for (const auto* closure : closures) {
+    const auto mark = closure->solution.rfind("-n");
+    const std::string stem = closure->solution.substr(0, mark);
+    const bool again = !ids.empty() && stem == stem_before && mark != std::string::npos;
+    stem_before = stem;
+    ids.push_back(again ? closure->solution.substr(mark) : closure->solution);
+    if (closure->status != Status::ok) ids.back() += fmt::format(" ({})", name(closure->status));
+  }
+  if (ids.size() == 1) return ids.front();
+  const std::string last = ids.back();
+  ids.pop_back();
+  return fmt::format("{} and {}", fmt::join(ids, ", "), last);
+}
+
+std::string subject(const std::string& part) {
+  const auto links = links_named(part);
+  return links.size() == 1 ? std::string(parameters::meaning_of(links.front())) : part;
+}
+
+std::string shares(const Group& group) {
+  const auto percent = [](double share) { return fmt::format("{:.0f}", 100 * share); };
+  const auto least = percent(group.least_share), greatest = percent(group.greatest_share);
+  return least == greatest ? fmt::format("{} %", least)
+                           : fmt::format("{} to {} %", least, greatest);
+}
+
+// The first percentage says of what.
+std::string text_of(const Group& group, bool& explained) {
+  if (group.part != kBelowTheEnd) {
+    const char* of_what = explained ? "" : " of the sum of the parts";
+    explained = true;
+    return fmt::format("{} in {} ({}{})", subject(group.part), list(group.closures), shares(group),
+                       of_what);
+  }
+  const BudgetRow& row = *group.closures.front()->rows().front();
+  const bool by_chance = row.parts.back().expected.has_value();
+  return fmt::format("the accuracy of {} in {}, which {} within its {} error in L1", row.reference,
+                     list(group.closures), group.closures.size() == 1 ? "lies" : "lie",
+                     by_chance ? "sampling" : "discretisation");
+}
+
+}  // namespace
+
+std::string limits(std::span<const BudgetRow> budget, std::span<const Solution> solutions) {
+  const auto budgets = closure_budgets(budget, solutions);
+  if (budgets.empty()) return "";
+  std::vector<Group> groups;
+  for (const auto& closure : budgets) add(closure, groups);
+  std::vector<std::string> parts;
+  bool explained = false;
+  for (const auto& group : groups) parts.push_back(text_of(group, explained));
+  const std::string text = fmt::format("What limits each closure: {}.", fmt::join(parts, "; "));
+  if (std::ranges::none_of(budget, references_disagree)) return text;
+  return text +
+         " The part called sampling is more than that here: finite differences and the simulation "
+         "are further apart than 99 of 100 simulations would be by chance.";
+}
+
+}  // namespace fpkcheck::compare

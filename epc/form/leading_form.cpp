@@ -1,0 +1,68 @@
+#include "epc/form/leading_form.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fpkcheck::epc {
+namespace {
+
+// Terms of Q_n below this share of the largest, in the scaled plane, are rounding and have no sign.
+Polynomial without_rounding(const Polynomial& q, const Deviations& sigma) {
+  constexpr double kRounding = 1e-10;
+  const auto size = [&](const Term& term) {
+    return std::abs(term.a) * std::pow(sigma.x1, term.x1) * std::pow(sigma.x2, term.x2);
+  };
+  double largest = 0;
+  for (const Term& term : q.terms()) largest = std::max(largest, size(term));
+  std::vector<Term> terms = q.terms();
+  std::erase_if(terms, [&](const Term& term) { return size(term) <= kRounding * largest; });
+  return Polynomial(std::move(terms));
+}
+
+}  // namespace
+
+LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigma, Plane plane) {
+  const Polynomial q = without_rounding(with_rounding, sigma);
+  LeadingForm form{true, {1, 0}, 0, 0};
+  double largest = -std::numeric_limits<double>::infinity();
+  int rising = 0, seen = 0;
+  const std::size_t distinct = distinct_directions(q);
+  Ray worst;
+  for (std::size_t k = 0; k < directions().size(); ++k) {
+    const Direction e = directions()[k];
+    if (plane == Plane::half ? e.x1 < 0 : k >= distinct) continue;
+    ++seen;
+    const Ray coefficients = ray(q, sigma, e);
+    if (coefficients.size() < 2) continue;
+    const double leading = coefficients.back();
+    if (leading > 0) ++rising;
+    if (leading > largest) {
+      largest = leading;
+      form.worst = e;
+      worst = coefficients;
+    }
+  }
+  form.negative = rising == 0;
+  form.rising_share = static_cast<double>(rising) / seen;
+  if (!form.negative) {
+    // The last change of sign of the slope; beyond kFarthest it does not matter where.
+    const Ray slope = derivative(worst);
+    double rho = 4 * kFarthest;
+    while (rho > 0 && horner(slope, rho) > 0) rho -= kRadialStep / 8;
+    form.rises_from = std::max(rho, 0.0);
+  }
+  return form;
+}
+
+std::string behaviour(const LeadingForm& form, const std::string& plane) {
+  if (form.negative) return "though Q_n falls in the end";
+  return fmt::format(
+      "and Q_n rises in the end along {:.0f} % of all directions, along {} = ({:.2f}, {:.2f}) from "
+      "radius {:.2f} on",
+      100 * form.rising_share, plane, form.worst.x1, form.worst.x2, form.rises_from);
+}
+
+}  // namespace fpkcheck::epc

@@ -1,0 +1,132 @@
+#include "epc/gaussian/continuation.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "epc/form/leading_form.hpp"
+#include "epc/roots/arclength.hpp"
+#include "epc/roots/dense.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+using roots::Curve;
+using roots::CurveEnd;
+using roots::CurvePoint;
+using roots::Family;
+using roots::NewtonResult;
+
+constexpr int kMaxPoints = 120;
+constexpr int kPolishing = 30;  // steps at the end of a curve
+
+// E|x|^m of x ~ N(0, sigma^2).
+double absolute_moment(double m, double sigma) {
+  return std::pow(std::numbers::sqrt2 * sigma, m) * std::tgamma((m + 1) / 2) *
+         std::numbers::inv_sqrtpi;
+}
+
+// Q_n of the exact density, up to a constant: -(c/D2) (x2^2/2 + U(|x1|)). An even power a y^m of
+// the force has no polynomial potential on the plane: its share is that of the linear force of the
+// same mean slope, E[a m |x1|^(m-1)].
+std::vector<Term> elastic_white_noise(const ResidualCoefficients& f, const Deviations& sigma) {
+  const double beta = f.damping / (f.rate_moment[2] / 2);
+  std::vector<Term> terms{{0, 2, -beta / 2}};
+  for (int m = 1; m < static_cast<int>(problem::Polynomial::kDegree); ++m) {
+    const double odd = f.odd_force.coefficient(m), even = f.even_force.coefficient(m);
+    if (odd != 0) terms.push_back({m + 1, 0, -beta * odd / (m + 1)});
+    if (even != 0) {
+      terms.push_back({2, 0, -beta * even * m * absolute_moment(m - 1, sigma.x1) / 2});
+    }
+  }
+  return terms;
+}
+
+// R at the points of the path of `partway`, in its unit. Linear in the fraction.
+Family path_of(const Projection& projection, const ResidualCoefficients& full, double unit) {
+  return {
+      .residual = [=, &projection](const Eigen::VectorXd& a, double fraction) -> Eigen::VectorXd {
+        return projection.residual(partway(full, fraction), a) / unit;
+      },
+      .jacobian = [=, &projection](const Eigen::VectorXd& a, double fraction) -> Eigen::MatrixXd {
+        return projection.jacobian(partway(full, fraction), a) / unit;
+      },
+      .rate = [=, &projection](const Eigen::VectorXd& a, double) -> Eigen::VectorXd {
+        return (projection.residual(full, a) - projection.residual(partway(full, 0), a)) / unit;
+      }};
+}
+
+BranchEnd end_of(const Curve& curve) {
+  switch (curve.end) {
+    case CurveEnd::arrived:
+      return BranchEnd::full_problem;
+    case CurveEnd::returned:
+      return BranchEnd::white_noise;
+    case CurveEnd::far:
+      return BranchEnd::far_away;
+    case CurveEnd::stuck:
+    case CurveEnd::long_way:
+      break;
+  }
+  return BranchEnd::lost;
+}
+
+Branch branch_of(const Curve& curve, const Family& family, const Basis& basis) {
+  Branch branch{.end = end_of(curve), .furthest = curve.furthest().t, .points = {}};
+  for (const CurvePoint& point : curve.points) {
+    const auto regularity = roots::regularity(family.jacobian(point.a, point.t));
+    branch.points.push_back(
+        {.fraction = point.t,
+         .norm = point.a.norm(),
+         .smallest_singular_value = regularity.smallest_singular_value,
+         .determinant_sign = regularity.determinant_sign,
+         .falls = leading_form(basis.polynomial(point.a), basis.sigma()).negative,
+         .fold = false});
+  }
+  for (const std::size_t fold : curve.folds) branch.points[fold].fold = true;
+  return branch;
+}
+
+// The root that a curve leads to, or where it was lost.
+NewtonResult root_of(const Curve& curve, const CurvePoint& last, const Projection& projection,
+                     const ResidualCoefficients& there, double tolerance) {
+  const bool arrived = curve.end == CurveEnd::arrived;
+  NewtonResult root =
+      newton(projection, there, last.a,
+             {.tolerance = tolerance, .max_iterations = arrived ? kPolishing : 0, .damped = false});
+  root.converged = root.converged && arrived;
+  root.iterations += curve.iterations;
+  return root;
+}
+
+}  // namespace
+
+FollowedBranch follow_branch(const Projection& projection, const ResidualCoefficients& full,
+                             double tolerance) {
+  const Basis& basis = projection.basis();
+  const Eigen::VectorXd exact = basis.scaled(elastic_white_noise(full, basis.sigma()));
+  const NewtonResult start =
+      newton(projection, partway(full, 0), exact, {.tolerance = tolerance, .damped = false});
+  if (!start.converged) return {{.end = BranchEnd::lost, .furthest = 0, .points = {}}, start};
+
+  const Family family = path_of(projection, full, residual_unit(projection, full));
+  const Curve curve =
+      roots::follow(family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
+  const CurvePoint& last = curve.furthest();
+  NewtonResult root = root_of(curve, last, projection, partway(full, last.t), tolerance);
+  root.iterations += start.iterations;
+  return {branch_of(curve, family, basis), root};
+}
+
+NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
+                           const Eigen::VectorXd& start, double tolerance) {
+  const double unit = residual_unit(projection, f);
+  const Family family = roots::newton_homotopy(
+      [&](const Eigen::VectorXd& a) -> Eigen::VectorXd { return projection.residual(f, a) / unit; },
+      [&](const Eigen::VectorXd& a) -> Eigen::MatrixXd { return projection.jacobian(f, a) / unit; },
+      start);
+  const Curve curve =
+      roots::follow(family, start, {.tolerance = tolerance, .max_points = kMaxPoints});
+  return root_of(curve, curve.points.back(), projection, f, tolerance);
+}
+
+}  // namespace fpkcheck::epc::gaussian

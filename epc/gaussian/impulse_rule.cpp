@@ -1,0 +1,72 @@
+#include "epc/gaussian/impulse_rule.hpp"
+
+#include <cmath>
+#include <variant>
+
+#include "problem/impulse_law.hpp"
+#include "transform/panels.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+Rule rule_of(const problem::GaussianLaw& law, int points) {
+  Rule rule = normal_rule(2 * points - 1);
+  for (double& y : rule.nodes) y = law.mean + law.deviation * y;
+  return rule;
+}
+
+Rule rule_of(const problem::LaplaceLaw& law, int points) {
+  const Rule half = exponential_rule(2 * points - 1);
+  Rule rule;
+  for (std::size_t i = 0; i < half.nodes.size(); ++i) {
+    for (const int side : {-1, 1}) {
+      rule.nodes.push_back(law.mean + side * law.scale * half.nodes[i]);
+      rule.weights.push_back(half.weights[i] / 2);
+    }
+  }
+  return rule;
+}
+
+Rule rule_of(const problem::TwoPointLaw& law, int) {
+  return {.nodes = {law.mean - law.deviation, law.mean + law.deviation}, .weights = {0.5, 0.5}};
+}
+
+Rule rule_of(const problem::UniformLaw& law, int points) {
+  Rule rule = uniform_rule(2 * points - 1);
+  for (double& y : rule.nodes) y = law.mean + law.half_width * y;
+  return rule;
+}
+
+}  // namespace
+
+Rule impulse_rule(const problem::ImpulseLaw& law, int points) {
+  return std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { rule_of(kind, points); }) {
+          return rule_of(kind, points);
+        } else {
+          return piecewise_impulse_rule(law);
+        }
+      },
+      law.kind());
+}
+
+Rule piecewise_impulse_rule(const problem::ImpulseLaw& law) {
+  Rule rule;
+  const auto add = [&](double amplitude, double probability) {
+    rule.nodes.push_back(amplitude);
+    rule.weights.push_back(probability);
+  };
+  for (const auto& [amplitude, probability] : law.atoms()) add(amplitude, probability);
+  const std::vector<double> pieces = law.smooth_pieces();
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const double from = pieces[i], to = pieces[i + 1];
+    const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));
+    for (const auto& [at, weight] : transform::panel_points(from, to, panels)) {
+      add(at, weight * law.density(at));
+    }
+  }
+  return rule;
+}
+
+}  // namespace fpkcheck::epc::gaussian

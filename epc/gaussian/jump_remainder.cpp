@@ -1,0 +1,92 @@
+#include "epc/gaussian/jump_remainder.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "epc/gaussian/impulse_rule.hpp"
+#include "problem/impulse_train.hpp"
+#include "transform/panels.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// Panels of ten points along the radius and across a half-plane; points of the law's rule.
+constexpr int kPanels = 3;
+constexpr int kJumpPoints = 20;
+
+// The weights f1 f2 on the half-discs, x1 having one sign on each. A point-symmetric integrand is
+// as large on one half as on the other.
+PlaneRule disc(const Deviations& sigma, double radius, bool symmetric) {
+  const double half_turn = std::numbers::pi / 2;
+  PlaneRule rule;
+  for (const auto& [rho, rho_weight] : transform::panel_points(0, radius, kPanels)) {
+    const double ring = rho_weight * rho * std::exp(-rho * rho / 2) / (2 * std::numbers::pi);
+    for (const auto& [angle, width] : transform::panel_points(-half_turn, half_turn, kPanels)) {
+      const double x1 = sigma.x1 * rho * std::cos(angle), x2 = sigma.x2 * rho * std::sin(angle);
+      rule.add(x1, x2, (symmetric ? 2 : 1) * ring * width);
+      if (!symmetric) rule.add(-x1, -x2, ring * width);
+    }
+  }
+  return rule;
+}
+
+RateMoments series_terms(const problem::ImpulseTrain& impulses) {
+  RateMoments moments{};
+  for (int j = 1; j <= 4; ++j) moments[j] = impulses.rate_moment(j);
+  return moments;
+}
+
+}  // namespace
+
+JumpRemainder::JumpRemainder(const Basis& basis, const problem::ImpulseTrain& impulses,
+                             double radius)
+    : rate_(impulses.arrival_rate()),
+      series_(series_terms(impulses)),
+      nodes_(disc(basis.sigma(), radius, basis.set() == MonomialSet::point_symmetric), basis) {
+  const Rule law = impulse_rule(impulses.law(), kJumpPoints);
+  jumps_ = static_cast<Eigen::Index>(law.nodes.size());
+  Eigen::VectorXd x1(nodes_.size() * jumps_), x2(x1.size());
+  jump_weights_.resize(x1.size());
+  const auto& [sigma1, sigma2] = basis.sigma();
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
+    for (Eigen::Index j = 0; j < jumps_; ++j) {
+      const Eigen::Index row = i * jumps_ + j;
+      x1[row] = nodes_.x1(i);
+      x2[row] = nodes_.x2(i) - side(i) * law.nodes[j];
+      const bool reached = std::hypot(x1[row] / sigma1, x2[row] / sigma2) < radius + kReach;
+      jump_weights_[row] = reached ? law.weights[j] : 0;
+    }
+  }
+  increments_ = basis.values(x1, x2);
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
+    increments_.middleRows(i * jumps_, jumps_).rowwise() -= nodes_.basis().value.row(i);
+  }
+}
+
+Eigen::VectorXd JumpRemainder::gains(const Eigen::VectorXd& a) const {
+  return jump_weights_.array() * (increments_ * a).array().exp();
+}
+
+Eigen::VectorXd JumpRemainder::projection(const Eigen::VectorXd& a) const {
+  const Eigen::VectorXd weighted = gains(a);
+  const std::vector<Derivatives> q = nodes_.of_q(a);
+  return nodes_.project(Eigen::VectorXd::NullaryExpr(nodes_.size(), [&](Eigen::Index i) {
+                          const double expectation = weighted.segment(i * jumps_, jumps_).sum();
+                          return rate_ * (expectation - 1) - series_part(series_, side(i), q[i]);
+                        }).eval());
+}
+
+Eigen::MatrixXd JumpRemainder::jacobian(const Eigen::VectorXd& a) const {
+  const Eigen::VectorXd weighted = gains(a);
+  Eigen::MatrixXd rows(nodes_.size(), a.size());
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
+    rows.row(i).noalias() = rate_ * weighted.segment(i * jumps_, jumps_).transpose() *
+                            increments_.middleRows(i * jumps_, jumps_);
+  }
+  std::vector<Derivatives> series = nodes_.of_q(a);
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i)
+    series[i] = series_gradient(series_, side(i), series[i]);
+  return nodes_.project(rows) - nodes_.project_gradients(series);
+}
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,59 @@
+#include "epc/gaussian/newton.hpp"
+
+#include <algorithm>
+
+#include "epc/roots/dense.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kLeastShare = 1e-4;
+constexpr double kArmijo = 0.1;
+
+// (23) as roots::newton wants it.
+struct NewtonEquations {
+  struct Iterate {
+    VectorXd a, residual;
+    double size;
+  };
+  struct Step {
+    VectorXd change;
+  };
+
+  Iterate at(const VectorXd& a) const {
+    const VectorXd residual = projection.residual(f, a);
+    return {a, residual, residual.lpNorm<Eigen::Infinity>() / unit};
+  }
+  Step step(const Iterate& here) const {
+    return {-roots::Factors(projection.jacobian(f, here.a)).solve(here.residual)};
+  }
+  double share(const Iterate& here, const Step& step) const {
+    const double before = here.residual.norm();
+    return roots::halved_until(1, kLeastShare, [&](double share) {
+      const double after = projection.residual(f, here.a + share * step.change).norm();
+      return after < (1 - kArmijo * share) * before;
+    });
+  }
+
+  const Projection& projection;
+  const ResidualCoefficients& f;
+  double unit;
+};
+
+}  // namespace
+
+double residual_unit(const Projection& projection, const ResidualCoefficients& f) {
+  constexpr double kRounding = 1e-4;
+  const Deviations& sigma = projection.basis().sigma();
+  return std::max(f.damping, kRounding * sigma.x2 / sigma.x1);
+}
+
+roots::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,
+                           const VectorXd& start, const roots::NewtonOptions& options) {
+  return roots::newton(NewtonEquations{projection, f, residual_unit(projection, f)}, start,
+                       options);
+}
+
+}  // namespace fpkcheck::epc::gaussian

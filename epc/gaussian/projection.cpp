@@ -1,0 +1,121 @@
+#include "epc/gaussian/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "epc/gaussian/rules.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// The degree of each part of F in x1 and in x2, Q_2 being of degree n-1 and the force of degree 5
+// at most, and of the projection function.
+constexpr int kForceDegree = problem::Polynomial::kDegree - 1;
+int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
+int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
+int impact_degree(int n) { return n + n; }
+
+PlaneRule product(const Rule& u1, const Rule& u2, const Deviations& sigma) {
+  PlaneRule rule;
+  for (std::size_t i = 0; i < u1.nodes.size(); ++i) {
+    for (std::size_t j = 0; j < u2.nodes.size(); ++j) {
+      rule.add(sigma.x1 * u1.nodes[i], sigma.x2 * u2.nodes[j], u1.weights[i] * u2.weights[j]);
+    }
+  }
+  return rule;
+}
+
+// int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
+PlaneRule along_wall(const Rule& absolute, const Deviations& sigma) {
+  const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
+  PlaneRule rule;
+  for (std::size_t j = 0; j < absolute.nodes.size(); ++j) {
+    rule.add(0, sigma.x2 * absolute.nodes[j], at_wall * sigma.x2 * absolute.weights[j]);
+  }
+  return rule;
+}
+
+// F is even under (x1, x2) -> (-x1, -x2) when Q_n is.
+ProjectionNodes nodes(const PlaneRule& rule, const Basis& basis) {
+  const bool even = basis.set() == MonomialSet::point_symmetric;
+  return {even ? folded(rule) : rule, basis};
+}
+
+// A part of F at each node.
+template <class Part>
+Eigen::VectorXd values(const ProjectionNodes& nodes, const Eigen::VectorXd& a, const Part& part) {
+  const std::vector<Derivatives> q = nodes.of_q(a);
+  return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
+}
+
+// Its gradient at each node.
+template <class Gradient>
+std::vector<Derivatives> gradients(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
+                                   const Gradient& gradient) {
+  std::vector<Derivatives> q = nodes.of_q(a);
+  for (Eigen::Index i = 0; i < nodes.size(); ++i) q[i] = gradient(i, q[i]);
+  return q;
+}
+
+bool has_signed_part(const ResidualCoefficients& f) {
+  const bool even_force = f.even_force.degree() > 0 || f.even_force.coefficient(0) != 0;
+  return even_force || f.rate_moment[1] != 0 || f.rate_moment[3] != 0;
+}
+
+}  // namespace
+
+Projection::Projection(Basis basis)
+    : basis_(std::move(basis)),
+      smooth_(nodes(product(normal_rule(smooth_degree(basis_.order())),
+                            normal_rule(smooth_degree(basis_.order())), basis_.sigma()),
+                    basis_)),
+      signed_(nodes(product(sign_rule(signed_degree(basis_.order())),
+                            normal_rule(signed_degree(basis_.order())), basis_.sigma()),
+                    basis_)),
+      impact_(nodes(along_wall(absolute_rule(impact_degree(basis_.order())), basis_.sigma()),
+                    basis_)) {}
+
+Projection::Projection(Basis basis, const problem::ImpulseTrain& impulses, double jump_radius)
+    : Projection(std::move(basis)) {
+  jump_.emplace(basis_, impulses, jump_radius);
+}
+
+Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
+                                     const Eigen::VectorXd& a) const {
+  Eigen::VectorXd result =
+      smooth_.project(values(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
+        return smooth_part(f, smooth_.x1(i), smooth_.x2(i), q);
+      }));
+  if (has_signed_part(f)) {
+    result += signed_.project(values(signed_, a, [&](Eigen::Index i, const Derivatives& q) {
+      return signed_part(f, signed_.x1(i), q);
+    }));
+  }
+  if (f.jump_share != 0) result += f.jump_share * jump_.value().projection(a);
+  return result + impact_.project(values(impact_, a, [&](Eigen::Index i, const Derivatives& q) {
+    return impact_part(f, impact_.x2(i), q);
+  }));
+}
+
+Eigen::MatrixXd Projection::jacobian(const ResidualCoefficients& f,
+                                     const Eigen::VectorXd& a) const {
+  Eigen::MatrixXd result =
+      smooth_.project_gradients(gradients(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
+        return smooth_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
+      }));
+  if (has_signed_part(f)) {
+    result +=
+        signed_.project_gradients(gradients(signed_, a, [&](Eigen::Index i, const Derivatives& q) {
+          return signed_gradient(f, signed_.x1(i), q);
+        }));
+  }
+  if (f.jump_share != 0) result += f.jump_share * jump_.value().jacobian(a);
+  return result +
+         impact_.project_gradients(gradients(impact_, a, [&](Eigen::Index i, const Derivatives&) {
+           return impact_gradient(f, impact_.x2(i));
+         }));
+}
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "epc/gaussian/basis.hpp"
+#include "epc/gaussian/jump_remainder.hpp"
+#include "epc/gaussian/projection_nodes.hpp"
+#include "epc/gaussian/residual.hpp"
+
+namespace fpkcheck::epc::gaussian {
+
+/// The nonlinear equations (23) of the paper in the scaled unknowns of a basis:
+///
+///     R_s(a) = (1/N_s) int int F(x1, x2; a) x1^p x2^q f1(x1) f2(x2) dx1 dx2 = 0.
+///
+/// Every integral is exact up to rounding: each part of F is a polynomial under a Gaussian, and
+/// each has the rule that its factor sgn(x1) or |x2| delta(x1) calls for. What `kf` adds is no
+/// polynomial, see JumpRemainder.
+class Projection {
+ public:
+  /// The equations with f.jump_share = 0.
+  explicit Projection(Basis basis);
+  /// All equations.
+  Projection(Basis basis, const problem::ImpulseTrain& impulses,
+             double jump_radius = JumpRemainder::kRadius);
+
+  const Basis& basis() const { return basis_; }
+
+  /// R(a), shape (basis.size()).
+  Eigen::VectorXd residual(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
+  /// dR_s/da_k in row s and column k.
+  Eigen::MatrixXd jacobian(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
+
+ private:
+  Basis basis_;
+  ProjectionNodes smooth_;  // weights f1 f2
+  ProjectionNodes signed_;  // weights sgn(x1) f1 f2
+  ProjectionNodes impact_;  // weights delta(x1) |x2| f1 f2
+  std::optional<JumpRemainder> jump_;
+};
+
+}  // namespace fpkcheck::epc::gaussian

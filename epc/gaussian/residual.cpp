@@ -1,0 +1,119 @@
+#include "epc/gaussian/residual.hpp"
+
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+using problem::Equation;
+
+// The powers of one parity.
+problem::Polynomial part(const problem::Polynomial& polynomial, std::size_t parity) {
+  problem::Polynomial::Coefficients a = polynomial.coefficients();
+  for (std::size_t n = 1 - parity; n < a.size(); n += 2) a[n] = 0;
+  return problem::Polynomial(a);
+}
+
+// lambda E[Y^2]/2! [...] + lambda E[Y^4]/4! [...]
+double even_series(const RateMoments& m, const Derivatives& q) {
+  const double second = q.q22 + q.q2 * q.q2;
+  const double fourth = q.q2222 + 4 * q.q2 * q.q222 + 3 * q.q22 * q.q22 + 6 * q.q2 * q.q2 * q.q22 +
+                        q.q2 * q.q2 * q.q2 * q.q2;
+  return m[2] / 2 * second + m[4] / 24 * fourth;
+}
+
+Derivatives even_series_gradient(const RateMoments& m, const Derivatives& q) {
+  const double second = m[2] / 2, fourth = m[4] / 24;
+  return {
+      .q1 = 0,
+      .q2 = second * 2 * q.q2 + fourth * (4 * q.q222 + 12 * q.q2 * q.q22 + 4 * q.q2 * q.q2 * q.q2),
+      .q22 = second + fourth * (6 * q.q22 + 6 * q.q2 * q.q2),
+      .q222 = fourth * 4 * q.q2,
+      .q2222 = fourth};
+}
+
+// -lambda E[Y] Q_2 - lambda E[Y^3]/3! [...]
+double odd_series(const RateMoments& m, const Derivatives& q) {
+  const double third = q.q222 + 3 * q.q2 * q.q22 + q.q2 * q.q2 * q.q2;
+  return -m[1] * q.q2 - m[3] / 6 * third;
+}
+
+Derivatives odd_series_gradient(const RateMoments& m, const Derivatives& q) {
+  const double third = -m[3] / 6;
+  return {.q1 = 0,
+          .q2 = -m[1] + third * 3 * (q.q22 + q.q2 * q.q2),
+          .q22 = third * 3 * q.q2,
+          .q222 = third,
+          .q2222 = 0};
+}
+
+}  // namespace
+
+ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equation equation) {
+  const bool higher = equation != Equation::white;
+  const auto& system = problem.system;
+  const auto& impulses = problem.impulses;
+  return {
+      .damping = system.damping(),
+      .odd_force = part(system.force(), 1),
+      .even_force = part(system.force(), 0),
+      .impact_loss = 1 - system.restitution(),
+      .rate_moment = {0, impulses.rate_moment(1), impulses.rate_moment(2),
+                      higher ? impulses.rate_moment(3) : 0, higher ? impulses.rate_moment(4) : 0},
+      .jump_share = equation == Equation::kf ? 1.0 : 0.0};
+}
+
+ResidualCoefficients partway(const ResidualCoefficients& full, double fraction) {
+  ResidualCoefficients f = full;
+  f.impact_loss *= fraction;
+  for (const int order : {1, 3, 4}) f.rate_moment[order] *= fraction;
+  f.jump_share *= fraction;
+  return f;
+}
+
+double smooth_part(const ResidualCoefficients& f, double x1, double x2, const Derivatives& q) {
+  const double drift = f.damping * x2 + f.odd_force(x1);
+  return -x2 * q.q1 + drift * q.q2 + even_series(f.rate_moment, q) + f.damping;
+}
+
+Derivatives smooth_gradient(const ResidualCoefficients& f, double x1, double x2,
+                            const Derivatives& q) {
+  Derivatives gradient = even_series_gradient(f.rate_moment, q);
+  gradient.q1 -= x2;
+  gradient.q2 += f.damping * x2 + f.odd_force(x1);
+  return gradient;
+}
+
+double signed_part(const ResidualCoefficients& f, double x1, const Derivatives& q) {
+  return f.even_force(x1) * q.q2 + odd_series(f.rate_moment, q);
+}
+
+Derivatives signed_gradient(const ResidualCoefficients& f, double x1, const Derivatives& q) {
+  Derivatives gradient = odd_series_gradient(f.rate_moment, q);
+  gradient.q2 += f.even_force(x1);
+  return gradient;
+}
+
+double series_part(const RateMoments& rate_moment, int side, const Derivatives& q) {
+  return even_series(rate_moment, q) + side * odd_series(rate_moment, q);
+}
+
+Derivatives series_gradient(const RateMoments& rate_moment, int side, const Derivatives& q) {
+  const Derivatives even = even_series_gradient(rate_moment, q),
+                    odd = odd_series_gradient(rate_moment, q);
+  return {.q1 = 0,
+          .q2 = even.q2 + side * odd.q2,
+          .q22 = even.q22 + side * odd.q22,
+          .q222 = even.q222 + side * odd.q222,
+          .q2222 = even.q2222};
+}
+
+double impact_part(const ResidualCoefficients& f, double x2, const Derivatives& q) {
+  return f.impact_loss * (x2 * q.q2 + 2);
+}
+
+Derivatives impact_gradient(const ResidualCoefficients& f, double x2) {
+  return {.q1 = 0, .q2 = f.impact_loss * x2, .q22 = 0, .q222 = 0, .q2222 = 0};
+}
+
+}  // namespace fpkcheck::epc::gaussian

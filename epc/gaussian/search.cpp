@@ -1,0 +1,164 @@
+#include "epc/gaussian/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "epc/form/allowed.hpp"
+#include "epc/gaussian/continuation.hpp"
+#include "epc/gaussian/projection.hpp"
+#include "epc/gaussian/support.hpp"
+#include "epc/roots/dense.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+using problem::Equation;
+using roots::NewtonResult;
+
+// Of the coefficients, between two discs of the jump integral; roots on a plateau stay below 0.01.
+constexpr double kDiscSensitivityAllowed = 0.05;
+
+// Q_2 of the Gaussian with the deviations of the weights.
+std::vector<Term> linearised(const Deviations& sigma) {
+  return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
+}
+
+Projection projection_of(const problem::Problem& problem, const Options& options) {
+  const Basis basis(options.order, options.monomials, deviations(problem));
+  if (equation_of(options) == Equation::kf) return Projection(basis, problem.impulses);
+  return Projection(basis);
+}
+
+std::string end_of(const Branch& branch) {
+  switch (branch.end) {
+    case BranchEnd::white_noise:
+      return "turns back there and ends at another root of the equations of white noise";
+    case BranchEnd::far_away:
+      return "turns back there and leaves towards ever greater coefficients";
+    default:
+      break;
+  }
+  const bool turned = std::ranges::any_of(branch.points, &BranchPoint::fold);
+  return turned ? "turns back there and is lost on the way" : "could not be followed further";
+}
+
+class Seeker {
+ public:
+  Seeker(const problem::Problem& problem, const Options& options)
+      : problem_(problem),
+        options_(options),
+        projection_(projection_of(problem, options)),
+        coefficients_(residual_coefficients(problem, equation_of(options))),
+        linearised_(projection_.basis().scaled(linearised(projection_.basis().sigma()))) {}
+
+  Search search() {
+    if (options_.order > 2) search_.previous = previous();
+    attempt(newton_from(linearised_, false)) || attempt(newton_from(linearised_, true)) ||
+        (search_.previous && attempt(newton_from(padded(), true))) || follow() ||
+        (search_.previous &&
+         attempt(add_equations(projection_, coefficients_, padded(), options_.tolerance)));
+    if (!search_.root) {
+      search_.failure = failure();
+      return search_;
+    }
+    search_.condition = condition();
+    if (equation_of(options_) == Equation::kf) test_disc();
+    return search_;
+  }
+
+ private:
+  std::optional<Polynomial> previous() const {
+    Options lower = options_;
+    lower.order -= 2;
+    return find_root(problem_, lower).root;
+  }
+  Eigen::VectorXd padded() const { return projection_.basis().scaled(search_.previous->terms()); }
+
+  NewtonResult newton_from(const Eigen::VectorXd& start, bool damped) const {
+    return newton(projection_, coefficients_, start,
+                  {.tolerance = options_.tolerance,
+                   .max_iterations = options_.max_iterations,
+                   .damped = damped});
+  }
+
+  // Keeps the root of an attempt, if it is one and none was found before that is as good. Up to
+  // n = 6 the first root is taken, as in the paper; beyond, a root whose density does not decay is
+  // kept only until one that does is found.
+  bool attempt(const NewtonResult& result) {
+    search_.iterations += result.iterations;
+    if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;
+    if (!result.converged) return false;
+    const Polynomial root = projection_.basis().polynomial(result.a);
+    const bool settled = options_.order <= 6 ||
+                         Support(root, projection_.basis().sigma()).edge_ratio() < kEdgeAllowed;
+    if (settled || !search_.root) search_.root = root;
+    return settled;
+  }
+
+  bool follow() {
+    const FollowedBranch followed = follow_branch(projection_, coefficients_, options_.tolerance);
+    search_.branch = followed.branch;
+    NewtonResult root = followed.root;
+    if (!root.converged) root.residual = std::numeric_limits<double>::infinity();
+    return attempt(root);
+  }
+
+  // Whether the root stands on a plateau of the disc's radius; it is given up where it does not.
+  void test_disc() {
+    const Eigen::VectorXd a = projection_.basis().scaled(search_.root->terms());
+    const Projection smaller(projection_.basis(), problem_.impulses, JumpRemainder::kRadius - 1);
+    const NewtonResult there = newton(smaller, coefficients_, a,
+                                      {.tolerance = options_.tolerance,
+                                       .max_iterations = options_.max_iterations,
+                                       .damped = false});
+    search_.iterations += there.iterations;
+    if (there.converged) search_.disc_sensitivity = (there.a - a).norm() / a.norm();
+    if (search_.disc_sensitivity && *search_.disc_sensitivity <= kDiscSensitivityAllowed) return;
+    search_.root.reset();
+    search_.failure = fmt::format(
+        "the root depends on the disc on which the jump integral is taken: between radii of {} and "
+        "{} deviations {} (allowed {} of their norm), so the equations with the whole integral are "
+        "not defined well enough",
+        JumpRemainder::kRadius - 1, JumpRemainder::kRadius,
+        search_.disc_sensitivity ? fmt::format("its coefficients change by {:.3f} of their norm",
+                                               *search_.disc_sensitivity)
+                                 : "it is lost",
+        kDiscSensitivityAllowed);
+  }
+
+  double condition() const {
+    const Eigen::VectorXd a = projection_.basis().scaled(search_.root->terms());
+    const Eigen::VectorXd values = roots::singular_values(projection_.jacobian(coefficients_, a));
+    return values[0] / values[values.size() - 1];
+  }
+
+  std::string failure() const {
+    return fmt::format(
+        "Newton steps from equivalent linearisation{}, plain and damped, found no root in {} "
+        "iterations (least residual {:.1e}, asked for {:.1e}), and the branch of solutions that "
+        "starts from white noise at an impact without loss reaches {:.1f} % of the way to the full "
+        "problem: it {}",
+        search_.previous ? fmt::format(" and from n = {}", options_.order - 2) : "",
+        search_.iterations, search_.residual, options_.tolerance, 100 * search_.branch.furthest,
+        end_of(search_.branch));
+  }
+
+  const problem::Problem& problem_;
+  const Options& options_;
+  Projection projection_;
+  ResidualCoefficients coefficients_;
+  Eigen::VectorXd linearised_;
+  Search search_;
+  int attempts_ = 0;
+};
+
+}  // namespace
+
+Search find_root(const problem::Problem& problem, const Options& options) {
+  return Seeker(problem, options).search();
+}
+
+}  // namespace fpkcheck::epc::gaussian

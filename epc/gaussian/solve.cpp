@@ -1,0 +1,121 @@
+#include "epc/gaussian/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "epc/form/allowed.hpp"
+#include "epc/form/put_density.hpp"
+#include "epc/gaussian/basis.hpp"
+#include "epc/gaussian/search.hpp"
+#include "epc/gaussian/support.hpp"
+#include "transform/zhuravlev.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+using transform::Status;
+
+transform::SmoothDensity density_of(const Polynomial& q, const Support& support) {
+  const double constant = std::exp(-support.peak()) / support.integral();  // C of paper (17)
+  const auto plane = [q, support](double x1, double x2) {
+    return support.contains(x1, x2) ? std::exp(q(x1, x2)) : 0;
+  };
+  const bool even =
+      std::ranges::all_of(q.terms(), [](const Term& t) { return (t.x1 + t.x2) % 2 == 0; });
+  if (even) {  // both points of (5) carry the same density
+    return {[plane, constant](double y, double v) { return 2 * constant * plane(y, v); },
+            support.x1_max(), support.x2_max()};
+  }
+  return transform::physical_density(
+      {.value = [plane, constant](double x1, double x2) { return constant * plane(x1, x2); },
+       .x1_max = support.x1_max(),
+       .x2_max = support.x2_max()});
+}
+
+// Why a root is no density of the kind asked for; empty when it is.
+std::string objection(const Support& support, const LeadingForm& form,
+                      const transform::Solution& solution,
+                      const std::optional<double>& distance_to_density_before) {
+  if (!(support.edge_ratio() < kEdgeAllowed)) {
+    return fmt::format(
+        "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e}), which cuts "
+        "off about {:.1e} of the probability, {}",
+        support.edge_ratio(), kEdgeAllowed, support.cut_off(),
+        behaviour(form, "(x1/sigma1, x2/sigma2)"));
+  }
+  if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
+    return fmt::format("the density's mass in the box around its support is {:.6f}, not 1",
+                       solution.mass);
+  }
+  if (!(std::abs(solution.energy_residual) <= kEnergyAllowed)) {
+    return fmt::format(
+        "the root misses the stationary balance of power by {:.0f} % of the input (allowed "
+        "{:.0f} %), so it is near no stationary density",
+        100 * std::abs(solution.energy_residual), 100 * kEnergyAllowed);
+  }
+  if (distance_to_density_before.value_or(0) > kDistanceAllowed) {
+    return fmt::format(
+        "p(y) and p(y') are {:.2f} in L1 from those of the density of order n-2 (allowed {}), so "
+        "the root is of another kind",
+        *distance_to_density_before, kDistanceAllowed);
+  }
+  return "";
+}
+
+// Judges a root of (23): C exp(Q_n) restricted to its support, its moments, its energy balance.
+// @param previous the root of order n-2, to compare with
+void judge(const problem::Problem& problem, const Polynomial& q,
+           const std::optional<Polynomial>& previous, Result& result) {
+  const Deviations sigma = deviations(problem);
+  const Support support(q, sigma);
+  const LeadingForm form = leading_form(q, sigma);
+  auto& [solution, summary] = result;
+  summary.coefficients = q.terms();
+  summary.leading_form = form;
+  summary.support = {.least_radius = support.least_radius(),
+                     .greatest_radius = support.greatest_radius(),
+                     .y_max = support.x1_max(),
+                     .v_max = support.x2_max(),
+                     .edge_density = support.edge_ratio(),
+                     .cut_off = support.cut_off()};
+
+  const transform::SmoothDensity density = density_of(q, support);
+  const transform::PanelMarginals marginals =
+      put_density(problem, Impact::delta, density, solution);
+  std::optional<double> distance_to_density_before;
+  if (previous) {
+    const Support before(*previous, sigma);
+    summary.distance_to_previous = distance(
+        marginals,
+        transform::panel_marginals(density_of(*previous, before), density.y_max, density.v_max));
+    if (before.edge_ratio() < kEdgeAllowed) {
+      distance_to_density_before = summary.distance_to_previous;
+    }
+  }
+  solution.reason = objection(support, form, solution, distance_to_density_before);
+  solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
+}
+
+}  // namespace
+
+Result solve(const problem::Problem& problem, const Options& options) {
+  const Search search = find_root(problem, options);
+  Result result;
+  result.summary.iterations = search.iterations;
+  result.summary.residual = search.residual;
+  result.summary.branch = search.branch;
+  result.summary.disc_sensitivity = search.disc_sensitivity;
+  if (search.root) {
+    result.summary.condition = search.condition;
+    judge(problem, *search.root, search.previous, result);
+  } else {
+    result.solution.status = Status::not_converged;
+    result.solution.reason = search.failure;
+  }
+  return result;
+}
+
+}  // namespace fpkcheck::epc::gaussian

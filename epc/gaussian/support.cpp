@@ -1,0 +1,139 @@
+#include "epc/gaussian/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "epc/form/allowed.hpp"
+#include "transform/panels.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// The peak is sought within two deviations: a rise further out is no peak but a failure of (19).
+constexpr double kCore = 2;
+constexpr int kPanels = 6;
+
+// Where Q_n along the ray changes from falling to rising between two radii.
+double minimum_between(const Ray& slope, double low, double high) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (horner(slope, middle) < 0 ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+// Where Q_n, falling from low to high, crosses a level: Newton's method kept between the two.
+double crossing_between(const Ray& q, const Ray& slope, double level, double low, double high) {
+  double at = (low + high) / 2;
+  for (int i = 0; i < 60; ++i) {
+    const double excess = horner(q, at) - level;
+    (excess > 0 ? low : high) = at;
+    const double next = at - excess / horner(slope, at);
+    if (std::abs(next - at) < 1e-14 * at) break;
+    at = next > low && next < high ? next : (low + high) / 2;
+  }
+  return at;
+}
+
+struct Edge {
+  double radius;
+  double peak;  // largest Q_n met on the way
+};
+
+// The edge along one direction, rules (a) to (c).
+Edge edge(const Ray& q, double core_peak) {
+  const Ray slope = derivative(q);
+  const double negligible = core_peak + std::log(Support::kNegligible);
+  const double allowed = core_peak + std::log(kEdgeAllowed);
+  double lowest = 0, value_there = horner(q, 0), peak = value_there, peak_there = peak;
+  double slope_here = horner(slope, 0);
+  for (double rho = 0; rho < kFarthest; rho += kRadialStep) {
+    const double next = rho + kRadialStep;
+    const double value_next = horner(q, next), slope_next = horner(slope, next);
+    if (rho > kCore && value_next > core_peak) break;
+    if (value_next < negligible) return {crossing_between(q, slope, negligible, rho, next), peak};
+    double candidate = next, value = value_next;
+    if (slope_here < 0 && slope_next >= 0) {
+      candidate = minimum_between(slope, rho, next);
+      value = horner(q, candidate);
+      if (value < allowed) return {candidate, peak};
+    }
+    if (value < value_there) {
+      lowest = candidate;
+      value_there = value;
+      peak_there = peak;
+    }
+    peak = std::max(peak, value_next);
+    slope_here = slope_next;
+  }
+  return {lowest, peak_there};
+}
+
+}  // namespace
+
+Support::Support(const Polynomial& q, const Deviations& sigma) : sigma_(sigma) {
+  const std::size_t distinct = distinct_directions(q);
+  std::vector<Ray> rays;
+  double core_peak = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < distinct; ++k) {
+    rays.push_back(ray(q, sigma, directions()[k]));
+    for (double rho = 0; rho <= kCore; rho += kRadialStep) {
+      core_peak = std::max(core_peak, horner(rays.back(), rho));
+    }
+  }
+  peak_ = -std::numeric_limits<double>::infinity();
+  for (const Ray& along : rays) {
+    const auto [radius, peak] = edge(along, core_peak);
+    radius_.push_back(radius);
+    peak_ = std::max(peak_, peak);
+  }
+  for (std::size_t k = distinct; k < directions().size(); ++k)
+    radius_.push_back(radius_[k - distinct]);
+  measure(rays);
+}
+
+void Support::measure(const std::vector<Ray>& rays) {
+  for (std::size_t k = 0; k < radius_.size(); ++k) {
+    const double radius = radius_[k];
+    sector_.push_back(std::min(radius, radius_[(k + 1) % radius_.size()]));
+    x1_max_ = std::max(x1_max_, radius * std::abs(directions()[k].x1) * sigma_.x1);
+    x2_max_ = std::max(x2_max_, radius * std::abs(directions()[k].x2) * sigma_.x2);
+  }
+  const auto [least, greatest] = std::ranges::minmax(radius_);
+  least_radius_ = least;
+  greatest_radius_ = greatest;
+
+  const auto unit = transform::panel_points(0.0, 1.0, kPanels);
+  double edge_sum = 0, sum = 0;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const double radius = radius_[k];
+    const auto relative = [&](double rho) { return std::exp(horner(rays[k], rho) - peak_); };
+    const double at_edge = relative(radius);
+    edge_ratio_ = std::max(edge_ratio_, at_edge);
+    edge_sum += at_edge;
+    for (const auto& [share, weight] : unit) {
+      sum += radius * radius * weight * share * relative(radius * share);
+    }
+  }
+  const double element =
+      sigma_.x1 * sigma_.x2 * 2 * std::numbers::pi / static_cast<double>(rays.size());
+  integral_ = sum * element;
+  // int_R^inf exp(-(rho^2 - R^2)/2) rho drho = 1
+  cut_off_ = edge_sum / sum;
+}
+
+bool Support::contains(double x1, double x2) const {
+  const double u1 = x1 / sigma_.x1, u2 = x2 / sigma_.x2;
+  const double square = u1 * u1 + u2 * u2;
+  if (square < least_radius_ * least_radius_) return true;
+  if (square > greatest_radius_ * greatest_radius_) return false;
+  double turn = std::atan2(u2, u1) / (2 * std::numbers::pi);
+  if (turn < 0) turn += 1;
+  const auto count = static_cast<double>(sector_.size());
+  const auto k = static_cast<std::size_t>(turn * count) % sector_.size();
+  return square < sector_[k] * sector_[k];
+}
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,28 @@
+#include "epc/half_plane/contour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fpkcheck::epc::half_plane {
+
+std::pair<double, double> radii(const Contour& contour, const Deviations& sigma) {
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const ContourPoint& point : contour) {
+    const double radius = std::hypot(point.y / sigma.x1, point.v / sigma.x2);
+    least = std::min(least, radius);
+    greatest = std::max(greatest, radius);
+  }
+  return {least, greatest};
+}
+
+double probability_beyond(const Polynomial& q, const Contour& contour, double temperature,
+                          double log_normalisation) {
+  double density = 0;
+  for (const ContourPoint& point : contour) {
+    density += std::exp(q(point.s, point.t) - log_normalisation) * point.area;
+  }
+  return temperature * density;
+}
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,66 @@
+#include "epc/half_plane/galerkin.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+namespace fpkcheck::epc::half_plane {
+
+using Eigen::ArrayXd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Galerkin::Density Galerkin::density(const VectorXd& a) const {
+  const ArrayXd exponent = tables_.members * a + tables_.confined;
+  const ArrayXd wall_exponent = tables_.wall_members * a + tables_.wall_confined;
+  Density density;
+  density.peak = exponent.maxCoeff();
+  density.mass = tables_.weight.array() * (exponent - density.peak).exp();
+  const double integral = density.mass.sum();
+  density.log_normalisation = std::log(integral) + density.peak;
+  density.mass /= integral;
+  density.wall_mass =
+      tables_.wall_weight.array() * (wall_exponent - density.log_normalisation).exp();
+  density.finite = std::isfinite(density.log_normalisation) && density.wall_mass.allFinite();
+  return density;
+}
+
+VectorXd Galerkin::residual(const Density& density) const {
+  return tables_.generated.transpose() * density.mass +
+         tables_.rebounds.transpose() * density.wall_mass;
+}
+
+MatrixXd Galerkin::centred(const MatrixXd& members, const Density& density) const {
+  const Eigen::RowVectorXd mean = density.mass.transpose() * tables_.members;
+  return members.rowwise() - mean;
+}
+
+MatrixXd Galerkin::jacobian(const Density& density) const {
+  // d p / d a_k = p (phi_k - E[phi_k]), on the wall too
+  const MatrixXd change = density.mass.asDiagonal() * centred(tables_.members, density);
+  const MatrixXd wall_change =
+      density.wall_mass.asDiagonal() * centred(tables_.wall_members, density);
+  MatrixXd result(size(), size());
+  result.noalias() = tables_.generated.transpose() * change;
+  result.noalias() += tables_.rebounds.transpose() * wall_change;
+  return result;
+}
+
+MatrixXd Galerkin::covariance(const Density& density) const {
+  const MatrixXd members =
+      density.mass.cwiseSqrt().asDiagonal() * centred(tables_.members, density);
+  MatrixXd result = MatrixXd::Zero(size(), size());
+  result.selfadjointView<Eigen::Lower>().rankUpdate(members.transpose());
+  return result.selfadjointView<Eigen::Lower>();
+}
+
+VectorXd Galerkin::fit(const VectorXd& exponent, const VectorXd& mass) const {
+  // Q_n has no constant of its own: a column of ones takes it up.
+  MatrixXd columns(tables_.members.rows(), tables_.members.cols() + 1);
+  columns << VectorXd::Ones(tables_.members.rows()), tables_.members;
+  const MatrixXd weighted = mass.asDiagonal() * columns;
+  const VectorXd solution =
+      (columns.transpose() * weighted).ldlt().solve(weighted.transpose() * exponent);
+  return solution.tail(size());
+}
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fpkcheck::epc::half_plane {
+
+/// Polynomials h_0 = 1, h_1 .. h_n of one variable that are orthonormal under a discrete measure,
+///
+///     b_i h_{i+1}(x) = (x - a_i) h_i(x) - b_{i-1} h_{i-1}(x),
+///
+/// by Stieltjes' procedure. Under the marginals of a density they take the place of Hermite's
+/// polynomials, which belong to the whole line: on y >= 0 these lose accuracy with the order.
+class OrthonormalPolynomials {
+ public:
+  /// @param points,weights of the measure, shape (number of points); weights sum to 1, and more
+  ///   than `degree` points differ
+  OrthonormalPolynomials(const Eigen::VectorXd& points, const Eigen::VectorXd& weights, int degree);
+
+  int degree() const { return static_cast<int>(centre_.size()); }
+
+  /// Tables of the derivatives 0 .. order: entry [j](i, k) is the j-th derivative of h_k at x_i.
+  std::vector<Eigen::MatrixXd> derivatives(const Eigen::VectorXd& x, int order) const;
+  /// Values only: entry (i, k) is h_k(x_i).
+  Eigen::MatrixXd values(const Eigen::VectorXd& x) const { return derivatives(x, 0)[0]; }
+
+  /// Entry (k, p) is the coefficient of x^p in h_k.
+  Eigen::MatrixXd coefficients() const;
+
+ private:
+  std::vector<double> centre_;  // a_i
+  std::vector<double> norm_;    // b_i
+};
+
+}  // namespace fpkcheck::epc::half_plane

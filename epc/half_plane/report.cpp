@@ -1,0 +1,94 @@
+#include "epc/half_plane/report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "epc/form/allowed.hpp"
+
+namespace fpkcheck::epc::half_plane {
+namespace {
+
+using transform::Status;
+
+// Why a density that meets the equations is still not to be relied on; empty when it is.
+std::string objection_to(int order, const transform::Solution& solution, const Summary& summary) {
+  constexpr double kBeyondAllowed = 1e-3;
+  // A Gaussian, n = 2, need not be near; later orders must.
+  const double distance_allowed = order <= 4 ? kDistanceAllowed : kSettledDistance;
+  if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
+    return fmt::format(
+        "its mass is {:.5f} by panels over the support (allowed 1 +- {:.0e}): the density has a "
+        "spike that they miss, and moments and marginals with it",
+        solution.mass, kMassAllowed);
+  }
+  if (!(summary.half_plane->beyond_level <= kBeyondAllowed)) {
+    return fmt::format(
+        "about {:.1e} of the probability lies where the confinement of Q_n begins, or beyond "
+        "(allowed {:.0e}), which shapes it",
+        summary.half_plane->beyond_level, kBeyondAllowed);
+  }
+  if (summary.distance_to_previous && !(*summary.distance_to_previous <= distance_allowed)) {
+    return fmt::format(
+        "its marginals are L1 {:.2f} from those of order {} (allowed {:.1f}): the orders have not "
+        "settled",
+        *summary.distance_to_previous, order - 2, distance_allowed);
+  }
+  return "";
+}
+
+}  // namespace
+
+Result reported(const Root& root) {
+  Result result;
+  result.summary.iterations = root.newton.iterations;
+  result.summary.residual = root.newton.residual;
+  result.solution.status = Status::not_converged;
+  result.solution.reason = root.failure;
+  return result;
+}
+
+void describe(const Root& root, Tail tail, const transform::SmoothDensity& density,
+              const Edges& edges, Result& result) {
+  const Shape& shape = root.shape;
+  const auto beyond = [&](const Contour& contour) {
+    return probability_beyond(shape.q, contour, shape.temperature, shape.log_normalisation);
+  };
+  const auto [least, greatest] = radii(edges.support, deviations(result.solution.moments));
+  result.summary.condition = root.condition;
+  result.summary.coefficients = shape.q.terms();
+  result.summary.support = {.least_radius = least,
+                            .greatest_radius = greatest,
+                            .y_max = density.y_max,
+                            .v_max = density.v_max,
+                            .edge_density = edges.density,
+                            .cut_off = beyond(edges.support)};
+  result.summary.half_plane = {.tail = tail,
+                               .level = shape.level,
+                               .level_deviations = std::sqrt(2 * shape.level / shape.temperature),
+                               .beyond_level = beyond(edges.level),
+                               .quadrature_change = root.quadrature_change,
+                               .homotopies = root.homotopies};
+}
+
+void conclude(int order, const Root& root, double quadrature_allowed, const std::string& objection,
+              Result& result) {
+  auto& [solution, summary] = result;
+  if (!(root.quadrature_change < quadrature_allowed)) {
+    solution = {};
+    solution.status = Status::not_converged;
+    solution.reason = fmt::format(
+        "more points of the quadrature change Q_n by {:.1e} of a unit (allowed {:.0e}): the "
+        "density, or the law of the impulses, has features that {} x {} points miss",
+        root.quadrature_change, quadrature_allowed, root.quadrature.s, root.quadrature.t);
+    return;
+  }
+  solution.reason = objection.empty() ? objection_to(order, solution, summary) : objection;
+  solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
+}
+
+Deviations deviations(const transform::Moments& moments) {
+  return {std::sqrt(moments.y2), std::sqrt(moments.v2)};
+}
+
+}  // namespace fpkcheck::epc::half_plane

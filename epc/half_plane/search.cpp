@@ -1,0 +1,244 @@
+#include "epc/half_plane/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "epc/half_plane/first_decayed.hpp"
+#include "epc/half_plane/metric.hpp"
+#include "epc/half_plane/newton.hpp"
+#include "epc/roots/dense.hpp"
+
+namespace fpkcheck::epc::half_plane {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using roots::NewtonOptions;
+using roots::NewtonResult;
+
+constexpr double kRoughTolerance = 1e-4;
+constexpr int kMostRefinements = 4;
+
+// More than twice as many in all.
+QuadratureSize refined(const QuadratureSize& size) {
+  return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
+}
+
+class Search {
+ public:
+  Search(const problem::Problem& problem, const Setting& setting, const Options& options)
+      : setting_(setting), options_(options), unit_(rate_unit(problem)) {}
+
+  Root run() {
+    climb();
+    root_.newton.iterations = iterations_;
+    root_.homotopies = homotopies_;
+    return std::move(root_);
+  }
+
+ private:
+  // Equations, and where to start from.
+  struct Start {
+    Equations equations;
+    VectorXd a;
+  };
+
+  void climb() {
+    Shape guess = setting_.start();
+    for (int n = 2; n <= options_.order; n += 2) {
+      if (n == options_.order && n > 2) root_.previous = guess;
+      if (!advance(guess, n)) return;
+      // At strong impact losses the linearised deviations are far too large.
+      if (n == 2 && !advance(guess, n)) return;
+    }
+    finish(guess);
+  }
+
+  // Order n from the guess, well enough to start the next, in its place.
+  bool advance(Shape& guess, int n) {
+    const auto attempt = [&](double level) -> std::optional<std::pair<Shape, double>> {
+      const Start start = start_of(guess, n, level, first_size(guess, n, level, Stage::rough));
+      const NewtonResult result = solve(start, Stage::rough);
+      if (!result.converged) return std::nullopt;
+      const Shape found = shape_of(start.equations, result.a, level);
+      return std::pair{found, setting_.remains(found, Stage::rough)};
+    };
+    const auto best = first_decayed<Shape>(setting_.levels(guess, Stage::rough),
+                                           setting_.remains_allowed(Stage::rough), attempt);
+    if (best) guess = *best;
+    return best.has_value();
+  }
+
+  // The order asked for, to the tolerance.
+  void finish(const Shape& guess) {
+    const auto attempt = [&](double level) -> std::optional<std::pair<Root, double>> {
+      if (!refine(guess, level)) return std::nullopt;
+      // What the rough guess still hid.
+      const Root rooted = root_;
+      const auto further = setting_.further(guess, rooted.shape);
+      if (further && !refine(rooted.shape, *further)) root_ = rooted;
+      return std::pair{root_, root_.remains};
+    };
+    const auto best = first_decayed<Root>(setting_.levels(guess, Stage::last),
+                                          setting_.remains_allowed(Stage::last), attempt);
+    if (best) root_ = *best;
+  }
+
+  // The answer at a level, on as many points as it takes.
+  bool refine(const Shape& guess, double level) {
+    const Refinement refinement = setting_.refinement();
+    const bool estimated = refinement.rule == Refinement::Rule::estimated;
+    QuadratureSize size = first_size(guess, options_.order, level, Stage::last);
+    Start at = start_of(guess, options_.order, level, size);
+    NewtonResult result = solve(at, Stage::last);
+    for (int left = kMostRefinements; result.converged; --left) {
+      const QuadratureSize finer = refined(size);
+      Start fine{equations_of(at.equations.basis(), level, finer), result.a};
+      if (estimated) {
+        const double change = change_on(fine.equations, at.equations, result.a);
+        if (change < refinement.tolerance || left == 0) {
+          return accept(at.equations, result, level, size, change);
+        }
+      }
+      result = solve(fine, Stage::last);
+      if (!estimated && result.converged) {
+        const double change = length(result.a - fine.a, metric_of(fine.equations, result.a));
+        if (change < refinement.tolerance || left == 1) {
+          return accept(fine.equations, result, level, finer, change);
+        }
+      }
+      at = std::move(fine);
+      size = finer;
+    }
+    return false;
+  }
+
+  QuadratureSize first_size(const Shape& guess, int n, double level, Stage stage) const {
+    return setting_.size(n, level / guess.temperature, stage);
+  }
+
+  Equations equations_of(const Basis& basis, double level, const QuadratureSize& size) const {
+    const double support = support_of(level, options_.tail);
+    return setting_.equations(support, confinement_of(level, options_.tail), basis,
+                              setting_.points(support, size), size);
+  }
+
+  // The equations of order n in a basis made for the guess, and the guess in it.
+  Start start_of(const Shape& guess, int n, double level, const QuadratureSize& size) const {
+    const double support = support_of(level, options_.tail);
+    const Confinement confinement = confinement_of(level, options_.tail);
+    const Points points = setting_.points(support, size);
+    VectorXd exponent(points.size()), mass(points.size());
+    for (Index i = 0; i < points.size(); ++i) {
+      exponent[i] = setting_.exponent(guess, points.s[i], points.t[i]);
+      mass[i] = exponent[i] + confinement(points.energy[i]);
+    }
+    mass = points.weight.array() * (mass.array() - mass.maxCoeff()).exp();
+    mass /= mass.sum();
+    Equations equations =
+        setting_.equations(support, confinement, Basis(n, points, mass), points, size);
+    VectorXd a =
+        equations.fit(exponent, setting_.fit_weights(guess, support, points, exponent, mass));
+    return {std::move(equations), std::move(a)};
+  }
+
+  NewtonOptions newton_options(Stage stage) const {
+    const bool last = stage == Stage::last;
+    return {.tolerance = last ? options_.tolerance : kRoughTolerance,
+            .max_iterations = options_.max_iterations,
+            .polish = last};
+  }
+
+  // Newton's method, and where it is lost the homotopy before it.
+  NewtonResult solve(const Start& start, Stage stage) {
+    const NewtonOptions options = newton_options(stage);
+    NewtonResult result = newton(start.equations, start.a, unit_, options);
+    iterations_ += result.iterations;
+    if (result.converged) return result;
+    const roots::Curve rescue = follow_homotopy(start.equations, start.a);
+    const bool arrived = rescue.end == roots::CurveEnd::arrived;
+    ++homotopies_;
+    iterations_ += rescue.iterations;
+    if (arrived) {
+      result = newton(start.equations, rescue.points.back().a, unit_, options);
+      iterations_ += result.iterations;
+    }
+    if (!result.converged) {
+      root_.newton = result;
+      root_.failure = fmt::format(
+          "Newton's method was lost at order {} after {} iterations (least residual {:.1e}), and a "
+          "homotopy {}",
+          start.equations.basis().order(), result.iterations, result.residual,
+          arrived ? std::string("led to no root")
+                  : fmt::format("got {:.0f} % of the way", 100 * rescue.furthest().t));
+    }
+    return result;
+  }
+
+  Shape shape_of(const Equations& equations, const VectorXd& a, double level) const {
+    const Galerkin::Density density = equations.density(a);
+    const Points& points = equations.points();
+    Shape shape{.q = equations.basis().polynomial(a),
+                .temperature = density.mass.dot(points.v.cwiseAbs2()),
+                .level = level,
+                .support = support_of(level, options_.tail)};
+    // The constant of Q_n differs between the basis and the monomials.
+    const double constant =
+        shape.q(points.s[0], points.t[0]) -
+        equations.basis().values(points.s.head(1), points.t.head(1)).row(0).dot(a);
+    shape.log_normalisation = density.log_normalisation + constant;
+    shape.peak = density.peak + constant;
+    shape.trusted = setting_.trusted(shape.q, shape.temperature);
+    return shape;
+  }
+
+  static Eigen::MatrixXd metric_of(const Equations& equations, const VectorXd& a) {
+    return equations.covariance(equations.density(a));
+  }
+
+  // On more points, is it still a root?
+  static double change_on(const Equations& fine, const Equations& coarse, const VectorXd& a) {
+    const Galerkin::Density density = coarse.density(a);
+    const roots::Factors factors(coarse.jacobian(density));
+    const VectorXd step = factors.solve(fine.residual(fine.density(a)));
+    return length(step, coarse.covariance(density));
+  }
+
+  bool accept(const Equations& equations, const NewtonResult& result, double level,
+              const QuadratureSize& size, double quadrature_change) {
+    const Galerkin::Density density = equations.density(result.a);
+    root_.newton = result;
+    root_.failure.clear();
+    root_.shape = shape_of(equations, result.a, level);
+    root_.remains = setting_.remains(root_.shape, Stage::last);
+    root_.quadrature = size;
+    root_.quadrature_change = quadrature_change;
+    root_.condition = condition_of(equations.jacobian(density), equations.covariance(density));
+    return true;
+  }
+
+  const Setting& setting_;
+  const Options& options_;
+  double unit_;
+  Root root_;
+  int iterations_ = 0, homotopies_ = 0;
+};
+
+}  // namespace
+
+double support_of(double level, Tail tail) {
+  return tail == Tail::confined ? level * Confinement::reach() : level;
+}
+
+Confinement confinement_of(double level, Tail tail) {
+  return tail == Tail::confined ? Confinement{level} : Confinement{};
+}
+
+Root find_root(const problem::Problem& problem, const Setting& setting, const Options& options) {
+  return Search(problem, setting, options).run();
+}
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/decaying_wave.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::exact {
+
+/// The stationary characteristic function of (z, z') for the linear oscillator (mu = 0,
+/// c^2 < 4k) with r = 1 under impulses with a symmetric law,
+///
+///     log phi(u1, u2) = lambda int_0^inf ( M(u1 h(t) + u2 h'(t)) - 1 ) dt,
+///     h(t) = exp(-ct/2) sin(wt)/w,   w = sqrt(k - c^2/4),
+///
+/// M being the characteristic function of Y: filtered Poisson impulses (Campbell's theorem).
+/// It is real, positive and even, and falls like |u|^(-2 lambda / c).
+class LinearCharacteristicFunction {
+ public:
+  /// @throws InputError naming the parameter for which the formula does not hold
+  explicit LinearCharacteristicFunction(const problem::Problem& problem);
+
+  /// phi(u1, u2) = E[exp(i (u1 z + u2 z'))], to 1e-12 of itself for frequent impulses: the rounding
+  /// error of the logarithm is some 1e-16 lambda/c.
+  double operator()(double u1, double u2) const;
+  double logarithm(double u1, double u2) const;
+
+  /// R of u1 h(t) + u2 h'(t) = R exp(-ct/2) sin(wt + phase):
+  /// R^2 = u2^2 + ((u1 - c u2 / 2) / w)^2.
+  double radius(double u1, double u2) const;
+  /// The largest value of phi on all waves with radius(u1, u2) >= `radius`. As phi falls along each
+  /// spiral (u1, u2)(t) on which u1 h + u2 h' runs backwards, and all spirals cross the ellipse of
+  /// that radius, it is the largest value on that ellipse.
+  double largest_beyond(double radius) const;
+
+ private:
+  static constexpr int kPanelOrder = 20;
+  using Panel = std::array<double, kPanelOrder + 1>;
+
+  double marched(const DecayingWave& wave, double end) const;
+  double from_zero_on(double amplitude) const;
+  double marched_from_zero_on(double amplitude, double table_end) const;
+  double small_wave_limit(double amplitude) const;
+  double interpolated(double amplitude) const;
+  void tabulate();
+
+  problem::System system_;
+  problem::ImpulseTrain impulses_;
+  double scale_;  ///< standard deviation of Y
+  /// The logarithm at waves that start from zero, on Chebyshev points of panels of the amplitude
+  /// of width 1/scale_ from 0 on.
+  std::vector<Panel> panels_;
+};
+
+}  // namespace fpkcheck::exact

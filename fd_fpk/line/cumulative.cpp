@@ -1,0 +1,67 @@
+#include "fd_fpk/line/cumulative.hpp"
+
+#include <algorithm>
+
+namespace fpkcheck::fd_fpk {
+
+CumulativeInterpolation::CumulativeInterpolation(const Line& line, int points, Beyond beyond_left)
+    : line_(line), points_(std::min({points, line.cells() + 1, kMostPoints})) {
+  stencils_.reserve(line.cells());
+  for (int cell = 0; cell < line.cells(); ++cell) {
+    Stencil stencil{};
+    stencil.first = cell - (points_ - 1) / 2;
+    if (beyond_left == Beyond::boundary) {
+      stencil.first = std::clamp(stencil.first, 0, line.cells() + 1 - points_);
+    }
+    for (int a = 0; a < points_; ++a) stencil.faces[a] = line.face(stencil.first + a);
+    for (int a = 0; a < points_; ++a) {
+      double denominator = 1;
+      for (int b = 0; b < points_; ++b) {
+        if (b != a) denominator *= stencil.faces[a] - stencil.faces[b];
+      }
+      stencil.inverse_denominators[a] = 1 / denominator;
+    }
+    stencils_.push_back(stencil);
+  }
+}
+
+void CumulativeInterpolation::add(double x, double factor,
+                                  Eigen::Ref<Eigen::VectorXd> face_weights) const {
+  const auto& faces = line_.faces();
+  const int last = line_.cells();
+  if (x <= faces.front()) return;
+  if (x >= faces.back()) {
+    face_weights(last) += factor;
+    return;
+  }
+  const auto above = std::upper_bound(faces.begin(), faces.end(), x);
+  const Stencil& stencil = stencils_[above - faces.begin() - 1];
+  // Lagrange: weight_a = prod_{b != a} (x - x_b) / (x_a - x_b), as the product before a times the
+  // one after it.
+  std::array<double, kMostPoints> before;
+  double product = factor;
+  for (int a = 0; a < points_; ++a) {
+    before[a] = product;
+    product *= x - stencil.faces[a];
+  }
+  double after = 1;
+  for (int a = points_ - 1; a >= 0; --a) {
+    const int face = stencil.first + a;
+    if (face <= 0) break;  // C = 0 there and before
+    face_weights(std::min(face, last)) += before[a] * after * stencil.inverse_denominators[a];
+    after *= x - stencil.faces[a];
+  }
+}
+
+Eigen::VectorXd CumulativeInterpolation::on_averages(
+    const Eigen::Ref<const Eigen::VectorXd>& face_weights) const {
+  Eigen::VectorXd weights(line_.cells());
+  double sum = 0;
+  for (int i = line_.cells() - 1; i >= 0; --i) {
+    sum += face_weights(i + 1);
+    weights(i) = sum * line_.width(i);
+  }
+  return weights;
+}
+
+}  // namespace fpkcheck::fd_fpk

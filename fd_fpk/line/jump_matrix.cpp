@@ -1,0 +1,98 @@
+#include "fd_fpk/line/jump_matrix.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <vector>
+
+#include "fd_fpk/line/cumulative.hpp"
+#include "problem/impulse_law.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+constexpr int kFaces = 8;  // of an interpolation stencil: degree 7
+
+// Calls visit(y, weight) for a rule on [a, b] whose panels are no longer than `longest`.
+template <class Visitor>
+void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
+  using Rule = boost::math::quadrature::gauss<double, 8>;
+  const int panels = std::max(1, static_cast<int>(std::ceil((b - a) / longest)));
+  const double half = (b - a) / (2 * panels);
+  for (int k = 0; k < panels; ++k) {
+    const double middle = a + (2 * k + 1) * half;
+    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {
+      visit(middle - half * Rule::abscissa()[n], half * Rule::weights()[n]);
+      visit(middle + half * Rule::abscissa()[n], half * Rule::weights()[n]);
+    }
+  }
+}
+
+// What the jumps do to the cumulative: column f of `moved` holds the weights of C_0 .. C_cells in
+// the cumulative after the jump at face f.
+Eigen::MatrixXd as_generator(const Line& line, const CumulativeInterpolation& cumulative,
+                             const Eigen::MatrixXd& moved) {
+  const int cells = line.cells();
+  Eigen::MatrixXd masses(cells, cells);  // what cell j (average 1) brings to cell i
+  for (int i = 0; i < cells; ++i) {
+    masses.row(i) = cumulative.on_averages(moved.col(i + 1) - moved.col(i)).transpose();
+  }
+  const Eigen::RowVectorXd kept = masses.colwise().sum();
+  Eigen::MatrixXd generator = masses;
+  generator.diagonal() -= kept.transpose();
+  return line.widths().cwiseInverse().asDiagonal() * generator;
+}
+
+// Adds E[C(face - Y); Y in [from, to]] for the continuous part of a law with density f.
+void add_piece(const Line& line, const CumulativeInterpolation& cumulative, double face,
+               const problem::ImpulseLaw& law, double from, double to,
+               Eigen::Ref<Eigen::VectorXd> weights) {
+  const double longest = law.deviation();
+  // In u = face - y the interpolation changes its polynomial at the faces of the line.
+  const double left = std::max(face - to, line.faces().front());
+  const double right = std::min(face - from, line.faces().back());
+  const auto visit = [&](double u, double weight) {
+    cumulative.add(u, weight * law.density(face - u), weights);
+  };
+  const auto& faces = line.faces();
+  auto next = std::upper_bound(faces.begin(), faces.end(), left);
+  for (double u = left; u < right; ++next) {
+    const double end = std::min(*next, right);
+    gauss_legendre(u, end, longest, visit);
+    u = end;
+  }
+  // Beyond the line the cumulative is constant.
+  const double farthest = face - faces.back();
+  if (from < std::min(to, farthest)) {
+    gauss_legendre(from, std::min(to, farthest), longest, [&](double y, double weight) {
+      weights(line.cells()) += weight * law.density(y);
+    });
+  }
+}
+
+}  // namespace
+
+Eigen::MatrixXd shift_matrix(const Line& line, double amplitude) {
+  const CumulativeInterpolation cumulative(line, kFaces, Beyond::vacuum);
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(line.cells() + 1, line.cells() + 1);
+  for (int f = 0; f <= line.cells(); ++f) cumulative.add(line.face(f) - amplitude, 1, moved.col(f));
+  return as_generator(line, cumulative, moved);
+}
+
+Eigen::MatrixXd jump_matrix(const Line& line, const problem::ImpulseLaw& law) {
+  const CumulativeInterpolation cumulative(line, kFaces, Beyond::vacuum);
+  const auto pieces = law.smooth_pieces();
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(line.cells() + 1, line.cells() + 1);
+  for (int f = 0; f <= line.cells(); ++f) {
+    for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
+      add_piece(line, cumulative, line.face(f), law, pieces[piece], pieces[piece + 1],
+                moved.col(f));
+    }
+    for (const auto& [amplitude, probability] : law.atoms()) {
+      cumulative.add(line.face(f) - amplitude, probability, moved.col(f));
+    }
+  }
+  return as_generator(line, cumulative, moved);
+}
+
+}  // namespace fpkcheck::fd_fpk

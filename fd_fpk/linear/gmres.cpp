@@ -1,0 +1,82 @@
+#include "fd_fpk/linear/gmres.hpp"
+
+#include <algorithm>
+
+#include "fd_fpk/linear/carried_exception.hpp"
+#include "fd_fpk/linear/sundials.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using namespace sundials_owned;
+
+struct Applied {
+  const LinearMap& a;
+  const ApproximateSolve& nearby;
+  CarriedException thrown = {};
+};
+
+int times(void* data, N_Vector v, N_Vector z) {
+  auto& callbacks = *static_cast<Applied*>(data);
+  return callbacks.thrown.flag_of([&] {
+    view(z) = callbacks.a(view(v));
+    return 0;
+  });
+}
+
+int precondition(void* data, N_Vector r, N_Vector z, realtype, int) {
+  auto& callbacks = *static_cast<Applied*>(data);
+  return callbacks.thrown.flag_of([&] {
+    view(z) = view(r);
+    callbacks.nearby(view(z));
+    return 0;
+  });
+}
+
+}  // namespace
+
+GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eigen::VectorXd& b,
+                  const Eigen::VectorXd& weights, double tolerance) {
+  constexpr int kBasis = 100;
+  constexpr int kRestarts = 4;
+  sundials::Context context;
+  Applied callbacks{a, nearby};
+  const auto x = vector_of(Eigen::VectorXd::Zero(b.size()), context);
+  const auto right = vector_of(b, context);
+  const auto scale = vector_of(weights, context);
+  const auto solver =
+      owned(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context), "a GMRES solver");
+  check(SUNLinSol_SPGMRSetMaxRestarts(solver.get(), kRestarts), "SUNLinSol_SPGMRSetMaxRestarts");
+  check(SUNLinSolSetATimes(solver.get(), &callbacks, times), "SUNLinSolSetATimes");
+  check(SUNLinSolSetPreconditioner(solver.get(), &callbacks, nullptr, precondition),
+        "SUNLinSolSetPreconditioner");
+  check(SUNLinSolSetScalingVectors(solver.get(), scale.get(), scale.get()),
+        "SUNLinSolSetScalingVectors");
+  check(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
+  check(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
+  // One basis loses its orthogonality before the residual has fallen by much more than kReduction,
+  // and then runs to its end: on fine grids without any gain.
+  constexpr double kReduction = 1e-7;
+  const double norm = weights.cwiseProduct(b).norm();
+  GmresResult result{std::nullopt};
+  int flag = SUNLS_SUCCESS;
+  for (double reached = 1; reached > tolerance;) {
+    check(SUNLinSolSetZeroGuess(solver.get(), reached == 1 ? SUNTRUE : SUNFALSE),
+          "SUNLinSolSetZeroGuess");
+    reached = std::max(tolerance, kReduction * reached);
+    flag = SUNLinSolSolve(solver.get(), nullptr, x.get(), right.get(), reached * norm);
+    callbacks.thrown.rethrow();
+    result.iterations += SUNLinSolNumIters(solver.get());
+    if (flag < 0) break;
+  }
+  const bool reduced = flag == SUNLS_SUCCESS || flag == SUNLS_RES_REDUCED;
+  if (reduced && view(x.get()).allFinite()) {
+    result.solution = view(x.get());
+  } else {
+    result.failure =
+        fmt::format("GMRES did not converge in {} iterations (flag {})", result.iterations, flag);
+  }
+  return result;
+}
+
+}  // namespace fpkcheck::fd_fpk

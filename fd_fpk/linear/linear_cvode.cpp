@@ -1,0 +1,159 @@
+#include "fd_fpk/linear/linear_cvode.hpp"
+
+#include <cmath>
+
+#include "fd_fpk/linear/carried_exception.hpp"
+#include "fd_fpk/linear/sundials.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+// Part of Handles, which the header declares.
+struct Callbacks {
+  LinearSystem system;
+  std::string message = {};
+  CarriedException thrown = {};
+};
+
+namespace {
+
+using namespace sundials_owned;
+
+Callbacks& callbacks_in(void* data) { return *static_cast<Callbacks*>(data); }
+
+int write_product(Callbacks& callbacks, N_Vector v, N_Vector lv) {
+  return callbacks.thrown.flag_of([&] {
+    view(lv) = callbacks.system.times(view(v));
+    return 0;
+  });
+}
+
+int right_hand_side(realtype, N_Vector p, N_Vector p_dot, void* data) {
+  return write_product(callbacks_in(data), p, p_dot);
+}
+
+int times(N_Vector v, N_Vector lv, realtype, N_Vector, N_Vector, void* data, N_Vector) {
+  return write_product(callbacks_in(data), v, lv);
+}
+
+int factor(realtype, N_Vector, N_Vector, booleantype, booleantype* current, realtype gamma,
+           void* data) {
+  auto& callbacks = callbacks_in(data);
+  *current = SUNTRUE;
+  return callbacks.thrown.flag_of(
+      [&] { return callbacks.system.factor(gamma) ? 0 : CarriedException::kUnrecoverable; });
+}
+
+int precondition(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype, realtype, int,
+                 void* data) {
+  auto& callbacks = callbacks_in(data);
+  return callbacks.thrown.flag_of([&] {
+    view(z) = view(r);
+    callbacks.system.solve(view(z));
+    return 0;
+  });
+}
+
+void keep_message(int, const char*, const char* function, char* text, void* data) {
+  auto& callbacks = callbacks_in(data);
+  callbacks.thrown.flag_of([&] {
+    callbacks.message = fmt::format("{}: {}", function, text);
+    return 0;
+  });
+}
+
+}  // namespace
+
+LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner) {
+  return {.times = [&op](const Eigen::VectorXd& p) { return op * p; },
+          .factor = [&preconditioner](double gamma) { return preconditioner.factor(gamma); },
+          .solve = [&preconditioner](
+                       Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
+}
+
+struct LinearCvode::Handles {
+  sundials::Context context;
+  Callbacks callbacks;
+  Owned<N_Vector> averages;
+  Owned<SUNLinearSolver> gmres;
+  Owned<void*> cvode;
+
+  Handles(LinearSystem system, const Eigen::VectorXd& start)
+      : callbacks{std::move(system)},
+        averages(vector_of(start, context)),
+        gmres(
+            owned(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context), "a GMRES solver")),
+        cvode(owned(CVodeCreate(CV_BDF, context), "CVODE")) {}
+
+  using Count = int(void* cvode, long* count);
+  long count(Count get, const char* call) const {
+    long number = 0;
+    check(get(cvode.get(), &number), call);
+    return number;
+  }
+};
+
+LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
+                         const BdfControl& control)
+    : handles_(std::make_unique<Handles>(std::move(system), start)) {
+  void* const cvode = handles_->cvode.get();
+  void* const data = &handles_->callbacks;
+  check(CVodeInit(cvode, right_hand_side, 0.0, handles_->averages.get()), "CVodeInit");
+  check(CVodeSetErrHandlerFn(cvode, keep_message, data), "CVodeSetErrHandlerFn");
+  check(CVodeSetUserData(cvode, data), "CVodeSetUserData");
+  check(CVodeSStolerances(cvode, control.relative_tolerance, control.absolute_tolerance),
+        "CVodeSStolerances");
+  check(CVodeSetMaxOrd(cvode, control.max_order), "CVodeSetMaxOrd");
+  check(CVodeSetLinearSolver(cvode, handles_->gmres.get(), nullptr), "CVodeSetLinearSolver");
+  check(CVodeSetJacTimes(cvode, nullptr, times), "CVodeSetJacTimes");
+  check(CVodeSetPreconditioner(cvode, factor, precondition), "CVodeSetPreconditioner");
+  check(CVodeSetEpsLin(cvode, control.linear_tolerance), "CVodeSetEpsLin");
+  if (const auto& step = control.first_step)
+    check(CVodeSetInitStep(cvode, *step), "CVodeSetInitStep");
+  if (const auto& step = control.longest_step)
+    check(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
+  if (const auto& growth = control.step_growth) {
+    check(CVodeSetEtaMaxFirstStep(cvode, *growth), "CVodeSetEtaMaxFirstStep");
+    check(CVodeSetEtaMaxEarlyStep(cvode, *growth), "CVodeSetEtaMaxEarlyStep");
+    check(CVodeSetEtaMax(cvode, *growth), "CVodeSetEtaMax");
+  }
+  if (const auto& time = control.stop_time)
+    check(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
+  if (const auto& steps = control.most_steps) {
+    check(CVodeSetMaxNumSteps(cvode, *steps), "CVodeSetMaxNumSteps");
+  }
+  if (const auto& steps = control.steps_per_factorisation) {
+    check(CVodeSetLSetupFrequency(cvode, *steps), "CVodeSetLSetupFrequency");
+  }
+}
+
+LinearCvode::~LinearCvode() = default;
+
+LinearCvode::Reached LinearCvode::run(double time, int task) {
+  Reached reached{.flag = 0, .time = 0};
+  reached.flag = CVode(handles_->cvode.get(), time, handles_->averages.get(), &reached.time, task);
+  handles_->callbacks.thrown.rethrow();
+  return reached;
+}
+
+LinearCvode::Reached LinearCvode::step() { return run(HUGE_VAL, CV_ONE_STEP); }
+LinearCvode::Reached LinearCvode::advance(double time) { return run(time, CV_NORMAL); }
+
+Eigen::Map<const Eigen::VectorXd> LinearCvode::averages() const {
+  const auto all = view(handles_->averages.get());
+  return {all.data(), all.size()};
+}
+
+const std::string& LinearCvode::message() const { return handles_->callbacks.message; }
+
+long LinearCvode::steps() const { return handles_->count(CVodeGetNumSteps, "CVodeGetNumSteps"); }
+long LinearCvode::factorisations() const {
+  return handles_->count(CVodeGetNumPrecEvals, "CVodeGetNumPrecEvals");
+}
+long LinearCvode::rhs_evaluations() const {
+  return handles_->count(CVodeGetNumRhsEvals, "CVodeGetNumRhsEvals");
+}
+long LinearCvode::krylov_iterations() const {
+  return handles_->count(CVodeGetNumLinIters, "CVodeGetNumLinIters");
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,61 @@
+#include "fd_fpk/linear/preconditioner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fd_fpk/stopwatch.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// With lumped weights each row keeps to its line and its column: the fewest entries of any order
+// that GMRES gets along with.
+constexpr int kOrder = 3;
+
+// The exchange acts as -D q^2 on long waves and saturates at its rate on short ones. A diffusion of
+// full strength would be far too strong on the shortest waves of a fine grid, q = pi/h: it is
+// weakened so that there it is of the size of the saturated rate.
+Excitation without_exchange(const Excitation& excitation, const Line& x2) {
+  constexpr double kOvershoot = 1.5;
+  const double step = x2.smallest_width();
+  const double shortest = std::numbers::pi / step;
+  return {.drift = excitation.drift,
+          .diffusion = excitation.diffusion +
+                       std::min(excitation.exchange_diffusion,
+                                kOvershoot * excitation.exchange_rate / (shortest * shortest)),
+          .exchange = {}};
+}
+
+}  // namespace
+
+Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation& excitation,
+                               problem::Impact impact, const Grid& grid, int order) {
+  const bool centred = order % 2 == 0;
+  const double loss = problem::slowest_decay(problem::equivalent_linearisation(problem));
+  approximation_ =
+      shifted(1,
+              fokker_planck_operator(problem.system, without_exchange(excitation, grid.x2), impact,
+                                     grid, centred ? order : kOrder,
+                                     centred ? Weighting::full : Weighting::lumped)
+                  .local,
+              -loss);
+}
+
+bool Preconditioner::factor(double gamma) {
+  const Stopwatch stopwatch;
+  factored_ = shifted(-gamma, approximation_, 1);
+  const bool succeeded = klu_.factor(factored_);
+  factor_seconds_ += stopwatch.seconds();
+  return succeeded;
+}
+
+bool Preconditioner::factor_stationary() {
+  const Stopwatch stopwatch;
+  const bool succeeded = klu_.factor(approximation_);
+  factor_seconds_ += stopwatch.seconds();
+  return succeeded;
+}
+
+}  // namespace fpkcheck::fd_fpk

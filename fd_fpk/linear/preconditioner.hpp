@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+
+#include "fd_fpk/linear/klu.hpp"
+#include "fd_fpk/operator/operator.hpp"
+
+namespace fpkcheck::problem {
+struct Problem;
+}  // namespace fpkcheck::problem
+
+namespace fpkcheck::fd_fpk {
+
+/// Solves systems with I - gamma L, or with L itself, approximately: KLU on a sparse operator of
+/// the same equation and of low order. The jumps, which would fill the factors, are left out and a
+/// weak diffusion put in their place; a small loss of mass keeps the matrix regular. GMRES corrects
+/// for all three. The number of its iterations hardly grows with the grid (docs/performance.md).
+class Preconditioner {
+ public:
+  /// @param order of L. An even one is taken as it is, and not replaced by the third: centred
+  ///        differences lack the upwind dissipation, and GMRES would not get along with it.
+  Preconditioner(const problem::Problem& problem, const Excitation& excitation,
+                 problem::Impact impact, const Grid& grid, int order = 3);
+
+  /// Factors I - gamma M. False when it failed; see failure().
+  bool factor(double gamma);
+  /// Factors M.
+  bool factor_stationary();
+  std::string failure() const { return klu_.failure(); }
+
+  /// Time spent in factorisations so far, in seconds.
+  double factor_seconds() const { return factor_seconds_; }
+  /// Entries of the factors.
+  long entries() const { return klu_.entries(); }
+
+  /// Replaces b by the solution.
+  void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const { klu_.solve_in_place(b); }
+
+ private:
+  SparseColumns approximation_;  // M, with its diagonal stored
+  SparseColumns factored_;
+  KluFactorisation klu_;
+  double factor_seconds_ = 0;
+};
+
+}  // namespace fpkcheck::fd_fpk

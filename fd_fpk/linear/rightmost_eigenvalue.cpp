@@ -1,0 +1,203 @@
+#include "fd_fpk/linear/rightmost_eigenvalue.hpp"
+
+#include <Spectra/GenEigsSolver.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fd_fpk/linear/klu.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kTolerance = 1e-9;  // of a Ritz value's residual, relative
+constexpr long kRestarts = 20;
+constexpr long kTestRestarts = 6;
+constexpr int kNearest = 20;
+constexpr int kSpare = 3;  // eigenvalues that a test asks for beyond those known
+constexpr int kBasis = 60;
+// Closer than this, in units of the rates at hand, two Ritz values are one eigenvalue.
+constexpr double kSame = 1e-7;
+
+// (L - sigma)^-1.
+class ShiftedInverse {
+ public:
+  explicit ShiftedInverse(SparseColumns matrix) : matrix_(std::move(matrix)) {}
+
+  Eigen::Index size() const { return matrix_.rows(); }
+
+  void set_shift(double sigma) {
+    // The pattern must not depend on the shift: KLU keeps its ordering.
+    ++factorisations_;
+    if (!klu_.factor(shifted(1, matrix_, -sigma))) throw std::runtime_error(klu_.failure());
+    sigma_ = sigma;
+  }
+  double shift() const { return sigma_; }
+
+  void apply_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
+    klu_.solve_in_place(b);
+    ++solves_;
+  }
+
+  long factorisations() const { return factorisations_; }
+  long solves() const { return solves_; }
+
+ private:
+  SparseColumns matrix_;
+  KluFactorisation klu_;
+  double sigma_ = 0;
+  long factorisations_ = 0;
+  mutable long solves_ = 0;
+};
+
+// T = constant + factor (L - sigma)^-1 as Spectra wants it.
+class Transform {
+ public:
+  using Scalar = double;
+
+  /// The shifted inverse itself.
+  explicit Transform(const ShiftedInverse& inverse) : Transform(inverse, 0, 1) {}
+  /// The Cayley transform C = 1 + 2 (sigma - m) (L - sigma)^-1.
+  static Transform cayley(const ShiftedInverse& inverse, double m) {
+    return {inverse, 1, 2 * (inverse.shift() - m)};
+  }
+
+  Eigen::Index rows() const { return inverse_.size(); }
+  Eigen::Index cols() const { return inverse_.size(); }
+
+  void perform_op(const double* in, double* out) const {
+    const Eigen::Map<const Eigen::VectorXd> vector(in, rows());
+    Eigen::Map<Eigen::VectorXd> result(out, rows());
+    result = vector;
+    inverse_.apply_in_place(result);
+    result = constant_ * vector + factor_ * result;
+  }
+
+  Complex eigenvalue_of_l(Complex of_t) const {
+    return inverse_.shift() + factor_ / (of_t - constant_);
+  }
+
+ private:
+  Transform(const ShiftedInverse& inverse, double constant, double factor)
+      : inverse_(inverse), constant_(constant), factor_(factor) {}
+
+  const ShiftedInverse& inverse_;
+  double constant_;
+  double factor_;
+};
+
+struct EigenPairs {
+  std::vector<Complex> values;
+  Eigen::MatrixXcd vectors;  // shape (size, values)
+};
+
+// What has converged of the `count` eigenvalues of L that the transform makes the largest.
+EigenPairs largest(Transform& transform, int count, long restarts) {
+  Spectra::GenEigsSolver<Transform> solver(transform, count, kBasis);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestMagn, restarts, kTolerance);
+  EigenPairs pairs{{}, solver.eigenvectors()};
+  for (const Complex value : solver.eigenvalues()) {
+    pairs.values.push_back(transform.eigenvalue_of_l(value));
+  }
+  return pairs;
+}
+
+// Both lists as one without repetitions, the rightmost first, of each conjugate pair the one above
+// the real axis.
+EigenPairs from_the_right(const EigenPairs& a, const EigenPairs& b, double unit) {
+  struct Pair {
+    Complex value;
+    Eigen::VectorXcd vector;
+  };
+  std::vector<Pair> all;
+  for (const EigenPairs* pairs : {&a, &b}) {
+    for (std::size_t k = 0; k < pairs->values.size(); ++k) {
+      const Complex value = pairs->values[k];
+      const Eigen::VectorXcd vector = pairs->vectors.col(static_cast<Eigen::Index>(k));
+      const Pair upper = value.imag() < 0 ? Pair{std::conj(value), vector.conjugate()}
+                                          : Pair{{value.real(), std::abs(value.imag())}, vector};
+      if (std::ranges::none_of(all, [&](const Pair& known) {
+            return std::abs(known.value - upper.value) < kSame * unit;
+          })) {
+        all.push_back(upper);
+      }
+    }
+  }
+  std::ranges::sort(all, std::ranges::greater{},
+                    [](const Pair& pair) { return pair.value.real(); });
+  EigenPairs sorted{{}, Eigen::MatrixXcd(a.vectors.rows(), all.size())};
+  for (const Pair& pair : all) {
+    sorted.vectors.col(static_cast<Eigen::Index>(sorted.values.size())) = pair.vector;
+    sorted.values.push_back(pair.value);
+  }
+  return sorted;
+}
+
+// Eigenvalues of L that the first `count` of a list stand for.
+int with_conjugates(const EigenPairs& pairs, int count) {
+  int all = 0;
+  for (int k = 0; k < count; ++k) all += pairs.values[k].imag() > 0 ? 2 : 1;
+  return all;
+}
+
+}  // namespace
+
+RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, double growth,
+                                           double frequency, int count) {
+  constexpr double kRightOfGrowth = 0.05;
+  constexpr double kLeftOfLast = 0.05;
+  constexpr double kFastest = 8;
+  constexpr int kMostTests = 4;
+  ShiftedInverse inverse(op.assembled());
+  RightmostEigenvalues result;
+  try {
+    const double unit = std::max(growth, frequency);
+    // A transform as wide as the modes turn fast ranks them by their real parts.
+    const double width = std::max(growth, kFastest * frequency);
+    inverse.set_shift(std::max(growth, 0.0) + kRightOfGrowth * unit);
+    Transform nearest(inverse);
+    EigenPairs found = from_the_right(largest(nearest, kNearest, kRestarts), {}, unit);
+    if (static_cast<int>(found.values.size()) <= count) {
+      throw std::runtime_error(fmt::format(
+          "Arnoldi's iteration found {} eigenvalues of {} in {} restarts (take another grid)",
+          found.values.size(), kNearest, kRestarts));
+    }
+    for (int test = 0, confirmed = 0; confirmed < count; ++test) {
+      if (test == kMostTests) {
+        throw std::runtime_error("the rightmost eigenvalues did not settle (take another grid)");
+      }
+      const double last = found.values[count - 1].real();
+      const double next = found.values[count].real();
+      const double m = std::max((last + next) / 2, last - kLeftOfLast * unit);
+      inverse.set_shift(m + width);
+      Transform cayley = Transform::cayley(inverse, m);
+      const EigenPairs right =
+          largest(cayley, with_conjugates(found, count) + kSpare, kTestRestarts);
+      const EigenPairs all = from_the_right(found, right, unit);
+      for (confirmed = 0; confirmed < count; ++confirmed) {
+        if (all.values[confirmed] != found.values[confirmed]) break;
+      }
+      found = all;
+    }
+    for (int k = 0; k < count; ++k) {
+      const Eigen::VectorXcd v = found.vectors.col(k).normalized();
+      const Eigen::VectorXcd lv =
+          (op * v.real()).cast<Complex>() + Complex(0, 1) * (op * v.imag()).cast<Complex>();
+      result.residual = std::max(result.residual, (lv - found.values[k] * v).norm());
+      if (k == 0) result.vector = v;
+    }
+    result.values = {found.values.begin(), found.values.begin() + count};
+  } catch (const std::exception& error) {
+    result.failure = error.what();
+  }
+  result.factorisations = inverse.factorisations();
+  result.solves = inverse.solves();
+  return result;
+}
+
+}  // namespace fpkcheck::fd_fpk

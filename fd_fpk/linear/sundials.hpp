@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cvode/cvode.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+
+#include <Eigen/Core>
+#include <memory>
+#include <stdexcept>
+#include <sundials/sundials_context.hpp>
+
+/// Owners of SUNDIALS objects, and a check of every flag it returns.
+namespace fpkcheck::fd_fpk::sundials_owned {
+
+struct Destroy {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+  void operator()(void* cvode) const { CVodeFree(&cvode); }
+};
+template <class Handle>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy>;
+
+/// @throws std::runtime_error when `handle` is null
+template <class Handle>
+Owned<Handle> owned(Handle handle, const char* what) {
+  if (handle == nullptr)
+    throw std::runtime_error(fmt::format("SUNDIALS could not create {} (out of memory?)", what));
+  return Owned<Handle>(handle);
+}
+
+/// @throws std::runtime_error when `flag` is negative
+inline void check(int flag, const char* call) {
+  if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", call, flag));
+}
+
+inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
+  return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
+}
+
+/// A vector whose inner products, a tenth of a solution's time, are Eigen's: they use the vector
+/// registers, where N_VDotProd_Serial adds one product at a time.
+inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, sundials::Context& context) {
+  auto v = owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
+  v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
+  view(v.get()) = values;
+  return v;
+}
+
+}  // namespace fpkcheck::fd_fpk::sundials_owned

@@ -1,0 +1,161 @@
+#include "fd_fpk/operator/discretisation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// In deviations of equivalent linearisation. A hardening spring keeps p(y) short, the impulses make
+// p(y') long; the steep tail of p(y) in turn wants the finer step.
+constexpr double kX1Box = 6;
+constexpr double kX2Box = 7;
+// Deviations of a single impulse that the velocity box holds at least.
+constexpr double kImpulseBox = 6.5;
+// Deviations of a single impulse, in cells, below which rounding in lambda (E[p(x2 - Y)] - p)
+// shows.
+constexpr double kShortestImpulse = 0.02;
+// A graded grid has narrow cells where they matter: wider ones far out leave their number as it
+// was.
+constexpr double kGradedWidth = 1.6;
+// Lengths sqrt(b) beyond which the kernel of the Pade approximant is less than 1e-12 of its peak.
+constexpr double kPadeReach = 28;
+constexpr double kX1Step = 0.15;
+constexpr double kX2Step = 0.16;
+
+// Cells at the origin narrower by this factor than far from it; they have grown to half of the full
+// width at about kReach deviations.
+Grading grading(double factor, double deviation) {
+  constexpr double kReach = 0.75;
+  if (factor == 1) return {};
+  return {.reach = kReach * deviation, .core = kReach * deviation / (factor - 1)};
+}
+
+Excitation excitation(const problem::ImpulseTrain& impulses, const Options& options,
+                      const Line& line, double regularisation_length) {
+  switch (options.equation) {
+    case Equation::white:
+      return white_noise(impulses);
+    case Equation::km4:
+      return kramers_moyal(impulses, line, regularisation_length);
+    case Equation::km4_pade:
+      return kramers_moyal_pade(impulses, line, centred_points(options.order));
+    case Equation::kf:
+      return jumps(impulses, line);
+  }
+  return {};
+}
+
+// l of km4 on cells of this width: 0 asks for the literal scheme.
+double regularisation_length(const problem::Problem& problem, const Options& options, double step) {
+  if (options.equation != Equation::km4) return 0;
+  const double length =
+      options.regularisation_length.value_or(default_regularisation_length(problem.impulses.law()));
+  return length > 0 ? length : step;
+}
+
+// As a double: a box may ask for more cells than an int can count.
+double cells_over(double length, double step, const Grading& grading) {
+  return std::max(16.0, std::ceil(graded_cells(length, step, grading) - 1e-9));
+}
+
+// Why a grid cannot be made or would not do; empty when it can.
+std::string objection(const problem::Problem& problem, const Options& options, const Box& box,
+                      double nx, double nv) {
+  if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
+    return "the Pade approximant of the truncated series does not exist for so skew a law, "
+           "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2 (solve km4 or kf)";
+  }
+  if (const double length = regularisation_length(problem, options, 0); length > box.x2_max / 2) {
+    return fmt::format(
+        "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g} (take a shorter "
+        "regularisation length or a wider box)",
+        length, box.x2_max);
+  }
+  if (const double width = 2 * box.x2_max / nv, deviation = problem.impulses.law().deviation();
+      options.equation == Equation::kf && deviation < kShortestImpulse * width) {
+    return fmt::format(
+        "impulses of deviation {:.2g} are lost in cells of width {:.2g}: the jumps cannot be told "
+        "from white noise (solve white, whose relative error is of the order 1e-4)",
+        deviation, width);
+  }
+  if (nx * nv > kMostCells) {
+    return fmt::format(
+        "the grid needs {:.0f} x {:.0f} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
+        kMostCells);
+  }
+  return "";
+}
+
+}  // namespace
+
+Box initial_box(const problem::Problem& problem, const Options& options) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const auto& law = problem.impulses.law();
+  return {
+      options.x1_max.value_or(problem::static_deflection(problem) +
+                              kX1Box * linear.displacement_deviation),
+      options.x2_max.value_or(std::max(kX2Box * linear.velocity_deviation,
+                                       std::abs(law.moment(1)) + kImpulseBox * law.deviation()))};
+}
+
+bool unbounded_at_origin(const problem::Problem& problem) {
+  const double decay = problem::slowest_decay(problem::equivalent_linearisation(problem));
+  return problem.impulses.arrival_rate() <= 2 * decay;
+}
+
+double origin_refinement(const problem::Problem& problem, const Options& options) {
+  constexpr double kSmallJump = 0.1;
+  const double r = problem.system.restitution();
+  // High orders ring on narrow cells at a spike; wide ones hold it as the mass that it is.
+  const bool bounded = !unbounded_at_origin(problem);
+  const bool jumps = 1 / (r * r) - 1 > kSmallJump;
+  return options.origin_refinement.value_or(bounded && jumps ? kRefinedOrigin : 1);
+}
+
+Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double at_origin = origin_refinement(problem, options);
+  const Grading x1_grading = grading(at_origin, linear.displacement_deviation);
+  const Grading x2_grading = grading(at_origin, linear.velocity_deviation);
+  const double width = (at_origin == 1 ? 1 : kGradedWidth) / options.refinement;
+  const double nx = options.nx.value_or(
+      cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation, x1_grading));
+  const double nv = options.nv.value_or(
+      2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation, x2_grading));
+  const std::string refusal = objection(problem, options, box, nx, nv);
+  if (!refusal.empty()) {
+    return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};
+  }
+  Grid grid = make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max,
+                        x1_grading, x2_grading);
+  const double length = regularisation_length(problem, options, grid.x2.smallest_width());
+  Excitation terms = excitation(problem.impulses, options, grid.x2, length);
+  return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};
+}
+
+FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
+                                            const Discretisation& on) {
+  return fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid,
+                                options.order);
+}
+
+UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
+                                         double step) {
+  const double length = regularisation_length(problem, options, step);
+  int reach = static_cast<int>(std::ceil(2 * length / step)) + 4 * options.order;
+  if (options.equation == Equation::km4_pade) {
+    // The inverse in the Pade approximant reaches as exp(-|x2| / sqrt(b)).
+    reach += static_cast<int>(
+        std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / step));
+  }
+  Line line = Line::uniform(0, step, 2 * reach + 1);
+  Excitation terms = excitation(problem.impulses, options, line, length);
+  return {std::move(line), std::move(terms)};
+}
+
+}  // namespace fpkcheck::fd_fpk

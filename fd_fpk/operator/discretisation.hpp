@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+
+#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/options.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// The box in which the density is sought.
+struct Box {
+  double x1_max;
+  double x2_max;
+};
+
+/// Most cells of a grid: the factors of the preconditioner and GMRES's vectors then take about two
+/// gigabytes.
+inline constexpr int kMostCells = 100000;
+
+/// The grid and the excitation on it.
+struct Discretisation {
+  Grid grid;
+  Excitation excitation;
+  double regularisation_length = 0;  ///< l of km4 as used, else 0
+  /// Why there is no such grid and what to do; empty when there is one.
+  std::string refusal = {};
+};
+
+/// Between impulses an amplitude a decays like exp(-kappa t), so that close to the origin the
+/// density goes like a^(lambda/kappa - 2): true where that is unbounded.
+bool unbounded_at_origin(const problem::Problem& problem);
+
+/// How much narrower cells are at the origin where it is refined without being asked to.
+inline constexpr double kRefinedOrigin = 16;
+
+/// options.origin_refinement, or the automatic choice.
+double origin_refinement(const problem::Problem& problem, const Options& options);
+
+/// Cells of about 1/7 (x1) and 1/6 (x2) of a deviation of equivalent linearisation, wider by 1.6
+/// far out on a graded grid, unless the options set their number.
+Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
+
+/// The operator that the options ask for on their grid.
+FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
+                                            const Discretisation& on);
+
+/// The excitation on a uniform velocity line of this step, long enough that its middle row is the
+/// operator without walls: what largest_growth scans.
+struct UnboundedExcitation {
+  Line line;
+  Excitation excitation;
+};
+UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
+                                         double step);
+
+/// What the options say of the box, else 6 (x1, beyond the static deflection) and 7 (x2) deviations
+/// of equivalent linearisation, and 6.5 deviations of a single impulse in x2.
+Box initial_box(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::fd_fpk

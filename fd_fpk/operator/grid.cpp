@@ -1,0 +1,39 @@
+#include "fd_fpk/operator/grid.hpp"
+
+#include <algorithm>
+
+namespace fpkcheck::fd_fpk {
+
+Eigen::VectorXd Grid::areas() const {
+  Eigen::VectorXd areas(size());
+  Eigen::Map<Eigen::MatrixXd>(areas.data(), nv(), nx()) = x2.widths() * x1.widths().transpose();
+  return areas;
+}
+
+Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading,
+               const Grading& x2_grading) {
+  const auto positive = graded_faces(x2_max, nv / 2, x2_grading);
+  std::vector<double> x2;
+  for (auto f = positive.rbegin(); f != positive.rend(); ++f) x2.push_back(-*f);
+  x2.insert(x2.end(), positive.begin() + 1, positive.end());
+  x2[nv / 2] = 0;  // not -0
+  return {Line(graded_faces(x1_max, nx, x1_grading), Beyond::boundary), Line(std::move(x2))};
+}
+
+transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages) {
+  return {grid.x1.faces(), grid.x2.faces(), {averages.begin(), averages.end()}};
+}
+
+WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference) {
+  WallDensity wall{0, 0};
+  for (int j = 0; j < grid.nv(); ++j) {
+    wall.x1 = std::max(wall.x1, std::abs(averages((grid.nx() - 1) * grid.nv() + j)));
+  }
+  for (int i = 0; i < grid.nx(); ++i) {
+    wall.x2 = std::max(
+        {wall.x2, std::abs(averages(i * grid.nv())), std::abs(averages((i + 1) * grid.nv() - 1))});
+  }
+  return {wall.x1 / reference, wall.x2 / reference};
+}
+
+}  // namespace fpkcheck::fd_fpk

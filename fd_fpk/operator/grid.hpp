@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fd_fpk/line/line.hpp"
+#include "fd_fpk/operator/wall_density.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// Cells on x1 in [0, x1_max], x2 in [-x2_max, x2_max]: the half of the (z, z') plane that point
+/// symmetry leaves. x1 = 0 and x2 = 0 lie on faces, and the faces of x2 are symmetric. The unknown
+/// is the average of p(y, y') = 2 p(z, z') over each cell; cell (i, j) has index i nv() + j.
+struct Grid {
+  Line x1;  ///< the impact wall is its boundary on the left
+  Line x2;
+
+  int nx() const { return x1.cells(); }
+  int nv() const { return x2.cells(); }  ///< even
+  int size() const { return nx() * nv(); }
+  double x1_max() const { return x1.faces().back(); }
+  double x2_max() const { return x2.faces().back(); }
+  /// Areas of the cells, shape (size).
+  Eigen::VectorXd areas() const;
+  /// Speeds of the outgoing half in increasing order, from 0 on.
+  Line speeds() const { return x2.from(nv() / 2); }
+};
+
+/// @param nx,nv cells in x1 and x2; nv even
+Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},
+               const Grading& x2_grading = {});
+
+/// The density that an unknown vector on the grid stands for.
+transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages);
+
+/// @param reference the peak to which the walls' densities are relative
+WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference);
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "fd_fpk/operator/grid.hpp"
+#include "problem/energy_balance.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// The marginals' averages over the cells of each line.
+struct Marginals {
+  Eigen::VectorXd y;     ///< shape (nx), on the cells of x1
+  Eigen::VectorXd ydot;  ///< shape (nv), on the cells of x2
+};
+Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
+
+/// E[y^n], E[y'^n] from cell averages, with the same order as the operator.
+transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order);
+
+/// E[v^2]/2 + E[U(y)], U the potential of the spring: averaged over the cells as the operator
+/// averages the force. Linear in the averages, so that the rate of a density gives the energy's.
+double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
+                   int order);
+
+/// int_{v<0} |v|^power p(0, v) dv from the extrapolation to the wall that the operator uses;
+/// power >= 1: 1 is the impact rate, 3 enters the energy balance.
+double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power);
+
+/// What the balance of power needs of cell averages with these moments.
+problem::EnergyTerms energy_terms(const transform::Moments& moments, const Grid& grid,
+                                  const Eigen::VectorXd& averages, int order);
+
+/// problem::energy_residual of cell averages.
+double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
+                       const Eigen::VectorXd& averages, int order);
+
+/// Density on the outer walls relative to the peak, or to the peak of equivalent linearisation
+/// where that is lower: a spike at rest must not hide a tail.
+WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
+                                  const Eigen::VectorXd& averages);
+
+/// Cell averages, with mass 1, of the Gaussian of (z, z') with mean zero and these deviations,
+/// folded to the half-plane: twice its density on y >= 0.
+Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
+                                double velocity_deviation);
+
+/// Cell averages of the density of equivalent linearisation on the half-plane, mass 1: the start of
+/// the march and of the inverse iteration.
+Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem);
+
+}  // namespace fpkcheck::fd_fpk

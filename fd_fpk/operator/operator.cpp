@@ -1,0 +1,177 @@
+#include "fd_fpk/operator/operator.hpp"
+
+#include "fd_fpk/line/impact_map.hpp"
+#include "problem/system.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// A acts on x1, B on x2; the index of a cell is i nv + j.
+SparseColumns tensor(const LineOperator& a, const LineOperator& b) {
+  const SparseColumns a_columns(a), b_columns(b);
+  SparseColumns product(a.rows() * b.rows(), a.cols() * b.cols());
+  product.reserve(a.nonZeros() * b.nonZeros());
+  for (Eigen::Index column = 0; column < product.cols(); ++column) {
+    product.startVec(column);
+    for (SparseColumns::InnerIterator x1(a_columns, column / b.cols()); x1; ++x1) {
+      for (SparseColumns::InnerIterator x2(b_columns, column % b.cols()); x2; ++x2) {
+        product.insertBack(x1.row() * b.rows() + x2.row(), column) = x1.value() * x2.value();
+      }
+    }
+  }
+  product.finalize();
+  return product;
+}
+
+LineOperator identity(int n) {
+  LineOperator matrix(n, n);
+  matrix.setIdentity();
+  return matrix;
+}
+
+// The single entry `value` at (row, column).
+LineOperator entry(int rows, int columns, int row, int column, double value) {
+  LineOperator matrix(rows, columns);
+  matrix.insert(row, column) = value;
+  return matrix;
+}
+
+// Rows first .. first+count-1 of `matrix` in place, all others empty.
+LineOperator rows_only(const LineOperator& matrix, int first, int count) {
+  LineOperator mask(matrix.rows(), matrix.rows());
+  for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
+  return mask * matrix;
+}
+
+// -d/dx1 (x2 p) by fluxes through the inner faces of x1.
+SparseColumns streaming(const Grid& grid, int order, int weight_points) {
+  const Line& x1 = grid.x1;
+  const LineOperator minus_speed =
+      weighted_averages(grid.x2, weight_points, problem::Polynomial({0, -1}));
+  const int half = grid.nv() / 2;
+  const LineOperator rightwards = divergence(x1) * face_values(x1, order, Bias::left);
+  const LineOperator leftwards = divergence(x1) * face_values(x1, order, Bias::right);
+  return tensor(rightwards, rows_only(minus_speed, half, half)) +
+         tensor(leftwards, rows_only(minus_speed, 0, half));
+}
+
+// Outgoing probability leaves the first column of cells at x2 < 0 and returns to it at x2 > 0.
+SparseColumns exchange_at_wall(const problem::System& system, problem::Impact impact,
+                               const Grid& grid, int order) {
+  const int half = grid.nv() / 2;
+  LineOperator exchange(grid.nv(), half);  // from speed cells to velocity cells
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int b = 0; b < half; ++b) entries.emplace_back(half - 1 - b, b, -1.0);
+    const LineOperator returned = impact_map(grid.speeds(), system.restitution(), impact, order);
+    for (int a = 0; a < half; ++a) {
+      for (LineOperator::InnerIterator e(returned, a); e; ++e) {
+        entries.emplace_back(half + a, e.col(), e.value());
+      }
+    }
+    exchange.setFromTriplets(entries.begin(), entries.end());
+  }
+  const LineOperator into_first_column = entry(grid.nx(), 1, 0, 0, 1 / grid.x1.width(0));
+  return tensor(into_first_column, exchange) * wall_flux(grid, order);
+}
+
+// d/dx2 [ (c x2 + g(x1)) p ] by fluxes through the inner faces of x2.
+SparseColumns damping_and_restoring_force(const problem::System& system, const Grid& grid,
+                                          int order, int weight_points) {
+  const Line& x2 = grid.x2;
+  const LineOperator values = face_values(x2, centred_points(order), Bias::left);
+  LineOperator velocity(grid.nv() + 1, grid.nv() + 1);
+  for (int f = 0; f <= grid.nv(); ++f) velocity.insert(f, f) = system.damping() * x2.face(f);
+  const LineOperator force = weighted_averages(grid.x1, weight_points, system.force());
+  const LineOperator damping = divergence(x2) * LineOperator(velocity * values);
+  return tensor(identity(grid.nx()), damping) + tensor(force, divergence(x2) * values);
+}
+
+// What turns the centred x2 transport of an odd order into the upwind-biased one. With the velocity
+// a = -(c x2 + g(x1)) the flux a p, p taken from upstream, is
+//     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
+// and the first part is the centred flux of the next even order.
+SparseColumns upwinding(const problem::System& system, const Grid& grid, int order) {
+  const Line& x1 = grid.x1;
+  const Line& x2 = grid.x2;
+  const LineOperator columns = identity(grid.nx());
+  const LineOperator jump =
+      face_values(x2, order, Bias::left) - face_values(x2, order, Bias::right);
+  SparseColumns flux = tensor(columns, jump);
+  const int faces = grid.nv() + 1;
+  for (Eigen::Index column = 0; column < flux.cols(); ++column) {
+    for (SparseColumns::InnerIterator e(flux, column); e; ++e) {
+      const double x1_at = x1.centre(static_cast<int>(e.row()) / faces);
+      const double x2_at = x2.face(static_cast<int>(e.row()) % faces);
+      e.valueRef() *= -0.5 * std::abs(system.damping() * x2_at + system.force()(x1_at));
+    }
+  }
+  return tensor(columns, divergence(x2)) * flux;
+}
+
+}  // namespace
+
+SparseColumns shifted(double factor, const SparseColumns& a, double shift) {
+  SparseColumns unit(a.rows(), a.cols());
+  unit.setIdentity();
+  return factor * a + shift * unit;
+}
+
+SparseColumns wall_flux(const Grid& grid, int order) {
+  const int half = grid.nv() / 2;
+  // On the wall the density jumps at x2 = 0: stencils stay on the outgoing side.
+  const LineOperator speed =
+      weighted_averages(grid.x2, weighting_points(order), problem::Polynomial({0, -1}), half);
+  LineOperator reversed(half, grid.nv());  // speed cell b is velocity cell half - 1 - b
+  for (int b = 0; b < half; ++b) reversed.insert(b, half - 1 - b) = 1.0;
+  return tensor(end_value(grid.x1, order), LineOperator(reversed * speed));
+}
+
+FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
+                                            const Excitation& excitation, problem::Impact impact,
+                                            const Grid& grid, int order, Weighting weighting) {
+  const int weight_points = weighting == Weighting::full ? weighting_points(order) : 1;
+  SparseColumns local =
+      streaming(grid, order, weight_points) + exchange_at_wall(system, impact, grid, order) +
+      damping_and_restoring_force(system, grid, order, weight_points) +
+      tensor(identity(grid.nx()), local_excitation(grid.x2, excitation, centred_points(order)));
+  if (order % 2 == 1) local += upwinding(system, grid, order);
+  local.prune(0.0);
+  local.makeCompressed();
+  return {std::move(local), excitation.exchange, grid.areas()};
+}
+
+Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages) const {
+  Eigen::VectorXd rate = local * averages;
+  if (exchange.size() > 0) {
+    const Eigen::Index nv = exchange.rows(), nx = averages.size() / nv;
+    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
+        exchange * Eigen::Map<const Eigen::MatrixXd>(averages.data(), nv, nx);
+  }
+  return rate;
+}
+
+SparseColumns FokkerPlanckOperator::assembled() const {
+  if (exchange.size() == 0) return local;
+  // Jumps by whole cells leave rounding in what would otherwise be empty.
+  constexpr double kRounding = 1e-14;
+  const int nx = static_cast<int>(areas.size() / exchange.rows());
+  return local +
+         tensor(identity(nx), exchange.sparseView(exchange.cwiseAbs().maxCoeff(), kRounding));
+}
+
+double FokkerPlanckOperator::leak() const {
+  Eigen::RowVectorXd rate = areas.transpose() * local;
+  if (exchange.size() > 0) {
+    const Eigen::Index nv = exchange.rows(), nx = areas.size() / nv;
+    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
+        exchange.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx);
+  }
+  return rate.transpose().cwiseQuotient(areas).cwiseAbs().maxCoeff();
+}
+
+double FokkerPlanckOperator::residual(const Eigen::VectorXd& averages) const {
+  return areas.dot((*this * averages).cwiseAbs()) / areas.dot(averages.cwiseAbs());
+}
+
+}  // namespace fpkcheck::fd_fpk

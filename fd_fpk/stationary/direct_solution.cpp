@@ -1,0 +1,108 @@
+#include "fd_fpk/stationary/direct_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fd_fpk/linear/null_vector.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/resolution.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+DirectSolution solve_in(const problem::Problem& problem, const Options& options, const Box& box) {
+  Discretisation discretisation = discretise(problem, options, box);
+  if (!discretisation.refusal.empty()) {
+    std::string refusal = discretisation.refusal;
+    return {.discretisation = std::move(discretisation), .failure = std::move(refusal)};
+  }
+  const Grid& grid = discretisation.grid;
+  FokkerPlanckOperator op = fokker_planck_operator(problem, options, discretisation);
+  Preconditioner preconditioner(problem, discretisation.excitation, options.impact, grid,
+                                options.order);
+  auto [averages, iterations, failure, krylov_seconds] =
+      null_vector(op, preconditioner, gaussian_start(grid, problem));
+  return {.discretisation = std::move(discretisation),
+          .refinement = options.refinement,
+          .origin_refinement = origin_refinement(problem, options),
+          .op = std::move(op),
+          .preconditioner = std::move(preconditioner),
+          .averages = std::move(averages),
+          .krylov_iterations = iterations,
+          .failure = std::move(failure),
+          .krylov_seconds = krylov_seconds};
+}
+
+// Solves in `box` and moves the walls of it that the options leave free until they are empty.
+DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options,
+                                        Box& box) {
+  constexpr double kWidening = 1.15;
+  constexpr double kFall = 1.5;
+  WallDensity last{HUGE_VAL, HUGE_VAL};
+  while (true) {
+    DirectSolution direct = solve_in(problem, options, box);
+    if (!direct.averages) return direct;
+    const WallDensity wall =
+        relative_wall_density(problem, direct.discretisation.grid, *direct.averages);
+    // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
+    const bool widen_x1 =
+        !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
+    const bool widen_x2 =
+        !options.x2_max && wall.x2 > options.wall_density && wall.x2 < last.x2 / kFall;
+    if (!widen_x1 && !widen_x2) return direct;
+    if (widen_x1) box.x1_max *= kWidening;
+    if (widen_x2) box.x2_max *= kWidening;
+    last = wall;
+  }
+}
+
+bool resolved(const problem::Problem& problem, const Options& options,
+              const DirectSolution& direct) {
+  const Eigen::VectorXd& averages = *direct.averages;
+  const double energy =
+      energy_residual(problem, options.impact, direct.discretisation.grid, averages, options.order);
+  return kAutomaticGridBars.allow_density(averages.minCoeff() / averages.maxCoeff()) &&
+         kAutomaticGridBars.allow_imbalance(energy);
+}
+
+}  // namespace
+
+Box stationary_box(const problem::Problem& problem, const Options& options) {
+  constexpr double kCoarse = 0.5;
+  constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
+  Box box = initial_box(problem, options);
+  if (!options.x1_max || !options.x2_max) {
+    Options coarse = options;
+    coarse.nx = coarse.nv = std::nullopt;
+    coarse.refinement = kCoarse;
+    coarse.order = kCoarseOrder;
+    coarse.origin_refinement = 1;
+    solve_in_wide_enough_box(problem, coarse, box);
+  }
+  return box;
+}
+
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options) {
+  constexpr int kRefinements = 2;
+  constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
+  constexpr double kRefinement = 1.5;
+  Box box = stationary_box(problem, options);
+  Options on_grid = options;
+  for (int refinement = 0;; ++refinement) {
+    DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, box);
+    const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
+    if (!direct.averages || !automatic || refinement == kRefinements ||
+        direct.discretisation.grid.size() > kMostCellsRefined ||
+        resolved(problem, options, direct)) {
+      return direct;
+    }
+    // What is not resolved of a spike is the spike.
+    if (unbounded_at_origin(problem) && direct.origin_refinement < kRefinedOrigin) {
+      on_grid.origin_refinement = kRefinedOrigin;
+    } else {
+      on_grid.refinement *= kRefinement;
+    }
+  }
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "fd_fpk/linear/preconditioner.hpp"
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/options.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// An operator on its grid with its null vector.
+struct DirectSolution {
+  Discretisation discretisation;
+  double refinement = 1;         ///< as used
+  double origin_refinement = 1;  ///< as used
+  FokkerPlanckOperator op = {};
+  std::optional<Preconditioner> preconditioner = {};
+  std::optional<Eigen::VectorXd> averages = {};  ///< mass 1
+  long krylov_iterations = 0;                    ///< of GMRES, on the final grid
+  std::string failure = {};                      ///< why there are no averages, and what to do
+  double krylov_seconds = 0;                     ///< of GMRES, on the final grid
+};
+
+/// initial_box with those walls that the options leave free moved out on coarse grids until the
+/// stationary density on them is negligible.
+Box stationary_box(const problem::Problem& problem, const Options& options);
+
+/// The direct solution in a box whose walls carry no density, on a grid that resolves it, as far as
+/// the options leave box and grid free:
+/// - a wall with more than options.wall_density of the peak moves out by 15 % as long as the
+///   density on it falls, first on coarse grids;
+/// - an automatic grid is refined, at a spike at the origin first, while the density exceeds
+///   kAutomaticGridBars.
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::fd_fpk

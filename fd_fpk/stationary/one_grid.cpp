@@ -1,0 +1,163 @@
+#include "fd_fpk/stationary/one_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/resolution.hpp"
+#include "fd_fpk/operator/well_posedness.hpp"
+#include "fd_fpk/stationary/direct_solution.hpp"
+#include "fd_fpk/stationary/pseudo_transient.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+
+// First and longest CVODE step, in units of the oscillator's radian and of its slowest decay time.
+// Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the bound.
+constexpr double kFirstStep = 10;
+constexpr double kLongestStep = 500;
+
+// The density by the chosen stepper; empty when there is none. Fills in the status.
+std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
+                                                  const problem::Problem& problem,
+                                                  const Options& options, Result& result) {
+  auto& [solution, summary] = result;
+  if (!direct.averages) {
+    solution.status = Status::failed;
+    solution.reason = direct.failure;
+    return std::nullopt;
+  }
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double frequency = std::sqrt(linear.stiffness);
+  std::optional<Eigen::VectorXd> averages;
+  if (options.stepper == Stepper::direct) {
+    summary.factorisations = 1;
+    summary.krylov_iterations = direct.krylov_iterations;
+    summary.factor_seconds = direct.preconditioner->factor_seconds();
+    summary.krylov_seconds = direct.krylov_seconds;
+    summary.residual = direct.op.residual(*direct.averages) / frequency;
+    averages = direct.averages;
+  } else {
+    March march = march_to_stationarity(
+        direct.op, *direct.preconditioner, gaussian_start(direct.discretisation.grid, problem),
+        options.residual_tolerance * frequency,
+        {.first_step = kFirstStep / frequency,
+         .longest_step = kLongestStep / problem::slowest_decay(linear)});
+    summary.steps = march.steps;
+    summary.factorisations = march.factorisations;
+    summary.rhs_evaluations = march.rhs_evaluations;
+    summary.krylov_iterations = march.krylov_iterations;
+    summary.factor_seconds = march.factor_seconds;
+    summary.krylov_seconds = march.krylov_seconds;
+    summary.residual = march.residual / frequency;
+    summary.stepped_against_direct =
+        (march.averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
+    solution.reason = march.reason;
+    if (march.averages.allFinite()) averages = std::move(march.averages);
+  }
+  solution.status = Status::ok;
+  if (!(summary.residual <= options.residual_tolerance)) {
+    solution.status = Status::not_converged;
+    if (solution.reason.empty()) {
+      solution.reason = fmt::format(
+          "residual {:.1e} after {} steps and {} factorisations, {:.1e} was asked for",
+          summary.residual, summary.steps, summary.factorisations, options.residual_tolerance);
+    }
+  }
+  return averages;
+}
+
+void require_empty_walls(const Grid& grid, Result& result) {
+  auto& [solution, summary] = result;
+  if (solution.status != Status::ok) return;
+  solution.reason = box_objection(grid, summary.wall);
+  if (!solution.reason.empty()) solution.status = Status::failed;
+}
+
+void require_resolved(const Options& options, transform::Solution& solution) {
+  if (solution.status != Status::ok) return;
+  if (!kStationaryBars.allow_density(solution.min_density)) {
+    const bool first_order_impact = options.impact == Impact::delta;
+    solution.reason = fmt::format(
+        "the density is negative down to {:.1g} of its peak: {}", solution.min_density,
+        first_order_impact ? "the grid does not resolve it, or the impact to first order in 1-r, "
+                             "which keeps no sign, has no density (compare with a finer grid)"
+                           : "the grid does not resolve it (refine with nx and nv)");
+  } else if (!kStationaryBars.allow_imbalance(solution.energy_residual)) {
+    solution.reason = fmt::format(
+        "the balance of power is missed by {:.1g} of the input: the grid does not resolve the "
+        "density (refine with nx and nv)",
+        solution.energy_residual);
+  }
+  if (!solution.reason.empty()) solution.status = Status::inadmissible;
+}
+
+void observe(const problem::Problem& problem, const Options& options, const Grid& grid,
+             const Eigen::VectorXd& averages, Result& result) {
+  auto& [solution, summary] = result;
+  const int order = options.order;
+  solution.density = grid_density(grid, averages);
+  solution.moments = moments(grid, averages, order);
+  solution.mass = grid.areas().dot(averages);
+  solution.min_density = averages.minCoeff() / averages.maxCoeff();
+  summary.wall = relative_wall_density(problem, grid, averages);
+  summary.impact_rate = impact_flux(grid, averages, order, 1);
+  solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
+}
+
+void describe(const Discretisation& discretisation, Summary& summary) {
+  const Grid& grid = discretisation.grid;
+  summary.nx = grid.nx();
+  summary.nv = grid.nv();
+  summary.x1_max = grid.x1_max();
+  summary.x2_max = grid.x2_max();
+  summary.regularisation_length = discretisation.regularisation_length;
+}
+
+}  // namespace
+
+Result solve_on_one_grid(const problem::Problem& problem, const Options& options) {
+  Result result;
+  auto& [solution, summary] = result;
+  // Growth depends on the velocity step alone, so it is judged before anything is solved.
+  const auto first = discretise(problem, options, initial_box(problem, options));
+  describe(first, summary);
+  if (!first.refusal.empty()) {
+    solution.status = Status::failed;
+    solution.reason = first.refusal;
+    return result;
+  }
+  const auto [growth, ill_posed] = posedness(problem, options, first);
+  summary.growth_rate = growth.rate;
+  summary.growth_wavenumber = growth.wavenumber;
+  if (!ill_posed.empty()) {
+    solution.status = Status::ill_posed;
+    solution.reason = ill_posed;
+    return result;
+  }
+
+  DirectSolution direct = solve_directly(problem, options);
+  describe(direct.discretisation, summary);
+  summary.refinement = direct.refinement;
+  summary.origin_refinement = direct.origin_refinement;
+  if (direct.averages) {
+    summary.nonzeros = direct.op.local.nonZeros();
+    summary.leak = direct.op.leak();
+    summary.factor_entries = direct.preconditioner->entries();
+  }
+  const auto density = stationary_density(direct, problem, options, result);
+  if (density) {
+    const Grid& grid = direct.discretisation.grid;
+    observe(problem, options, grid, *density, result);
+    require_empty_walls(grid, result);
+    require_resolved(options, solution);
+  }
+  return result;
+}
+
+}  // namespace fpkcheck::fd_fpk

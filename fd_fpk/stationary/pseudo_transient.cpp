@@ -1,0 +1,53 @@
+#include "fd_fpk/stationary/pseudo_transient.hpp"
+
+#include <fmt/format.h>
+
+#include "fd_fpk/linear/linear_cvode.hpp"
+#include "fd_fpk/stopwatch.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                            const Eigen::VectorXd& start, double tolerance,
+                            const TimeScales& scales) {
+  constexpr long kMaxSteps = 200;
+  // Local errors are no aim here: a step may change the density by as much as itself.
+  constexpr double kRelativeTolerance = 1;
+  const double absolute_tolerance = start.maxCoeff();
+  // The residual of the last step's linear system is what remains of L P: they are solved far below
+  // the error test.
+  constexpr double kLinearTolerance = 1e-11;
+  constexpr double kStepGrowth = 100;
+
+  const Stopwatch stopwatch;
+  const double factored_before = preconditioner.factor_seconds();
+  LinearCvode cvode(linear_system(op, preconditioner), start,
+                    {.max_order = 1,
+                     .relative_tolerance = kRelativeTolerance,
+                     .absolute_tolerance = absolute_tolerance,
+                     .linear_tolerance = kLinearTolerance,
+                     .first_step = scales.first_step,
+                     .longest_step = scales.longest_step,
+                     .step_growth = kStepGrowth});
+  March march;
+  march.residual = op.residual(start);
+  while (march.residual > tolerance && march.steps < kMaxSteps) {
+    const int flag = cvode.step().flag;
+    march.steps = cvode.steps();
+    if (flag < 0) {
+      march.reason =
+          fmt::format("CVODE stopped at step {} (flag {}): {}", march.steps, flag, cvode.message());
+      break;
+    }
+    march.residual = op.residual(cvode.averages());
+  }
+  march.factorisations = cvode.factorisations();
+  march.rhs_evaluations = cvode.rhs_evaluations();
+  march.krylov_iterations = cvode.krylov_iterations();
+  march.factor_seconds = preconditioner.factor_seconds() - factored_before;
+  march.krylov_seconds = stopwatch.seconds() - march.factor_seconds;
+  march.averages = cvode.averages();
+  return march;
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,42 @@
+#include "mcs/estimate/crossings.hpp"
+
+#include <numeric>
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr std::size_t kEvery = 10;  // edges
+
+double above(const std::vector<double>& sums, std::size_t edge) {
+  return std::accumulate(sums.begin() + static_cast<std::ptrdiff_t>(edge) + 1, sums.end(), 0.0);
+}
+
+template <class Of>
+std::vector<LevelRate> rates(const Simulation& simulation, const StreamWeights& weights,
+                             std::size_t first, Of of) {
+  const auto& edges = simulation.plan().y_bins.edges();
+  std::vector<LevelRate> found;
+  for (std::size_t k = first; k < edges.size(); k += kEvery) {
+    const auto values = each(simulation.streams(), [&](const StreamRecord& record) {
+      return of(record, k) / simulation.stream_time();
+    });
+    found.push_back({edges[k], weights.estimate(values)});
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<LevelRate> estimate_crossings(const Simulation& simulation,
+                                          const StreamWeights& weights) {
+  return rates(simulation, weights, kEvery, [](const StreamRecord& record, std::size_t k) {
+    return above(record.peaks, k) - above(record.troughs, k);
+  });
+}
+
+std::vector<LevelRate> estimate_peaks(const Simulation& simulation, const StreamWeights& weights) {
+  return rates(simulation, weights, 0,
+               [](const StreamRecord& record, std::size_t k) { return above(record.peaks, k); });
+}
+
+}  // namespace fpkcheck::mcs

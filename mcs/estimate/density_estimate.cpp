@@ -1,0 +1,120 @@
+#include "mcs/estimate/density_estimate.hpp"
+
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+
+namespace fpkcheck::mcs {
+namespace {
+
+std::vector<std::vector<double>> sums_of(const Simulation& simulation,
+                                         transform::Variable variable) {
+  std::vector<std::vector<double>> sums;  // with the outer bins, shape (streams, n + 2)
+  for (const Stream& stream : simulation.streams()) {
+    const Histogram& histogram = stream.record.histogram;
+    sums.push_back(variable == transform::Variable::y ? histogram.row_sums()
+                                                      : histogram.column_sums());
+  }
+  return sums;
+}
+
+}  // namespace
+
+double expected_l1(const BinErrors& errors) {
+  double sum = 0;
+  for (const auto& bin : errors) {
+    sum += std::sqrt(2 / std::numbers::pi *
+                     std::inner_product(bin.begin(), bin.end(), bin.begin(), 0.0));
+  }
+  return sum;
+}
+
+// Multiplier bootstrap: what the streams added to the errors, each with a normal random factor, is
+// as likely to have been the error as the one that was made.
+SamplingL1 sampling_l1(const BinErrors& errors) {
+  constexpr int kReplicates = 400;
+  constexpr std::uint64_t kSeed = 20240501;  // any; the same run reports the same number
+  SamplingL1 result{.expected = expected_l1(errors), .in_99 = 0};
+  if (errors.empty()) return result;
+  boost::random::mt19937_64 engine(kSeed);
+  boost::random::normal_distribution<double> normal;
+  std::vector<double> factors(errors.front().size()), distances;
+  for (int k = 0; k < kReplicates; ++k) {
+    for (double& factor : factors) factor = normal(engine);
+    double distance = 0;
+    for (const auto& bin : errors) {
+      distance += std::abs(std::inner_product(bin.begin(), bin.end(), factors.begin(), 0.0));
+    }
+    distances.push_back(distance);
+  }
+  const auto nth = distances.begin() + kReplicates * 99 / 100;
+  std::ranges::nth_element(distances, nth);
+  result.in_99 = *nth;
+  return result;
+}
+
+std::vector<std::vector<double>> cumulative(const Simulation& simulation,
+                                            transform::Variable variable) {
+  auto sums = sums_of(simulation, variable);
+  for (auto& stream : sums) {
+    double below = 0;
+    for (double& sum : stream) sum = below += sum / simulation.stream_samples();
+    stream.pop_back();
+  }
+  return sums;
+}
+
+MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
+                                   transform::Variable variable, double effective_samples) {
+  const auto& edges = simulation.plan().bins(variable).edges();
+  const auto sums = sums_of(simulation, variable);
+  MarginalEstimate result;
+  auto& [marginal, errors] = result;
+  marginal.edges = edges;
+  std::vector<double> densities(sums.size());
+  for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
+    const double width = marginal.width(b);
+    const double unit = 1 / (simulation.stream_samples() * width);
+    std::ranges::transform(sums, densities.begin(),
+                           [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
+    const auto [mean, error] = weights.estimate(densities);
+    const double density = std::max(mean, 0.0);  // see estimate_joint_density
+    const double half_width = weights.interval_factor() * error;
+    marginal.density.push_back(density);
+    marginal.lower.push_back(std::max(density - half_width, 0.0));
+    // Nothing seen in n independent draws: less than 3/n with 95 % confidence ("rule of three").
+    marginal.upper.push_back(error > 0 ? density + half_width : 3 / (effective_samples * width));
+    errors.push_back(weights.errors(densities));
+    for (double& part : errors.back()) part *= width;
+  }
+  return result;
+}
+
+JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights) {
+  const Plan& plan = simulation.plan();
+  JointEstimate joint{{plan.y_bins.edges(), plan.v_bins.edges(), {}}, {}};
+  transform::GridDensity& density = joint.density;
+  std::vector<double> values(simulation.streams().size());
+  for (std::size_t i = 0; i < density.ny(); ++i) {
+    const double dy = density.y_edges[i + 1] - density.y_edges[i];
+    for (std::size_t j = 0; j < density.nv(); ++j) {
+      const double dv = density.v_edges[j + 1] - density.v_edges[j];
+      const double unit = 1 / (simulation.stream_samples() * dy * dv);
+      std::ranges::transform(simulation.streams(), values.begin(), [&](const Stream& stream) {
+        return stream.record.histogram(i + 1, j + 1) * unit;
+      });
+      const auto [mean, error] = weights.estimate(values);
+      // In short runs a cell in the far tails may have been visited by a stream of negative weight
+      // only.
+      density.averages.push_back(std::max(mean, 0.0));
+      joint.standard_errors.push_back(error);
+    }
+  }
+  return joint;
+}
+
+}  // namespace fpkcheck::mcs

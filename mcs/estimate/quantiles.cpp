@@ -1,0 +1,88 @@
+#include "mcs/estimate/quantiles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "mcs/estimate/density_estimate.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr std::array kProbabilities{1e-4, 1e-3, 0.01, 0.05,  0.25,  0.5,
+                                    0.75, 0.95, 0.99, 0.999, 0.9999};
+
+/// A distribution function that increases between edges.
+class Distribution {
+ public:
+  Distribution(const std::vector<double>& edges, std::vector<double> below)
+      : edges_(edges), below_(std::move(below)) {
+    for (std::size_t k = 1; k < below_.size(); ++k) below_[k] = std::max(below_[k], below_[k - 1]);
+  }
+
+  bool reaches(double p) const { return p > below_.front() && p < below_.back(); }
+
+  /// The inverse of the cubic through four edges, kept between the two in the middle.
+  double inverse(double p) const {
+    const auto above = std::ranges::upper_bound(below_, p) - below_.begin();
+    const auto count = static_cast<std::ptrdiff_t>(edges_.size());
+    const auto k = std::clamp<std::ptrdiff_t>(above, 1, count - 1);
+    double low = edges_[k - 1], high = edges_[k];
+    const auto first = std::clamp<std::ptrdiff_t>(k - 2, 0, std::max<std::ptrdiff_t>(count - 4, 0));
+    for (int bisection = 0; bisection < 60; ++bisection) {
+      const double middle = (low + high) / 2;
+      (cubic(first, middle) < p ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  }
+
+ private:
+  double cubic(std::ptrdiff_t first, double x) const {
+    const auto end =
+        std::min<std::ptrdiff_t>(first + 4, static_cast<std::ptrdiff_t>(edges_.size()));
+    double sum = 0;
+    for (auto a = first; a < end; ++a) {
+      double weight = 1;
+      for (auto b = first; b < end; ++b) {
+        if (b != a) weight *= (x - edges_[b]) / (edges_[a] - edges_[b]);
+      }
+      sum += weight * below_[a];
+    }
+    return sum;
+  }
+
+  const std::vector<double>& edges_;
+  std::vector<double> below_;
+};
+
+}  // namespace
+
+std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
+                                         transform::Variable variable) {
+  const auto& edges = simulation.plan().bins(variable).edges();
+  const auto streams = cumulative(simulation, variable);
+  std::vector<double> mean, error, values(streams.size());
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    std::ranges::transform(streams, values.begin(), [&](const auto& below) { return below[k]; });
+    const Estimate estimate = weights.estimate(values);
+    mean.push_back(estimate.mean);
+    error.push_back(estimate.standard_error);
+  }
+  const Distribution distribution(edges, mean);
+  std::vector<Quantile> quantiles;
+  for (const double p : kProbabilities) {
+    if (!distribution.reaches(p)) continue;
+    const double value = distribution.inverse(p);
+    const auto k =
+        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, value) - edges.begin(), 1,
+                                   static_cast<std::ptrdiff_t>(edges.size()) - 1);
+    const double share = (value - edges[k - 1]) / (edges[k] - edges[k - 1]);
+    const double half = weights.interval_factor() * ((1 - share) * error[k - 1] + share * error[k]);
+    if (!distribution.reaches(p - half) || !distribution.reaches(p + half)) continue;
+    quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
+  }
+  return quantiles;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "mcs/simulation/simulation.hpp"
+
+namespace fpkcheck::mcs {
+
+/// The mean of y^p y'^q in one stream, p and q among kPowers.
+double moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
+
+/// The same of every stream.
+std::vector<double> moments(const Simulation& simulation, int p, int q);
+
+/// Power that the impulses of each stream happened to bring beyond its expectation.
+std::vector<double> excess_powers(const Simulation& simulation);
+
+/// Var(x) / SE^2 of x = y^p y'^q: how many independent draws tell as much of its mean.
+double effective_samples(const Simulation& simulation, int p, int q);
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,9 @@
+#include "mcs/impulses/block_lanes.hpp"
+
+namespace fpkcheck::mcs {
+
+Block avx512::make_block(const Excitation& excitation, const Uniforms& uniforms) {
+  return make_block_in_lanes(excitation, uniforms);
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "mcs/impulses/block.hpp"
+#include "mcs/impulses/standard_amplitude.hpp"
+
+// Compiled for different instructions, as motion/advance_lanes.hpp.
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr int kWide = 8;
+using Wide = LanesOf<kWide>::Real;
+
+template <class Law>
+FPKCHECK_INLINE void make_amplitudes(const Excitation& excitation, const Uniforms& u,
+                                     Block& block) {
+  for (int k = 0; k < kBlock; k += kWide) {
+    const Wide standard =
+        StandardAmplitude<Law>::of(load<Wide>(&u.second[k]), load<Wide>(&u.third[k]));
+    store<Wide>(excitation.mean + excitation.width * standard, &block.amplitude[k]);
+  }
+}
+
+template <class... Laws>
+FPKCHECK_INLINE void make_amplitudes_of(LawList<Laws...>, const Excitation& excitation,
+                                        const Uniforms& u, Block& block) {
+  int place = 0;
+  ((place++ == excitation.law ? make_amplitudes<Laws>(excitation, u, block) : void()), ...);
+}
+
+FPKCHECK_INLINE Block make_block_in_lanes(const Excitation& excitation, const Uniforms& u) {
+  Block block;
+  const bool poisson = excitation.arrivals == Excitation::Arrivals::poisson;
+  for (int k = 0; k < kBlock; k += kWide) {
+    const Wide wait = poisson ? -logarithm(load<Wide>(&u.first[k])) * excitation.interval
+                              : all_lanes<Wide>(excitation.interval);
+    store<Wide>(wait, &block.waiting[k]);
+  }
+  make_amplitudes_of(DrawnLaws(), excitation, u, block);
+  return block;
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,52 @@
+#include "mcs/impulses/excitation.hpp"
+
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include "mcs/impulses/standard_amplitude.hpp"
+#include "problem/impulse_train.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+template <class... Laws>
+std::variant<Laws...> one_of(LawList<Laws...>);
+static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw::Kind>,
+              "a law without a StandardAmplitude, or in another order");
+
+int place_of(const problem::ImpulseLaw::Kind& law) { return static_cast<int>(law.index()); }
+
+Excitation even_gaussian(double interval, double mean, double variance, double power) {
+  return {.arrivals = Excitation::Arrivals::even,
+          .interval = interval,
+          .law = place_of(problem::GaussianLaw{}),
+          .mean = mean,
+          .width = std::sqrt(variance),
+          .power = power,
+          .shift = mean,
+          .work = (variance + mean * mean) / (2 * interval)};
+}
+
+}  // namespace
+
+Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
+  const auto& law = impulses.law().kind();
+  return {.arrivals = Excitation::Arrivals::poisson,
+          .interval = 1 / impulses.arrival_rate(),
+          .law = place_of(law),
+          .mean = impulses.law().mean(),
+          .width = std::visit([](const auto& kind) { return kind.width(); }, law),
+          .power = impulses.intensity() / 2,
+          .shift = 0,
+          .work = impulses.intensity() / 2};
+}
+
+Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval) {
+  return even_gaussian(interval, impulses.rate_moment(1) * interval,
+                       impulses.intensity() * interval, impulses.intensity() / 2);
+}
+
+Excitation standard_normal_excitation() { return even_gaussian(1, 0, 1, 0.5); }
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,29 @@
+#include "mcs/impulses/impulse_source.hpp"
+
+#include "mcs/lanes/instruction_set.hpp"
+
+namespace fpkcheck::mcs {
+
+void ImpulseSource::make_block() {
+  static const auto make = compiled_for(available_lanes().back().instructions, baseline::make_block,
+                                        avx2::make_block, avx512::make_block);
+  const Uniforms u = uniforms(seed_, stream_, Purpose::impulses, number_);
+  block_ = make(excitation_, u);
+  if (number_ == 0 && excitation_.arrivals == Excitation::Arrivals::even) {
+    block_.waiting[0] = u.first[0] * excitation_.interval;
+  }
+}
+
+void ImpulseSource::continue_from(std::uint64_t number) {
+  number_ = number - number % kBlock;
+  if (number_ < number) make_block();
+  number_ = number;
+}
+
+std::array<double, 2> ImpulseSource::standard_normals() const {
+  static const Excitation normal = standard_normal_excitation();
+  const Block block = baseline::make_block(normal, uniforms(seed_, stream_, Purpose::start, 0));
+  return {block.amplitude[0], block.amplitude[1]};
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "mcs/impulses/block.hpp"
+#include "mcs/impulses/excitation.hpp"
+
+namespace fpkcheck::mcs {
+
+/// A term of paper (3): how long after the one before it comes, and its amplitude Y.
+struct Impulse {
+  double waiting;
+  double amplitude;
+};
+
+/// The impulses of one stream: impulse n is a function of (seed, stream, n) alone. Made in blocks,
+/// in lanes.
+class ImpulseSource {
+ public:
+  ImpulseSource(const Excitation& excitation, std::uint64_t seed, std::uint32_t stream)
+      : excitation_(excitation), seed_(seed), stream_(stream) {}
+  ImpulseSource(const problem::ImpulseTrain& impulses, std::uint64_t seed, std::uint32_t stream)
+      : ImpulseSource(poisson_excitation(impulses), seed, stream) {}
+
+  Impulse next() {
+    const auto place = static_cast<std::size_t>(number_ % kBlock);
+    if (place == 0) make_block();
+    ++number_;
+    return {block_.waiting[place], block_.amplitude[place]};
+  }
+
+  /// How many have been given out.
+  std::uint64_t number() const { return number_; }
+  /// Continues as if `number` had been given out.
+  void continue_from(std::uint64_t number);
+
+  /// Two independent standard normal numbers, for the initial state: always the same ones.
+  std::array<double, 2> standard_normals() const;
+
+ private:
+  void make_block();
+
+  Excitation excitation_;
+  std::uint64_t seed_;
+  std::uint32_t stream_;
+  std::uint64_t number_ = 0;
+  Block block_{};
+};
+
+}  // namespace fpkcheck::mcs

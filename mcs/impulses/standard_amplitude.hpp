@@ -1,0 +1,62 @@
+#pragma once
+
+#include "mcs/lanes/elementary.hpp"
+
+namespace fpkcheck::problem {
+struct GaussianLaw;
+struct LaplaceLaw;
+struct TwoPointLaw;
+struct UniformLaw;
+}  // namespace fpkcheck::problem
+
+namespace fpkcheck::mcs {
+
+/// How an amplitude of the law is drawn that has mean 0 and width() 1: `of` two independent numbers
+/// of (0, 1), u with more digits than w (Uniforms). A further law of problem::ImpulseLaw is drawn
+/// by one more of these, in its place of DrawnLaws. (The laws themselves, with all that they
+/// include, are kept out of what is compiled for several instructions.)
+template <class Law>
+struct StandardAmplitude;
+
+/// Box and Muller: the cosine of a random angle is the sine of one within a quarter turn.
+template <>
+struct StandardAmplitude<problem::GaussianLaw> {
+  template <class Real>
+  FPKCHECK_INLINE static Real of(const Real& u, const Real& w) {
+    return square_root(-2.0 * logarithm(u)) * sine_of_quarter_turns(2.0 * w - 1.0);
+  }
+};
+
+template <>
+struct StandardAmplitude<problem::LaplaceLaw> {
+  template <class Real>
+  FPKCHECK_INLINE static Real of(const Real& u, const Real& w) {
+    const Real size = -logarithm(u);
+    return select(2.0 * w - 1.0 < 0.0, -size, size);
+  }
+};
+
+template <>
+struct StandardAmplitude<problem::TwoPointLaw> {
+  template <class Real>
+  FPKCHECK_INLINE static Real of(const Real&, const Real& w) {
+    return select(2.0 * w - 1.0 < 0.0, all_lanes<Real>(-1.0), all_lanes<Real>(1.0));
+  }
+};
+
+template <>
+struct StandardAmplitude<problem::UniformLaw> {
+  template <class Real>
+  FPKCHECK_INLINE static Real of(const Real& u, const Real&) {
+    return 2.0 * u - 1.0;
+  }
+};
+
+template <class... Laws>
+struct LawList {};
+
+/// The laws in the order of problem::ImpulseLaw::Kind.
+using DrawnLaws =
+    LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw>;
+
+}  // namespace fpkcheck::mcs

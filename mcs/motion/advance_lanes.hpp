@@ -1,0 +1,261 @@
+#pragma once
+
+#include "mcs/lanes/lanes.hpp"
+#include "mcs/motion/advance.hpp"
+#include "mcs/motion/flight.hpp"
+
+// Included by the files that are compiled for different instructions (InstructionSet). All of
+// it is inlined or has internal linkage, so that no function compiled for instructions that a
+// processor may lack can take the place of another one.
+
+namespace fpkcheck::mcs {
+namespace {
+
+/// The bin in lanes, by arithmetic, for even edges; a number within rounding of an edge may go to
+/// either side of it.
+template <class Real>
+FPKCHECK_INLINE Real place(const BinFinder& bins, const Real& x) {
+  return smaller(larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
+                 all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
+}
+
+/// Paper (3): one impulse, and the next one drawn.
+template <bool kRecords>
+void receive_impulse(const Motion& motion, Stream& stream) {
+  Branch& b = stream.branch;
+  const double before = b.v;
+  b.v += b.amplitude;
+  if constexpr (kRecords) {
+    const double counted = motion.splitting ? motion.splitting->weight(b.level) : 1.0;
+    const auto turned = [&](double from, double to) { return from > 0 && to < 0; };
+    if (turned(before, b.v)) stream.record.peaks[(*motion.y_bins)(b.y)] += counted;
+    if (turned(b.v, before) && b.y > 0) stream.record.troughs[(*motion.y_bins)(b.y)] += counted;
+    if (stream.whole()) ++stream.record.impulses;
+    stream.record.work +=
+        counted * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
+  }
+  const Impulse next = stream.source.next();
+  b.until_impulse = next.waiting;
+  b.amplitude = next.amplitude;
+  if (kRecords && motion.splitting) motion.splitting->after_impulse(stream);
+}
+
+/// The branches of streams in lanes, and what they see.
+template <int W>
+struct Lanes {
+  using Real = typename LanesOf<W>::Real;
+  using Mask = decltype(Real{} < Real{});
+  template <class Number>
+  struct alignas(64) Array {
+    Number at[W];
+  };
+
+  const Motion& motion;
+  Stream* const* streams;
+  double* cells[W];  // of the streams' histograms
+  Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
+  Real powers[kPowers.size()]{};
+  Real samples{}, impacts{}, impact_energy{}, flights{};
+
+  FPKCHECK_INLINE Lanes(const Motion& m, Stream* const* s) : motion(m), streams(s) {
+    for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
+  }
+
+  // From the streams' branches, and back.
+  FPKCHECK_INLINE void load_branches() {
+    Array<double> a[6];
+    for (int i = 0; i < W; ++i) {
+      const Branch& b = streams[i]->branch;
+      a[0].at[i] = b.y;
+      a[1].at[i] = b.v;
+      a[2].at[i] = b.until_impulse;
+      a[3].at[i] = b.until_sample;
+      a[4].at[i] = b.remaining;
+      a[5].at[i] = motion.splitting ? motion.splitting->weight(b.level) : 1.0;
+    }
+    y = load<Real>(a[0].at);
+    v = load<Real>(a[1].at);
+    until_impulse = load<Real>(a[2].at);
+    until_sample = load<Real>(a[3].at);
+    remaining = load<Real>(a[4].at);
+    weight = load<Real>(a[5].at);
+  }
+  FPKCHECK_INLINE void store_branch(int i) const {
+    Branch& b = streams[i]->branch;
+    b.y = lane(y, i);
+    b.v = lane(v, i);
+    b.until_impulse = lane(until_impulse, i);
+    b.until_sample = lane(until_sample, i);
+    b.remaining = lane(remaining, i);
+  }
+
+  FPKCHECK_INLINE void store_sums() const {
+    for (int i = 0; i < W; ++i) {
+      StreamRecord& record = streams[i]->record;
+      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += lane(powers[p], i);
+      record.samples += lane(samples, i);
+      record.impacts += lane(impacts, i);
+      record.impact_energy += lane(impact_energy, i);
+      record.flights += static_cast<std::uint64_t>(lane(flights, i));
+    }
+  }
+
+  /// Paper (2), also for an impulse that pushes a resting oscillator into the wall.
+  template <bool kRecords>
+  FPKCHECK_INLINE void rebound(const Mask& active) {
+    const Mask impact = active & (y <= 0.0) & (v < 0.0);
+    if constexpr (kRecords) {
+      const Real counted = where(impact, weight);
+      impacts = impacts + counted;
+      impact_energy = impact_energy + counted * (v * v);
+    }
+    v = select(impact, -motion.oscillator.restitution * v, v);
+  }
+
+  FPKCHECK_INLINE void sample(const BasicFlight<Real>& flight, const Real& span) {
+    for (;;) {
+      const Mask due = until_sample < span;
+      if (!any(due)) break;
+      const Real time = where(due, until_sample);
+      const BasicState<Real> at = flight.at(time);
+      count(at, where(due, weight));
+      until_sample = until_sample + where(due, all_lanes<Real>(motion.sampling_interval));
+    }
+    until_sample = until_sample - span;
+  }
+
+  // A lane with nothing to count counts it with the weight 0.
+  FPKCHECK_INLINE void count(const BasicState<Real>& at, const Real& counted) {
+    const Real x = at.y, u = at.v;
+    const Real xx = x * x, xu = x * u, uu = u * u;
+    const Real terms[] = {x,      u,      xx,      xu,      uu,      x * xx,  xx * u,
+                          x * uu, u * uu, xx * xx, xx * xu, xx * uu, xu * uu, uu * uu};
+#pragma GCC unroll 16
+    for (std::size_t p = 0; p < kPowers.size(); ++p) {
+      powers[p] = powers[p] + counted * terms[p];
+    }
+    samples = samples + counted;
+    // A sample within rounding of an impact may lie beyond the wall by as much.
+    const Real in_front = larger(x, Real{});
+    if (motion.y_bins->even() && motion.v_bins->even()) {
+      const auto row = truncated(place(*motion.y_bins, in_front));
+      const auto column = truncated(place(*motion.v_bins, u));
+      const auto cell = row * static_cast<std::int32_t>(motion.v_bins->bins() + 2) + column;
+      Array<std::int32_t> cell_of;
+      Array<double> weights;
+      __builtin_memcpy(&cell_of, &cell, sizeof cell);
+      store(counted, weights.at);
+#pragma GCC unroll 8
+      for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
+    } else {
+      for (int i = 0; i < W; ++i) {
+        streams[i]->record.histogram.add((*motion.y_bins)(lane(in_front, i)),
+                                         (*motion.v_bins)(lane(u, i)), lane(counted, i));
+      }
+    }
+  }
+
+  // Maxima of y where the velocity turns in flight.
+  FPKCHECK_INLINE void find_peaks(const BasicFlight<Real>& flight, const Real& span,
+                                  const BasicState<Real>& end) {
+    const Mask peak = (v > 0.0) & (end.v < 0.0);
+    if (!any(peak)) return;
+    const Real height = flight.at(flight.peak_time(span, end)).y;
+    for (int i = 0; i < W; ++i) {
+      if (lane(v, i) > 0 && lane(end.v, i) < 0) {
+        streams[i]->record.peaks[(*motion.y_bins)(lane(height, i))] += lane(weight, i);
+      }
+    }
+  }
+
+  /// Impulses, and the ends of branches: lane by lane.
+  template <bool kRecords>
+  FPKCHECK_INLINE void single_events(const Mask& active) {
+    const Mask impulse_now = active & (until_impulse <= 0.0);
+    const bool splits = kRecords && motion.splitting;
+    if (splits) {
+      if (!any(impulse_now) && !any(active & (remaining <= 0.0))) return;
+      for (int i = 0; i < W; ++i) {
+        store_branch(i);
+        Stream& stream = *streams[i];
+        if (lane(impulse_now, i) != 0) receive_impulse<kRecords>(motion, stream);
+        while (stream.branch.remaining <= 0 && !stream.whole()) follow_next(stream);
+      }
+      load_branches();
+      return;
+    }
+    if (!any(impulse_now)) return;
+    Array<double> ys, vs, untils;
+    store(y, ys.at);
+    store(v, vs.at);
+    store(until_impulse, untils.at);
+    for (int i = 0; i < W; ++i) {
+      if (!(untils.at[i] <= 0) || lane(impulse_now, i) == 0) continue;
+      Branch& b = streams[i]->branch;
+      b.y = ys.at[i];
+      b.v = vs.at[i];
+      receive_impulse<kRecords>(motion, *streams[i]);
+      vs.at[i] = b.v;
+      untils.at[i] = b.until_impulse;
+    }
+    v = load<Real>(vs.at);
+    until_impulse = load<Real>(untils.at);
+  }
+
+  template <bool kRecords>
+  FPKCHECK_INLINE void move() {
+    // A copy: for all the compiler knows, any sum that is stored might overwrite the original.
+    const Oscillator oscillator = motion.oscillator;
+    load_branches();
+    for (;;) {
+      const Mask active = remaining > 0.0;
+      if (!any(active)) break;
+      // Every turn of the loop either moves a lane on in time or brings it to y = 0; at y = 0 the
+      // velocity has been made >= 0, so that the turn after moves on. At rest (y = v = 0) time runs
+      // on to the next impulse.
+      rebound<kRecords>(active);
+      const BasicFlight<Real> flight(oscillator, {y, v});
+      Real span = smaller(smaller(flight.reach(motion.step), until_impulse), remaining);
+      span = where(active, span);
+      BasicState<Real> end = flight.at(span);
+      const Mask impact = (end.y < 0.0) & (y > 0.0);
+      if (any(impact)) {
+        span = select(impact, flight.impact_time(span, end, impact), span);
+        const Real velocity = flight.at(span).v;
+        end.v = select(impact, velocity, end.v);
+        end.y = select(impact, Real{}, end.y);
+      }
+      if constexpr (kRecords) {
+        flights = flights + where(active, all_lanes<Real>(1.0));
+        sample(flight, span);
+        find_peaks(flight, span, end);
+      }
+      remaining = remaining - span;
+      until_impulse = until_impulse - span;
+      y = larger(end.y, Real{});
+      v = end.v;
+      single_events<kRecords>(active);
+    }
+    for (int i = 0; i < W; ++i) store_branch(i);
+    if constexpr (kRecords) store_sums();
+  }
+};
+
+template <int W>
+void move_lanes(const Motion& motion, Stream* const* streams) {
+  Lanes<W> lanes(motion, streams);
+  if (motion.records) {
+    lanes.template move<true>();
+  } else {
+    lanes.template move<false>();
+  }
+}
+
+/// As many streams as `width`, which must be one of these.
+template <int... Widths>
+void move_any_of(const Motion& motion, Stream* const* streams, int width) {
+  ((width == Widths ? move_lanes<Widths>(motion, streams) : void()), ...);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "mcs/lanes/lanes.hpp"
+#include "mcs/motion/free_motion.hpp"
+#include "mcs/motion/oscillator.hpp"
+
+namespace fpkcheck::mcs {
+
+/// Position y >= 0 and velocity y' of the oscillator, of one or in lanes.
+template <class Real>
+struct BasicState {
+  Real y;
+  Real v;
+};
+using State = BasicState<double>;
+
+/// The motion from one event to the next: the Taylor polynomial, about a given state, of the
+/// solution of paper (1) without impulses. It is trusted over a fraction of the shortest period
+/// that the energy at the start allows; see reach().
+template <class Real>
+class BasicFlight {
+ public:
+  static constexpr int kOrder = kSeriesOrder;
+
+  /// @param oscillator must outlive the flight
+  FPKCHECK_INLINE BasicFlight(const Oscillator& oscillator, const BasicState<Real>& start)
+      : oscillator_(oscillator), frequency_bound_(frequency_bound(oscillator, start.y, start.v)) {
+    a_[0] = start.y;
+    a_[1] = start.v;
+    continue_series(oscillator, a_);
+  }
+  BasicFlight(Oscillator&&, const BasicState<Real>&) = delete;
+
+  /// How long the polynomial is used: `phase` radians of the fastest motion possible from here.
+  ///
+  /// For phase < pi there is at most one impact within that time, and none if the flight starts at
+  /// the wall with v >= 0: by Sturm's comparison theorem zeros of a solution of
+  /// y'' + c y' + (g(y)/y) y = 0 are at least pi / sqrt(max g(y)/y) apart. So the sign of y at the
+  /// end tells whether there was an impact, and impacts cannot accumulate.
+  FPKCHECK_INLINE Real reach(double phase) const { return phase / frequency_bound_; }
+
+  /// The state s after the start. (Horner's rule in s^2 for even and odd powers apart: half as long
+  /// a chain of operations that wait for one another.)
+  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const {
+    static_assert(kOrder % 2 == 0);
+    const Real s2 = s * s;
+    Real y_even = a_[kOrder], v_odd = double{kOrder} * a_[kOrder];
+    Real y_odd{}, v_even{};
+#pragma GCC unroll 16
+    for (int n = kOrder - 1; n >= 1; n -= 2) {
+      y_odd = y_odd * s2 + a_[n];
+      v_even = v_even * s2 + static_cast<double>(n) * a_[n];
+      y_even = y_even * s2 + a_[n - 1];
+      if (n > 1) v_odd = v_odd * s2 + static_cast<double>(n - 1) * a_[n - 1];
+    }
+    return {y_even + s * y_odd, v_even + s * v_odd};
+  }
+
+  /// y'' at a state, by paper (1).
+  FPKCHECK_INLINE Real acceleration(const BasicState<Real>& state) const {
+    return -(oscillator_.damping * state.v + restoring_force(oscillator_, state.y));
+  }
+
+  /// The zero of y(s) in [0, end], to rounding, in the lanes where y(0) > 0 > y(end) and `wanted`;
+  /// in the others something finite.
+  template <class Mask>
+  FPKCHECK_INLINE Real impact_time(const Real& end, const BasicState<Real>& at_end,
+                                   const Mask& wanted) const {
+    Real above{}, below = end;
+    Real s = first_guess(end, at_end);
+    Mask open = wanted;
+    // Halley's steps triple the number of digits: two of them as a rule.
+    for (int iteration = 0; iteration < kMostIterations && any(open); ++iteration) {
+      const BasicState<Real> state = at(s);
+      const Mask beyond = state.y < 0.0;
+      above = select(beyond, above, s);
+      below = select(beyond, s, below);
+      const Real halley =
+          s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
+      const Mask inside = (halley >= above) & (halley <= below);
+      const Real next = select(inside, halley, 0.5 * (above + below));
+      const Real moved = larger(next - s, s - next);
+      s = select(open, next, s);
+      // A correction of 1e-6 by a step of third order leaves an error of rounding.
+      open = open & (moved > 1e-6 * end);
+    }
+    return s;
+  }
+
+  /// The time in [0, end] where v(s) = 0, in the lanes where v(0) > 0 > v(end): to about 1e-5,
+  /// which leaves about 1e-10 in y, whose maximum it is.
+  FPKCHECK_INLINE Real peak_time(const Real& end, const BasicState<Real>& at_end) const {
+    const Real chord = end * (a_[1] / (a_[1] - at_end.v));
+    const BasicState<Real> state = at(chord);
+    const Real newton = chord - state.v / acceleration(state);
+    using Mask = decltype(newton >= 0.0);
+    const Mask inside = (newton >= 0.0) & (newton <= end);
+    return select(inside, newton, chord);
+  }
+
+ private:
+  static constexpr int kMostIterations = 60;
+
+  /// Where the cubic s(y) with the slopes 1/v at both ends has y = 0; the chord's zero where that
+  /// leads nowhere.
+  FPKCHECK_INLINE Real first_guess(const Real& end, const BasicState<Real>& at_end) const {
+    const Real drop = a_[0] - at_end.y;  // > 0
+    const Real u = a_[0] / drop;
+    const Real u1 = 1.0 - u;
+    const Real s = end * u * u * (3.0 - 2.0 * u) + u * u1 * drop * (u / at_end.v - u1 / a_[1]);
+    using Mask = decltype(s > 0.0);
+    const Mask inside = (s > 0.0) & (s < end);
+    return select(inside, s, end * u);
+  }
+
+  const Oscillator& oscillator_;
+  Real frequency_bound_;
+  Series<Real> a_;
+};
+
+using Flight = BasicFlight<double>;
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+
+#include "mcs/lanes/elementary.hpp"
+#include "mcs/lanes/lanes.hpp"
+#include "mcs/motion/oscillator.hpp"
+
+/// The free motion, paper (1) without impulses: y'' = -(c y' + g(y)), y >= 0. Each function has the
+/// paper's spring, g(y) = k y + mu y^3, by formulas of its own, and any other one by loops over its
+/// powers (few come here, and everybody waits for the compiler).
+namespace fpkcheck::mcs {
+
+inline constexpr int kSeriesOrder = 12;
+
+/// y(s) = sum_n a_n s^n.
+template <class Real>
+using Series = std::array<Real, kSeriesOrder + 1>;
+
+/// sum_n p_n y^n by Horner's rule, n up to `degree`.
+template <class Real>
+FPKCHECK_INLINE Real horner(const problem::Polynomial& p, int degree, const Real& y) {
+  Real sum{};
+  for (int n = degree; n >= 0; --n) sum = sum * y + p.coefficient(static_cast<std::size_t>(n));
+  return sum;
+}
+
+/// g(y)
+template <class Real>
+FPKCHECK_INLINE Real restoring_force(const Oscillator& oscillator, const Real& y) {
+  if (oscillator.is_duffing) return y * (oscillator.stiffness + oscillator.cubic * (y * y));
+  return horner(oscillator.force, oscillator.degree, y);
+}
+
+template <class Real>
+FPKCHECK_INLINE void continue_duffing_series(const Oscillator& oscillator, Series<Real>& a) {
+  const double c = oscillator.damping, k = oscillator.stiffness, mu = oscillator.cubic;
+  std::array<Real, kSeriesOrder - 1> square;  // [y^2]_n
+  // The newest coefficients enter each sum last: the recursion waits for them only.
+#pragma GCC unroll 16
+  for (int n = 0; n + 2 <= kSeriesOrder; ++n) {
+    Real pairs{};
+#pragma GCC unroll 16
+    for (int i = (n + 1) / 2 - 1; i >= 0; --i) pairs = pairs + a[i] * a[n - i];
+    square[n] = n % 2 == 0 ? 2.0 * pairs + a[n / 2] * a[n / 2] : 2.0 * pairs;
+    Real cube{};
+#pragma GCC unroll 16
+    for (int i = 1; i < n; ++i) cube = cube + square[i] * a[n - i];
+    if (n > 0) cube = cube + square[0] * a[n];
+    cube = cube + square[n] * a[0];
+    a[n + 2] = (k * a[n] + mu * cube + (c * (n + 1)) * a[n + 1]) * (-1.0 / ((n + 1) * (n + 2)));
+  }
+}
+
+template <class Real>
+FPKCHECK_INLINE void continue_series_of_powers(const Oscillator& oscillator, Series<Real>& a) {
+  const auto g = [&](int d) { return oscillator.force.coefficient(static_cast<std::size_t>(d)); };
+  Real powers[Oscillator::kHighestDegree + 1][kSeriesOrder + 1];  // [y^d]_n
+  powers[1][0] = a[0];
+  powers[1][1] = a[1];
+  for (int n = 0; n + 2 <= kSeriesOrder; ++n) {
+    Real force = g(1) * powers[1][n];
+    for (int d = 2; d <= oscillator.degree; ++d) {
+      Real sum{};
+      for (int i = 0; i <= n; ++i) sum = sum + powers[d - 1][i] * powers[1][n - i];
+      powers[d][n] = sum;
+      force = force + g(d) * sum;
+    }
+    powers[1][n + 2] =
+        (force + (oscillator.damping * (n + 1)) * powers[1][n + 1]) * (-1.0 / ((n + 1) * (n + 2)));
+  }
+#pragma GCC unroll 16
+  for (int n = 2; n <= kSeriesOrder; ++n) a[n] = powers[1][n];
+}
+
+/// Sets a_2, a_3, .. from a_0 and a_1,
+///
+///     (n+1)(n+2) a_{n+2} = -(c (n+1) a_{n+1} + sum_d g_d [y^d]_n),
+///
+/// the coefficients [y^d]_n of the powers, as far as the spring has them, by Cauchy products.
+template <class Real>
+FPKCHECK_INLINE void continue_series(const Oscillator& oscillator, Series<Real>& a) {
+  if (oscillator.is_duffing) {
+    continue_duffing_series(oscillator, a);
+  } else {
+    continue_series_of_powers(oscillator, a);
+  }
+}
+
+/// The root of the largest slope of the spring within the reach of the energy
+/// E = y'^2/2 + U(y), which does not grow, and c. (The series of a hardening oscillator converges
+/// only up to a pole, which this keeps away.)
+template <class Real>
+FPKCHECK_INLINE Real frequency_bound(const Oscillator& o, const Real& y, const Real& v) {
+  if (o.is_duffing) {
+    // k + 3 mu y^2 with mu y^4 / 4 <= E
+    const double k = o.stiffness, mu = o.cubic;
+    const Real y2 = y * y;
+    const Real energy = 0.5 * (v * v) + y2 * (k / 2 + (mu / 4) * y2);
+    return square_root(k + 6.0 * square_root(mu * energy)) + o.damping;
+  }
+  constexpr double kSmallest = 1e-290;  // with a logarithm
+  const Real energy = 0.5 * (v * v) + horner(o.potential, o.degree + 1, y);
+  const Real power = larger(energy / o.least_potential, all_lanes<Real>(kSmallest));
+  const Real largest_y = exponential(logarithm(power) / (o.degree + 1.0));
+  return square_root(horner(o.steepest, o.degree - 1, largest_y)) + o.damping;
+}
+
+}  // namespace fpkcheck::mcs

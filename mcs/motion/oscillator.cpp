@@ -1,0 +1,102 @@
+#include "mcs/motion/oscillator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "parameters/input_error.hpp"
+#include "problem/system.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using problem::Polynomial;
+
+Polynomial steepest_of(const Polynomial& force) {
+  Polynomial::Coefficients magnitudes{};
+  for (std::size_t n = 0; n < magnitudes.size(); ++n) {
+    magnitudes[n] = std::abs(force.coefficient(n));
+  }
+  return Polynomial(magnitudes).derivative();
+}
+
+/// U(y) / (u_m y^m) = sum_j r_j w^j with w = 1/y, r_j = u_(m-j) / u_m, m the degree of U.
+Polynomial over_its_last_term(const Polynomial& potential) {
+  const std::size_t m = potential.degree();
+  Polynomial::Coefficients r{};
+  for (std::size_t j = 0; j <= m; ++j) {
+    r[j] = potential.coefficient(m - j) / potential.coefficient(m);
+  }
+  return Polynomial(r);
+}
+
+/// The terms of one sign, as positive numbers.
+Polynomial terms(const Polynomial& p, double sign) {
+  Polynomial::Coefficients part{};
+  for (std::size_t j = 0; j < part.size(); ++j) part[j] = std::max(0.0, sign * p.coefficient(j));
+  return Polynomial(part);
+}
+
+/// From here on the last term of `ratio`, a positive one, is larger than the negative ones
+/// together.
+double far_out(const Polynomial& ratio) {
+  const std::size_t last = ratio.degree();
+  double w = 0;
+  for (std::size_t j = 0; j < last; ++j) {
+    const double share =
+        static_cast<double>(last) * -ratio.coefficient(j) / ratio.coefficient(last);
+    if (share > 0) w = std::max(w, std::pow(share, 1 / static_cast<double>(last - j)));
+  }
+  return w;
+}
+
+/// No more than U(y) / (u_m y^m) is for any y > 0, and hardly less than the smallest: 1 where no
+/// term is negative, and not positive where the energy bounds nothing.
+double least_ratio(const Polynomial& potential) {
+  constexpr double kFineness = 1.001, kNegligible = 1e-3;
+  const Polynomial ratio = over_its_last_term(potential);
+  const Polynomial positive = terms(ratio, 1), negative = terms(ratio, -1);
+  if (negative.degree() == 0) return 1;
+  if (ratio.coefficient(ratio.degree()) < 0) return 0;
+  // Both parts grow with w: between a and b the sum is no less than the positive part at a less the
+  // negative one at b. Near w = 0 the positive part is 1.
+  double least = 1 - kNegligible;
+  for (double b = far_out(ratio); negative(b) > kNegligible && least > 0; b /= kFineness) {
+    least = std::min(least, positive(b / kFineness) - negative(b));
+  }
+  return least;
+}
+
+void require_energy_to_bound_the_motion(const Oscillator& oscillator) {
+  if (oscillator.force.coefficient(0) != 0) {
+    throw InputError(
+        "the spring pushes or pulls at the wall (impacts may then accumulate, and the simulation "
+        "takes one after the other) use a force that is 0 at y = 0, or another method");
+  }
+  if (!(oscillator.least_potential > 0)) {
+    throw InputError(
+        "the spring's potential is not positive for all y > 0 (the steps of the simulation are "
+        "bounded by the energy) use other coefficients, or another method");
+  }
+}
+
+}  // namespace
+
+Oscillator::Oscillator(const problem::System& system)
+    : Oscillator(system.damping(), system.restitution(), system.force()) {}
+
+Oscillator::Oscillator(double c, double r, const Polynomial& spring)
+    : damping(c),
+      restitution(r),
+      force(spring),
+      potential(spring.antiderivative()),
+      degree(static_cast<int>(force.degree())),
+      is_duffing(force.coefficient(0) == 0 && force.coefficient(2) == 0 && degree <= 3),
+      stiffness(force.coefficient(1)),
+      cubic(force.coefficient(3)),
+      steepest(steepest_of(force)),
+      least_potential(potential.coefficient(potential.degree()) * least_ratio(potential)) {
+  require_energy_to_bound_the_motion(*this);
+}
+
+}  // namespace fpkcheck::mcs

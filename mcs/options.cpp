@@ -1,0 +1,112 @@
+#include "mcs/options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "mcs/streams/histogram.hpp"
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::mcs {
+
+using namespace parameters;
+
+namespace {
+
+constexpr int kFewestStreams = 8;
+constexpr int kMostStreams = 4096;
+constexpr int kMostThreads = 1024;
+// The series of order Flight::kOrder loses its accuracy beyond.
+constexpr double kLongestStep = 1.2;
+constexpr double kLongestWhiteStep = 0.5;
+constexpr double kShortestStep = 1e-4;
+
+constexpr Equation kEquations[] = {Equation::kf, Equation::white};
+
+std::vector<std::string> names_of_equations() {
+  std::vector<std::string> list;
+  for (const Equation equation : kEquations) list.emplace_back(name(equation));
+  return list;
+}
+
+}  // namespace
+
+const Description<Options>& description() {
+  static const auto description =
+      Description<Options>("mcs.")
+          .add("equation", &Options::equation,
+               {"E", "kf: the impulses; white: Gaussian white noise of the same intensity"})
+          .with_choices(names_of_equations())
+          .add(
+              "time", &Options::time,
+              {"T",
+               "simulated time over all streams (default: enough for the table to mean something)"},
+              positive())
+          .add("samples", &Options::samples,
+               {"N", "go on until E[y'^2] is known as well as from N independent samples"},
+               positive())
+          .add(
+              "target_error", &Options::target_error,
+              {"E",
+               "go on until the relative standard errors of E[y^2] and E[y'^2] and the expected L1 "
+               "errors of the densities are below E"},
+              strictly_between(0, 1))
+          .add("seed", &Options::seed,
+               {"S",
+                "seed of the simulation; the same seed gives the same result for any number of "
+                "threads"},
+               not_negative())
+          .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
+               between(1, kMostThreads))
+          .add("streams", &Options::streams, {"N", "independent streams"},
+               between(kFewestStreams, kMostStreams)
+                   .because("standard errors come from the differences between streams"))
+          .add("step", &Options::step,
+               {"RAD", "longest Taylor step in radians of the fastest motion (default 0.9)"},
+               between(kShortestStep, kLongestStep))
+          .add(
+              "white_step", &Options::white_step,
+              {"RAD", "time between the kicks that make up white noise, in radians (default 0.05)"},
+              between(kShortestStep, kLongestWhiteStep))
+          .add("tails", &Options::tails, {"", "importance splitting: resolve the far tails"});
+  return description;
+}
+
+void validate(const Options& options) {
+  description().validate(options);
+  if (std::ranges::find(kEquations, options.equation) == std::end(kEquations)) {
+    throw InputError(
+        fmt::format("mcs.equation = {} (the simulation has kf, the impulses, and white, Gaussian "
+                    "white noise in their place)",
+                    name(options.equation)));
+  }
+  if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
+  if (!options.v_edges.empty()) require_edges("mcs.v_edges", options.v_edges);
+  if (!options.y_edges.empty() && options.y_edges.front() != 0) {
+    throw InputError(fmt::format("mcs.y_edges from {} (y >= 0 begins at the wall; start them at 0)",
+                                 options.y_edges.front()));
+  }
+}
+
+std::string id(const Options& options) {
+  return options.equation == Equation::white ? "mcs-white" : "mcs";
+}
+
+transform::Identity identity(const Options& options) {
+  return {.id = id(options),
+          .method = "mcs",
+          .equation = options.equation,
+          .impact = problem::Impact::exact,
+          .role = transform::Role::simulation};
+}
+
+std::optional<Options> options_of(std::string_view id) {
+  for (const Equation equation : kEquations) {
+    const Options options{.equation = equation};
+    if (mcs::id(options) == id) return options;
+  }
+  return std::nullopt;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,160 @@
+#include "mcs/simulation/checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "parameters/input_error.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 2\n";
+
+/// FNV-1a.
+std::uint64_t checksum(std::string_view text) {
+  std::uint64_t sum = 14695981039346656037u;
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return sum;
+}
+
+std::string beside_of(const std::string& path) { return path + ".part"; }
+
+std::string unwritten(const std::string& path, const std::string& why) {
+  return fmt::format("cannot write the checkpoint {} ({})", path, why);
+}
+
+constexpr const char* kNoPlace = "is there such a directory, writable and with space?";
+
+/// Writes a file anew.
+/// @return whether that went well; if not, there is no such file afterwards
+bool write_file(const std::string& path, std::string_view contents, std::string_view more) {
+  std::ofstream out(path, std::ios::binary);
+  if (!out) return false;
+  out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+  out.write(more.data(), static_cast<std::streamsize>(more.size()));
+  out.close();
+  std::error_code ignored;
+  if (!out) std::filesystem::remove(path, ignored);
+  return static_cast<bool>(out);
+}
+
+/// @return why the checkpoint could not be written; empty when it is
+std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
+                             const Simulation& simulation) {
+  std::ostringstream contents;
+  contents << kFirstLine << fingerprint << '\n';
+  simulation.save(contents);
+  const std::string text = std::move(contents).str();
+  const std::uint64_t sum = checksum(text);
+  const std::string_view sum_bytes(reinterpret_cast<const char*>(&sum), sizeof sum);
+  if (!write_file(beside_of(path), text, sum_bytes)) return unwritten(path, kNoPlace);
+  std::error_code error;
+  std::filesystem::rename(beside_of(path), path, error);
+  return error ? unwritten(path, error.message()) : "";
+}
+
+}  // namespace
+
+std::string fingerprint(const problem::Problem& problem, const Plan& plan,
+                        const Splitting* splitting) {
+  const auto& s = problem.system;
+  const Excitation& e = plan.excitation;
+  std::string text = fmt::format(
+      "system {:a} {:a}; force {:a}; excitation {} {:a} {} {:a} {:a}; seed {}; streams {}; step "
+      "{:a}; burn-in {:a}; sampling {:a} {}; y {:a}; v {:a}",
+      s.damping(), s.restitution(), fmt::join(s.force().coefficients(), " "),
+      static_cast<int>(e.arrivals), e.interval, e.law, e.mean, e.width, plan.seed, plan.streams,
+      plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
+      fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
+  if (splitting) text += fmt::format("; thresholds {:a}", fmt::join(splitting->thresholds(), " "));
+  return text;
+}
+
+CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const std::string&)> warn)
+    : path_(std::move(path)), warn_(std::move(warn)) {
+  if (path_.empty()) return;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path_, ignored)) {
+    throw InputError(unwritten(path_, "it is a directory"));
+  }
+  if (!write_file(beside_of(path_), kFirstLine, "")) throw InputError(unwritten(path_, kNoPlace));
+  std::filesystem::remove(beside_of(path_), ignored);
+}
+
+void CheckpointWriter::attempt(const std::string& fingerprint, const Simulation& simulation) {
+  written_ = Clock::now();
+  failure_ = write_checkpoint(path_, fingerprint, simulation);
+}
+
+void CheckpointWriter::write(const std::string& fingerprint, const Simulation& simulation) {
+  if (path_.empty()) return;
+  const bool failed_before = !failure_.empty();
+  attempt(fingerprint, simulation);
+  if (!failure_.empty() && !failed_before) {
+    warn_(failure_ + " the simulation goes on and tries again every half minute");
+  }
+}
+
+void CheckpointWriter::write_when_due(const std::string& fingerprint,
+                                      const Simulation& simulation) {
+  constexpr std::chrono::seconds kBetweenCheckpoints(30);
+  if (Clock::now() - written_ > kBetweenCheckpoints) write(fingerprint, simulation);
+}
+
+void CheckpointWriter::write_last(const std::string& fingerprint, const Simulation& simulation) {
+  if (path_.empty()) return;
+  attempt(fingerprint, simulation);
+  if (!failure_.empty()) {
+    warn_(failure_ + " the result stands, but no run can go on from the end of this one");
+  }
+}
+
+void read_checkpoint(const std::string& path, const std::string& fingerprint,
+                     Simulation& simulation) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || !std::filesystem::is_regular_file(path)) {
+    throw InputError(
+        fmt::format("cannot read the checkpoint {} (there is no such file) name one that "
+                    "--checkpoint has written",
+                    path));
+  }
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!text.starts_with(kFirstLine)) {
+    throw InputError(fmt::format("{} is no checkpoint of this version of fpkcheck mcs", path));
+  }
+  std::uint64_t sum = 0;
+  const std::size_t size = text.size() - sizeof sum;
+  if (text.size() > kFirstLine.size() + sizeof sum) std::memcpy(&sum, &text[size], sizeof sum);
+  const std::string_view contents(text.data(), size);
+  if (sum != checksum(contents)) {
+    throw InputError(fmt::format(
+        "the checkpoint {} is damaged (its checksum is wrong): start again without --resume",
+        path));
+  }
+  const std::string_view rest = contents.substr(kFirstLine.size());
+  const std::size_t end = rest.find('\n');
+  if (rest.substr(0, end) != fingerprint) {
+    throw InputError(
+        fmt::format("the checkpoint {} belongs to another simulation (give the case, "
+                    "seed and options that it was made with)",
+                    path));
+  }
+  std::istringstream in{std::string(rest.substr(end + 1))};
+  try {
+    simulation.load(in);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("the checkpoint {} is damaged: {}", path, error.what()));
+  }
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,50 @@
+#include "mcs/simulation/pilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "mcs/simulation/simulation.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kRarest = 1e-10;
+constexpr double kFewestVisits = 1000;  // of branches, to set a threshold
+constexpr int kMostPilots = 30;
+constexpr double kPilotTime = 0.5;                    // burn-ins, at least
+constexpr double kPilotImpulses = 8 * kFewestVisits;  // in all streams, at least
+constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
+
+}  // namespace
+
+Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
+  const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
+  Plan pilot = plan;
+  pilot.seed = ~plan.seed;  // numbers that no simulation of this seed uses
+  pilot.samples_per_round =
+      static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *
+                                                                         plan.excitation.interval) /
+                                 plan.sampling_interval) +
+      1;
+  std::vector<double> thresholds;
+  for (int n = 0; n < kMostPilots; ++n) {
+    const Splitting splitting(problem.system, thresholds, largest);
+    Simulation simulation(problem, pilot, &splitting);
+    simulation.burn_in();
+    simulation.round();
+    std::vector<double> energies(splitting.energy_bins().bins() + 2);
+    for (const Stream& stream : simulation.streams()) {
+      std::ranges::transform(energies, stream.record.energies, energies.begin(), std::plus{});
+    }
+    auto next = thresholds_from(splitting.energy_bins(), energies,
+                                kFewestVisits * splitting.weight(splitting.levels()), kRarest);
+    const bool further = next.size() > thresholds.size();
+    if (further || n == 0) thresholds = std::move(next);
+    if (!further) break;
+  }
+  return {problem.system, thresholds, largest};
+}
+
+}  // namespace fpkcheck::mcs

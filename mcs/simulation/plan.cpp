@@ -1,0 +1,90 @@
+#include "mcs/simulation/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mcs/simulation/workers.hpp"
+#include "parameters/input_error.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kMostSamples = 1e15;  // of a stream
+
+constexpr int kAutomaticBins = 140;
+constexpr double kAutomaticExtent = 7;    // standard deviations
+constexpr double kAutomaticTime = 1.6e6;  // slowest decay times: L1 noise of p(y), p(y') about 6e-4
+constexpr double kTailsShare = 1.0 / 32;  // of it: the branches take several times as long
+constexpr double kAutomaticWhiteStep = 0.05;  // radians
+constexpr double kBurnIn = 20;                // slowest decay times: exp(-20) of the start is left
+constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less noisy, and dearer
+// Progress and interruptions come by rounds: a fortieth of the automatic time, a tenth of a second
+// or so, or an eighth of what was asked for if that is less.
+constexpr double kAutomaticRounds = 40;
+constexpr double kFewestRounds = 8;
+constexpr double kMostEvents = 2e7;          // impulses and flights of a round, in all streams
+constexpr double kMostAutomaticTimes = 1e4;  // where samples or an error are asked for
+
+std::vector<double> evenly_spaced(double from, double to) {
+  std::vector<double> edges;
+  for (int k = 0; k <= kAutomaticBins; ++k) {
+    edges.push_back(from + (to - from) * k / kAutomaticBins);
+  }
+  return edges;
+}
+
+BinFinder bins(const std::vector<double>& edges, double from, double to) {
+  return BinFinder(edges.empty() ? evenly_spaced(from, to) : edges);
+}
+
+}  // namespace
+
+Plan make_plan(const problem::Problem& problem, const Options& options) {
+  validate(options);
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double decay = problem::slowest_decay(linear);
+  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
+  const double frequency = std::sqrt(linear.stiffness);
+  const double automatic = kAutomaticTime * (options.tails ? kTailsShare : 1) / decay;
+  const bool open_ended = options.samples || options.target_error;
+  const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
+  const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;
+  const Excitation excitation =
+      options.equation == Equation::white
+          ? white_excitation(problem.impulses,
+                             options.white_step.value_or(kAutomaticWhiteStep) / frequency)
+          : poisson_excitation(problem.impulses);
+  const double step = options.step.value_or(kAutomaticStep);
+  const double events = 1 / excitation.interval + frequency / step;
+  const double round_time =
+      std::min({automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
+  // Of a length that does not depend on the time asked for, unless that is short: so a longer
+  // simulation can go on from the checkpoint of a shorter one.
+  const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
+  const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
+  if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
+    throw InputError(fmt::format(
+        "mcs.time = {} (each of {} streams would take {:.0e} samples; at most {:.0e}) use less",
+        time, options.streams, samples * rounds, kMostSamples));
+  }
+  return {.streams = options.streams,
+          .threads = std::min(number_of_threads(options.threads), options.streams),
+          .seed = options.seed,
+          .step = step,
+          .burn_in = kBurnIn / decay,
+          .sampling_interval = interval,
+          .samples_per_round = static_cast<std::uint64_t>(samples),
+          .rounds = static_cast<std::uint64_t>(rounds),
+          .displacement_deviation = s1,
+          .velocity_deviation = s2,
+          .excitation = excitation,
+          .y_bins =
+              bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
+          .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};
+}
+
+}  // namespace fpkcheck::mcs

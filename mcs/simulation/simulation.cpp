@@ -1,0 +1,88 @@
+#include "mcs/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <istream>
+#include <ostream>
+
+#include "mcs/motion/start.hpp"
+#include "mcs/simulation/saved_numbers.hpp"
+#include "mcs/simulation/workers.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr std::size_t kGroup = 8;  // streams that a thread takes at a time
+
+}  // namespace
+
+Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
+                       const Splitting* splitting)
+    : plan_(&plan),
+      motion_{.oscillator = Oscillator(problem.system),
+              .step = plan.step,
+              .sampling_interval = plan.sampling_interval,
+              .y_bins = &plan.y_bins,
+              .v_bins = &plan.v_bins,
+              .splitting = splitting,
+              .shift = plan.excitation.shift} {
+  for (int s = 0; s < plan.streams; ++s) {
+    ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
+    const State start = folded_start(source, plan.displacement_deviation, plan.velocity_deviation);
+    const Impulse first = source.next();
+    streams_.push_back({.branch = {.y = start.y,
+                                   .v = start.v,
+                                   .until_impulse = first.waiting,
+                                   .amplitude = first.amplitude,
+                                   .until_sample = plan.sampling_interval / 2,
+                                   .remaining = 0},
+                        .source = source,
+                        .record = StreamRecord(plan.y_bins, plan.v_bins)});
+  }
+}
+
+void Simulation::burn_in() {
+  Motion unseen = motion_;
+  unseen.records = false;
+  unseen.splitting = nullptr;
+  move(unseen, plan_->burn_in);
+}
+
+void Simulation::round() {
+  move(motion_, plan_->round_time());
+  ++rounds_;
+}
+
+void Simulation::move(const Motion& motion, double time) {
+  static const LaneSet lanes = available_lanes().back();
+  const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
+  share_work(plan_->threads, groups, [&](std::size_t g) {
+    std::vector<Stream*> group;
+    for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
+      group.push_back(&streams_[s]);
+    }
+    advance(motion, group, time, lanes);
+  });
+}
+
+void Simulation::save(std::ostream& out) const {
+  put(out, rounds_);
+  for (const Stream& stream : streams_) {
+    put(out, stream.branch);
+    put(out, stream.source.number());
+    for_each_sum(stream.record, [&](const auto& sum) { put(out, sum); });
+  }
+}
+
+void Simulation::load(std::istream& in) {
+  get(in, rounds_);
+  for (Stream& stream : streams_) {
+    std::uint64_t number = 0;
+    get(in, stream.branch);
+    get(in, number);
+    stream.source.continue_from(number);
+    for_each_sum(stream.record, [&](auto& sum) { get(in, sum); });
+  }
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,39 @@
+#include "mcs/simulation/workers.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace fpkcheck::mcs {
+
+int number_of_threads(const std::optional<int>& asked) {
+  return asked.value_or(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+}
+
+void share_work(int threads, std::size_t shares, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;  // guards the failure
+  std::exception_ptr failure;
+  const auto take_shares = [&] {
+    for (std::size_t share = next++; share < shares; share = next++) {
+      try {
+        work(share);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
+        next = shares;  // nobody begins another one
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int t = 1; t < threads; ++t) others.emplace_back(take_shares);
+    take_shares();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,219 @@
+#include "mcs/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "mcs/estimate/crossings.hpp"
+#include "mcs/estimate/density_estimate.hpp"
+#include "mcs/estimate/quantiles.hpp"
+#include "mcs/estimate/stream_averages.hpp"
+#include "mcs/estimate/stream_weights.hpp"
+#include "mcs/go_on.hpp"
+#include "mcs/simulation/checkpoint.hpp"
+#include "mcs/simulation/pilot.hpp"
+#include "mcs/simulation/simulation.hpp"
+#include "problem/energy_balance.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using transform::Variable;
+
+void estimate_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
+  using transform::Moments;
+  auto& [solution, summary] = result;
+  for (const auto& [p, q] : kPowers) {
+    summary.joint_moments.push_back(weights.estimate(moments(simulation, p, q)));
+  }
+  const auto set = [&](double Moments::*member, int p, int q) {
+    const Estimate e = weights.estimate(moments(simulation, p, q));
+    solution.moments.*member = e.mean;
+    solution.standard_errors->moments.*member = e.standard_error;
+  };
+  set(&Moments::y1, 1, 0);
+  set(&Moments::y2, 2, 0);
+  set(&Moments::y4, 4, 0);
+  set(&Moments::v1, 0, 1);
+  set(&Moments::v2, 0, 2);
+  set(&Moments::v4, 0, 4);
+}
+
+void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
+                      const StreamWeights& weights, Result& result) {
+  result.summary.impact_rate = weights.estimate(each(
+      simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
+  // Linear in the averages: the average of the streams' own residuals.
+  const auto residual = weights.estimate(each(simulation.streams(), [&](const auto& r) {
+    return problem::energy_residual(
+        problem, problem::Impact::exact,
+        {.mean_velocity = moment(simulation, r, 0, 1),
+         .mean_square_velocity = moment(simulation, r, 0, 2),
+         .impact_energy_flux = r.impact_energy / simulation.stream_time()});
+  }));
+  result.solution.energy_residual = residual.mean;
+  result.solution.standard_errors->energy_residual = residual.standard_error;
+}
+
+/// Whether the impulses followed their law, before the weights set it right.
+void estimate_excess_power(const Simulation& simulation, Summary& summary) {
+  const auto excess = plain_estimate(excess_powers(simulation));
+  const double input = simulation.plan().excitation.power;
+  summary.excess_power = excess.mean / input;
+  summary.excess_power_error = excess.standard_error / input;
+}
+
+/// What the samples are worth without the weights, and what the weights add.
+void estimate_efficiency(const Simulation& simulation, Result& result) {
+  const auto reduction = [&](int p, int q, double error) {
+    const double ratio = plain_estimate(moments(simulation, p, q)).standard_error / error;
+    return ratio * ratio;
+  };
+  auto& [solution, summary] = result;
+  const auto& errors = solution.standard_errors->moments;
+  summary.effective_samples = effective_samples(simulation, 0, 2);
+  summary.effective_samples_y2 = effective_samples(simulation, 2, 0);
+  summary.variance_reduction_y2 = reduction(2, 0, errors.y2);
+  summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
+}
+
+/// Share of the samples beyond the bins.
+double outside(const Simulation& simulation, const StreamWeights& weights) {
+  const Plan& plan = simulation.plan();
+  const auto beyond = each(simulation.streams(), [&](const StreamRecord& record) {
+    const auto rows = record.histogram.row_sums();
+    const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
+    double inside = 0;
+    for (std::size_t i = 1; i <= plan.y_bins.bins(); ++i) {
+      for (std::size_t j = 1; j <= plan.v_bins.bins(); ++j) inside += record.histogram(i, j);
+    }
+    return all > 0 ? (all - inside) / all : 0.0;
+  });
+  return std::max(0.0, weights.estimate(beyond).mean);
+}
+
+void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
+                        Result& result) {
+  auto& [solution, summary] = result;
+  const auto marginal = [&](Variable variable) {
+    auto estimate = estimate_marginal(simulation, weights, variable, summary.effective_samples);
+    solution.estimated_marginals.emplace_back(variable, std::move(estimate.marginal));
+    return sampling_l1(estimate.errors);
+  };
+  const SamplingL1 y = marginal(Variable::y), ydot = marginal(Variable::ydot);
+  solution.sampling = transform::SamplingError{
+      .y = y.expected, .ydot = ydot.expected, .y_99 = y.in_99, .ydot_99 = ydot.in_99};
+  auto joint = estimate_joint_density(simulation, weights);
+  solution.mass = transform::mass(joint.density);
+  solution.density = std::move(joint.density);
+  summary.joint_standard_errors = std::move(joint.standard_errors);
+  summary.outside = outside(simulation, weights);
+  summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
+  summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
+  summary.crossings = estimate_crossings(simulation, weights);
+  summary.peaks = estimate_peaks(simulation, weights);
+}
+
+void describe(const Simulation& simulation, Summary& summary) {
+  const Plan& plan = simulation.plan();
+  summary.time = simulation.stream_time() * plan.streams;
+  summary.samples =
+      simulation.rounds() * plan.samples_per_round * static_cast<std::uint64_t>(plan.streams);
+  summary.sampling_interval = plan.sampling_interval;
+  summary.seed = plan.seed;
+  summary.threads = plan.threads;
+  summary.streams = plan.streams;
+  summary.step = plan.step;
+  if (plan.excitation.arrivals == Excitation::Arrivals::even) {
+    summary.kick_interval = plan.excitation.interval;
+  }
+  summary.burn_in = plan.burn_in;
+  summary.rounds = simulation.rounds();
+  for (const Stream& stream : simulation.streams()) {
+    summary.impulses += stream.record.impulses;
+    summary.flights += stream.record.flights;
+  }
+}
+
+/// @param unreached why the simulation did not come to what was asked for; empty when it did
+void judge(const Summary& summary, transform::Solution& solution, const std::string& unreached) {
+  constexpr std::uint64_t kFewestImpulses = 10;  // of a stream
+  const transform::Moments& m = solution.moments;
+  const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
+  solution.status = unreached.empty() ? transform::Status::ok : transform::Status::not_converged;
+  solution.reason = unreached;
+  const auto streams = static_cast<std::uint64_t>(summary.streams);
+  if (summary.impulses < kFewestImpulses * streams) {
+    solution.status = transform::Status::not_converged;
+    solution.reason = fmt::format(
+        "only {} impulses came in {} streams (errors cannot be told from so few) give more --time",
+        summary.impulses, summary.streams);
+  }
+  if (!finite || !(solution.mass > 0)) {
+    solution.status = transform::Status::failed;
+    solution.reason =
+        "the trajectories left the range of numbers, or the histogram altogether (is the problem "
+        "scaled sensibly?)";
+  }
+}
+
+/// All that the streams tell, but for how the solution ended.
+void estimate(const problem::Problem& problem, const Simulation& simulation, Result& result) {
+  const StreamWeights weights(excess_powers(simulation));
+  result.solution.standard_errors.emplace();
+  estimate_moments(simulation, weights, result);
+  estimate_impacts(problem, simulation, weights, result);
+  estimate_excess_power(simulation, result.summary);
+  estimate_efficiency(simulation, result);
+  estimate_densities(simulation, weights, result);
+  describe(simulation, result.summary);
+}
+
+}  // namespace
+
+Result solve(const problem::Problem& problem, const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  Result result;
+  auto& [solution, summary] = result;
+  solution.identity = identity(options);
+  const Plan plan = make_plan(problem, options);
+  CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
+    summary.warnings.push_back(warning);
+    if (options.warn) options.warn(warning);
+  });
+  std::optional<Splitting> splitting;
+  if (options.tails) splitting = plan_splitting(problem, plan);
+  const Splitting* splits = splitting ? &*splitting : nullptr;
+  Simulation simulation(problem, plan, splits);
+  const std::string fingerprint = mcs::fingerprint(problem, plan, splits);
+  if (options.resume.empty()) {
+    simulation.burn_in();
+  } else {
+    read_checkpoint(options.resume, fingerprint, simulation);
+  }
+  auto [unreached, interrupted] = go_on(simulation, options, checkpoints, fingerprint);
+
+  estimate(problem, simulation, result);
+  summary.interrupted = interrupted;
+  if (splitting) {
+    summary.thresholds = splitting->thresholds();
+    if (summary.thresholds.empty() && unreached.empty()) {
+      unreached =
+          "no energies were found at which to split, too few impulses in the pilot runs (simulate "
+          "without --tails, or with more --streams)";
+    }
+  }
+  judge(summary, solution, unreached);
+  solution.observations = observations(summary);
+  solution.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "mcs/options.hpp"
+#include "mcs/summary.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::problem {
+struct Problem;
+}
+
+namespace fpkcheck::mcs {
+
+/// A simulated density and how it came about.
+struct Result {
+  /// The joint histogram as a GridDensity, and the marginals of y and y' on the same edges with 95
+  /// % intervals. Normalised by all samples: `mass` is 1 minus what fell outside the histogram.
+  /// Moments come from the samples, not from the histogram. The expected L1 distance of a marginal
+  /// to the exact one by chance is the sum over bins of sqrt(2/pi) * standard error * width.
+  transform::Solution solution;
+  Summary summary;
+};
+
+/// Simulates `options.streams` independent realisations, each from the equivalent-linearisation
+/// Gaussian folded to y >= 0 and past a burn-in of 20 decay times of the slowest mode, and averages
+/// over them with the weights of StreamWeights. The same seed gives the same result, bit for bit,
+/// for any number of threads, of lanes and of interruptions. A simulation that ends before what was
+/// asked for is reached has the status not_converged.
+/// @throws InputError as validate(), for springs that Oscillator refuses, for a checkpoint that
+///         cannot be read, and for one that could never be written
+Result solve(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,63 @@
+#include "mcs/streams/histogram.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::mcs {
+
+void require_edges(const std::string& name, const std::vector<double>& edges) {
+  const bool finite = std::ranges::all_of(edges, [](double x) { return std::isfinite(x); });
+  const bool increasing = std::ranges::adjacent_find(edges, std::greater_equal<>{}) == edges.end();
+  if (edges.size() > 1 && finite && increasing) return;
+  throw InputError(
+      fmt::format("{} with {} numbers (edges of bins are two or more finite numbers, each larger "
+                  "than the one before) give such, or none",
+                  name, edges.size()));
+}
+
+BinFinder::BinFinder(std::vector<double> edges)
+    : edges_(std::move(edges)), first_edge_(edges_.front()) {
+  // Nothing is below or above "not a number": there the search ends.
+  fenced_.push_back(std::numeric_limits<double>::quiet_NaN());
+  fenced_.insert(fenced_.end(), edges_.begin(), edges_.end());
+  fenced_.push_back(std::numeric_limits<double>::quiet_NaN());
+  const std::size_t cells = 2 * bins();
+  const double width = (edges_.back() - edges_.front()) / static_cast<double>(bins());
+  bins_per_length_ = 1 / width;
+  last_cell_ = static_cast<double>(cells - 1);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const double lower = edges_.front() + static_cast<double>(cell) * width / 2;
+    const auto above = std::upper_bound(edges_.begin(), edges_.end(), lower);
+    first_bin_.push_back(static_cast<std::uint32_t>(above - edges_.begin()));
+  }
+  even_ = true;
+  for (std::size_t k = 0; k <= bins(); ++k) {
+    const double at = edges_.front() + static_cast<double>(k) * width;
+    even_ = even_ && std::abs(edges_[k] - at) < 1e-9 * width;
+  }
+}
+
+std::vector<double> Histogram::row_sums() const {
+  std::vector<double> sums(rows());
+  for (std::size_t i = 0; i < rows(); ++i) {
+    for (std::size_t j = 0; j < columns(); ++j) sums[i] += (*this)(i, j);
+  }
+  return sums;
+}
+
+std::vector<double> Histogram::column_sums() const {
+  std::vector<double> sums(columns());
+  for (std::size_t i = 0; i < rows(); ++i) {
+    for (std::size_t j = 0; j < columns(); ++j) sums[j] += (*this)(i, j);
+  }
+  return sums;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "mcs/impulses/impulse_source.hpp"
+#include "mcs/streams/histogram.hpp"
+
+namespace fpkcheck::mcs {
+
+/// The powers y^p y'^q, 1 <= p + q <= 4, whose means are estimated.
+inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
+                                                              {0, 1},
+                                                              {2, 0},
+                                                              {1, 1},
+                                                              {0, 2},
+                                                              {3, 0},
+                                                              {2, 1},
+                                                              {1, 2},
+                                                              {0, 3},
+                                                              {4, 0},
+                                                              {3, 1},
+                                                              {2, 2},
+                                                              {1, 3},
+                                                              {0, 4}}};
+
+/// What one stream has seen: sums over samples and events, each with the weight of its branch
+/// (1 without splitting).
+struct StreamRecord {
+  Histogram histogram;
+  std::vector<double> peaks;    ///< maxima of y by the bins of y, with the outer bins
+  std::vector<double> troughs;  ///< minima of y above the wall, likewise
+  std::array<double, kPowers.size()> powers{};
+  double samples = 0;
+  double impacts = 0;
+  double impact_energy = 0;    ///< sum of v^2 over impacts
+  double work = 0;             ///< of the impulses, see Excitation::work
+  std::uint64_t impulses = 0;  ///< of the stream itself, without its branches
+  std::uint64_t flights = 0;
+  /// Energies right after impulses, by the bins of the splitting; empty without.
+  std::vector<double> energies{};
+
+  StreamRecord(const BinFinder& y, const BinFinder& v)
+      : histogram(y, v), peaks(y.bins() + 2), troughs(y.bins() + 2) {}
+};
+
+/// Shows every sum of a record to `visit`, in the order in which checkpoints have them.
+template <class Record, class Visit>
+void for_each_sum(Record& record, Visit visit) {
+  visit(record.powers);
+  visit(record.samples);
+  visit(record.impacts);
+  visit(record.impact_energy);
+  visit(record.work);
+  visit(record.impulses);
+  visit(record.flights);
+  visit(record.histogram.weights());
+  visit(record.peaks);
+  visit(record.troughs);
+  visit(record.energies);
+}
+
+/// A trajectory somewhere on its way.
+struct Branch {
+  double y;
+  double v;
+  double until_impulse;
+  double amplitude;  ///< of that impulse
+  double until_sample;
+  double remaining;  ///< time
+  int level = 0;     ///< of the splitting
+  int floor = 0;     ///< the branch ends where its level falls below
+};
+
+/// One realisation with its random numbers and what it has seen.
+struct Stream {
+  Branch branch;
+  ImpulseSource source;
+  StreamRecord record;
+  std::vector<Branch> waiting{};  ///< branches to be followed, the stream itself first
+
+  /// The stream itself moves, not one of its branches.
+  bool whole() const { return waiting.empty(); }
+};
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "methods/registry.hpp"
+#include "methods/solver.hpp"
+
+namespace fpkcheck::methods {
+
+/// The entries of this project's solvers, each in a file of its name.
+Solver epc_solver();
+Solver fd_solver();
+Solver mcs_solver();
+
+/// All of them.
+Registry builtin();
+
+}  // namespace fpkcheck::methods

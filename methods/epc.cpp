@@ -1,0 +1,77 @@
+#include "epc/options.hpp"
+#include "epc/solve.hpp"
+#include "methods/builtin.hpp"
+#include "methods/look.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+constexpr const char* kEpcUsage = R"(usage: fpkcheck epc CASE ... [options]
+
+Exponential-polynomial closure: a density C exp(Q_n), Q_n a polynomial of degree n, from weak
+equations. Three formulations:
+  gaussian   the paper's: p(z, z') on the whole plane, projections (23) under Gaussian weights;
+             series cut after the fourth derivative, impact as a delta function. Where Newton's
+             method finds no root, the branch of solutions from the exact density of white noise
+             at r = 1 is followed past its folds (summary.json has it)
+  moment     p(y, y') on y >= 0, exact moment equations of the impact process itself
+  polar      the same with Q_n a polynomial of amplitude and phase, which carries the jump that an
+             impact with losses leaves at the origin
+The status says what the result is worth:
+  ok             the equations are met by a density that has decayed on the whole edge of its
+                 support (gaussian: and keeps the balance of power, and is near that of order n-2)
+  inadmissible   the equations are met, but not by such a density (condition (19) of the paper),
+                 or by a spurious one
+  not_converged  the equations are not met (gaussian with kf: or depend on the disc on which the
+                 jump integral is taken)
+
+examples:
+  fpkcheck epc case1 --order 6
+  fpkcheck epc case1 case4 --formulation moment --order 8
+  fpkcheck epc case2 --order 8 --json
+  fpkcheck epc case2 --order 8 --equation kf
+)";
+
+Family family(const std::string& name, const std::string& meaning, std::vector<std::string> usual,
+              const Ramp& ramp, const std::string& symbol) {
+  return {name, transform::Role::closure, meaning, std::move(usual),
+          [&ramp, symbol](const transform::Identity& identity) {
+            return closure_look(ramp, identity, symbol);
+          }};
+}
+
+}  // namespace
+
+Solver epc_solver() {
+  Solver entry{
+      .name = "epc",
+      .summary = "exponential-polynomial closure, the paper's equations (17)-(26)",
+      .usage = kEpcUsage,
+      .families = {family(
+                       "epc-gaussian",
+                       "Exponential-polynomial closure of the paper: p = C exp(Q_n) with a "
+                       "polynomial of degree n, projected with Gaussian weights.",
+                       {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"},
+                       kOrange, "circle"),
+                   family("epc-moment",
+                          "The same form, made to meet the exact moment equations of the impact "
+                          "process on the half-plane y >= 0.",
+                          {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}, kPurple, "square"),
+                   family("epc-polar", "Likewise, with a polynomial of amplitude and phase.",
+                          {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
+      .parameters = nullptr,
+      .usual_options = {},
+      .options_of = {},
+      .method = {}};
+  return with_front<epc::Options>(
+      std::move(entry),
+      {.description = epc::description(),
+       .validate = epc::validate,
+       .identity = epc::identity,
+       .options_of = epc::options_of,
+       .solve = [](const problem::Problem& problem, const epc::Options& options, const Setting&) {
+         return epc::solve(problem, options).solution;
+       }});
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,61 @@
+#include "fd_fpk/options.hpp"
+#include "fd_fpk/solve.hpp"
+#include "methods/builtin.hpp"
+#include "methods/look.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+constexpr const char* kFdUsage = R"(usage: fpkcheck fd CASE ... [options]
+
+Finite differences for the stationary density on the half-plane y >= 0, of fifth order and
+conservative, stepped to stationarity by CVODE with KLU and checked against the null vector of
+the same operator. The excitation term of the equation:
+  white     Gaussian white noise of the same intensity
+  km4       the series cut after the fourth derivative, with a fixed step l of the fourth
+            difference: with l = grid step it is ill-posed, and the solver says so
+  km4-pade  the Pade approximant of that series: well-posed without a length
+  kf        the full jump integral (Kolmogorov-Feller equation), for every law of the impulses
+
+examples:
+  fpkcheck fd case1
+  fpkcheck fd case1 --equation km4 --impact delta                (the equation of the closure)
+  fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)
+  fpkcheck fd case4 --stepper direct --order 7 --refinement 1.5
+  fpkcheck fd case1 --until 20 --snapshots 80 --out transient    (the density over time)
+)";
+
+// In a list of methods each difference stands beside what it is known to.
+std::optional<fd_fpk::Options> with_estimated_error(std::string_view id) {
+  auto options = fd_fpk::options_of(id);
+  if (options) options->error_estimate = true;
+  return options;
+}
+
+}  // namespace
+
+Solver fd_solver() {
+  Solver entry{
+      .name = "fd",
+      .summary = "finite differences for the (generalised) Fokker-Planck-Kolmogorov equation",
+      .usage = kFdUsage,
+      .families = {{.name = "fd",
+                    .role = transform::Role::equation,
+                    .meaning = "Finite differences for the density equation that the id names.",
+                    .usual = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
+                    .look = equation_look}},
+      .parameters = nullptr,
+      .usual_options = {},
+      .options_of = {},
+      .method = {}};
+  return with_front<fd_fpk::Options>(
+      std::move(entry),
+      {.description = fd_fpk::description(),
+       .validate = fd_fpk::validate,
+       .identity = fd_fpk::identity,
+       .options_of = with_estimated_error,
+       .solve = [](const problem::Problem& problem, const fd_fpk::Options& options,
+                   const Setting&) { return fd_fpk::solve(problem, options).solution; }});
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,109 @@
+#include "methods/given/column_meaning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Variable;
+using Names = std::span<const std::string_view>;
+
+constexpr std::string_view kVelocity[] = {"ydot", "y'",      "v",     "velocity", "dy/dt",  "xdot",
+                                          "x'",   "p(ydot)", "p(y')", "p(v)",     "p_ydot", "p_v"};
+constexpr std::string_view kDisplacement[] = {"y", "x", "displacement", "p(y)", "p_y", "p(x)"};
+constexpr std::string_view kEdges[] = {"lower", "upper", "left", "right", "from", "to"};
+constexpr std::string_view kCounts[] = {"count", "counts", "frequency", "samples", "n"};
+constexpr std::string_view kProbabilities[] = {"probability", "probabilities"};
+constexpr std::string_view kDensities[] = {"density", "pdf"};
+
+bool is_one_of(const std::string& name, Names known) {
+  return std::ranges::find(known, name) != known.end();
+}
+
+bool any_of(const std::vector<std::string>& names, Names known) {
+  return std::ranges::any_of(names, [&](const auto& name) { return is_one_of(name, known); });
+}
+
+// Whatever is plotted over x may be called y: there neither name says a variable.
+std::vector<std::string> without_ordinate(std::vector<std::string> names) {
+  if (names.size() < 2 || names[1] != "y") return names;
+  names[1].clear();
+  if (names[0] == "x") names[0].clear();
+  return names;
+}
+
+bool near_one(double sum) {
+  constexpr double kRounding = 1e-6;
+  return std::abs(sum - 1) <= kRounding;
+}
+
+double gap(const std::vector<double>& bin, const std::vector<double>& next) {
+  return std::abs(next[0] - bin[1]) / std::abs(bin[1] - bin[0]);
+}
+
+}  // namespace
+
+std::string_view name(BinValue value) {
+  switch (value) {
+    case BinValue::density:
+      return "density";
+    case BinValue::probability:
+      return "probability";
+    case BinValue::count:
+      return "count";
+  }
+  return "";
+}
+
+Variable variable_of(const NumberTable& table) {
+  const auto names = without_ordinate(table.names);
+  const bool velocity = any_of(names, kVelocity), displacement = any_of(names, kDisplacement);
+  if (velocity != displacement) return velocity ? Variable::ydot : Variable::y;
+  return std::ranges::any_of(table.rows, [](const auto& row) { return row.front() < 0; })
+             ? Variable::ydot
+             : Variable::y;
+}
+
+bool join(const std::vector<double>& bin, const std::vector<double>& next) {
+  constexpr double kRounding = 1e-6;  // edges are often sums of widths
+  return gap(bin, next) <= kRounding;
+}
+
+bool is_histogram(const NumberTable& table) {
+  if (table.columns() != 3) return false;
+  const auto& names = table.names;
+  const bool named =
+      any_of(names, kEdges) || (!names.empty() && (is_one_of(names.back(), kCounts) ||
+                                                   is_one_of(names.back(), kProbabilities)));
+  if (named) return true;
+  // Densities would have to follow the abscissae to be taken for edges.
+  constexpr double kFar = 0.5;  // of a bin
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    if (table.rows[k][1] <= table.rows[k][0]) return false;
+    if (k > 0 && gap(table.rows[k - 1], table.rows[k]) > kFar) return false;
+  }
+  return true;
+}
+
+BinValue bin_value(const NumberTable& histogram) {
+  double sum = 0, mass = 0;
+  bool whole = true;
+  for (const auto& row : histogram.rows) {
+    sum += row[2];
+    mass += row[2] * (row[1] - row[0]);
+    whole = whole && row[2] == std::floor(row[2]);
+  }
+  if (!histogram.names.empty()) {
+    const std::string& said = histogram.names.back();
+    if (is_one_of(said, kProbabilities)) return BinValue::probability;
+    if (is_one_of(said, kCounts)) return near_one(sum) ? BinValue::probability : BinValue::count;
+    if (is_one_of(said, kDensities)) return BinValue::density;
+  }
+  if (near_one(mass)) return BinValue::density;
+  if (near_one(sum)) return BinValue::probability;
+  return whole ? BinValue::count : BinValue::density;
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,221 @@
+#include "methods/given/given_marginal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "methods/given/bin_errors.hpp"
+#include "methods/given/column_meaning.hpp"
+#include "parameters/input_error.hpp"
+
+// After fpclassify: pchip of Boost 1.74 calls isnan without having declared it.
+#include <boost/math/interpolators/makima.hpp>
+#include <boost/math/interpolators/pchip.hpp>
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Variable;
+
+void require_rows(const NumberTable& table, Variable variable) {
+  constexpr std::size_t kFewest = 4;  // of the interpolants
+  const std::size_t last = table.rows.size() - 1;
+  if (table.rows.size() < kFewest) {
+    table.fail(last, fmt::format("{} rows (must be at least {})", last + 1, kFewest));
+  }
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double x = table.rows[k][0];
+    if (k > 0 && x <= table.rows[k - 1][0]) {
+      table.fail(k, fmt::format("{:g} after {:g} (must increase)", x, table.rows[k - 1][0]));
+    }
+    if (variable == Variable::y && x < 0) {
+      // Only names can have said so.
+      table.fail(k, fmt::format("y = {:g} under the names '{}' (must not be negative; name the "
+                                "abscissa 'v' if the density is that of y')",
+                                x, fmt::join(table.names, ",")));
+    }
+  }
+}
+
+void require_not_negative(const NumberTable& table, std::size_t column, const char* what) {
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    if (table.rows[k][column] < 0) {
+      table.fail(k, fmt::format("{} {:g} (must not be negative)", what, table.rows[k][column]));
+    }
+  }
+}
+
+template <class Function>
+double integral(const Function& f, double a, double b) {
+  return boost::math::quadrature::gauss<double, 7>::integrate(f, a, b);
+}
+
+}  // namespace
+
+GivenMarginal::GivenMarginal(const NumberTable& table) : variable_(variable_of(table)) {
+  require_rows(table, variable_);
+  const bool histogram = is_histogram(table);
+  file_.path = table.source;
+  file_.form = histogram ? "histogram" : "points";
+  file_.rows = table.rows.size();
+  histogram ? read_histogram(table) : read_points(table);
+}
+
+void GivenMarginal::read_histogram(const NumberTable& table) {
+  require_not_negative(table, 2, "density or count");
+  knots_ = {table.rows.front()[0]};
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const double lower = table.rows[k][0], upper = table.rows[k][1];
+    if (k > 0 && !join(table.rows[k - 1], table.rows[k])) {
+      table.fail(k, fmt::format("a bin from {:g} after one to {:g} (bins must join)", lower,
+                                knots_.back()));
+    }
+    if (upper <= lower) {
+      table.fail(k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
+    }
+    knots_.push_back(upper);
+  }
+  const BinValue value = bin_value(table);
+  file_.values = name(value);
+  cumulative_ = {0};
+  for (const auto& row : table.rows) {
+    cumulative_.push_back(cumulative_.back() +
+                          row[2] * (value == BinValue::density ? row[1] - row[0] : 1));
+  }
+  using Monotone = boost::math::interpolators::pchip<std::vector<double>>;
+  auto x = knots_, below = cumulative_;
+  density_ = [cubic = Monotone(std::move(x), std::move(below))](double at) {
+    return cubic.prime(at);
+  };
+  normalise(value);
+}
+
+void GivenMarginal::read_points(const NumberTable& table) {
+  require_not_negative(table, 1, "density");
+  knots_ = table.column(0);
+  auto values = table.column(1);
+  if (table.columns() == 3) {
+    require_not_negative(table, 2, "standard error");
+    errors_ = table.column(2);
+  }
+  const double first = knots_[0], spacing = knots_[1] - knots_[0];
+  if (variable_ == Variable::y && first > 0 && first <= spacing) {
+    const double at_wall = values[0] - (values[1] - values[0]) / spacing * first;
+    knots_.insert(knots_.begin(), 0);
+    values.insert(values.begin(), std::max(at_wall, 0.0));
+  }
+  using Akima = boost::math::interpolators::makima<std::vector<double>>;
+  auto x = knots_;
+  density_ = [cubic = Akima(std::move(x), std::move(values))](double at) {
+    return std::max(cubic(at), 0.0);
+  };
+  cumulative_ = {0};
+  for (std::size_t k = 1; k < knots_.size(); ++k) {
+    cumulative_.push_back(cumulative_.back() + integral(density_, knots_[k - 1], knots_[k]));
+  }
+  normalise(BinValue::density);
+}
+
+void GivenMarginal::normalise(BinValue value) {
+  constexpr double kNearOne = 0.1;
+  const double total = cumulative_.back();
+  const std::string& file = file_.path;
+  if (!(total > 0)) throw InputError(fmt::format("{}: the density is 0 everywhere", file));
+  if (!std::isfinite(total)) {
+    throw InputError(fmt::format("{}: its integral overflows (choose other units)", file));
+  }
+  file_.from = knots_.front();
+  file_.to = knots_.back();
+  file_.integral = total;
+  if (value == BinValue::probability) {
+    file_.notes.emplace_back("its probabilities per bin were divided by the widths of the bins");
+  }
+  if (value == BinValue::count || std::abs(total - 1) > kNearOne) {
+    scale_ = 1 / total;
+    file_.divided_by = total;
+    file_.notes.push_back(value == BinValue::density
+                              ? fmt::format("it was divided by its integral, {:.4g}", total)
+                              : fmt::format("its {} were divided by their sum, {:g}",
+                                            value == BinValue::count ? "counts" : "probabilities",
+                                            total));
+  }
+  note_cut_ends();
+}
+
+void GivenMarginal::note_cut_ends() {
+  constexpr double kSmall = 1e-3;  // of the peak
+  double peak = 0;
+  for (std::size_t k = 1; k < knots_.size(); ++k) {
+    peak = std::max(peak, (cumulative_[k] - cumulative_[k - 1]) / (knots_[k] - knots_[k - 1]));
+  }
+  const auto note = [&](double end) {
+    const double share = density_(end) / peak;
+    if (share <= kSmall) return;
+    file_.notes.push_back(
+        fmt::format("its {} ends at {:.4g} with {:.2g} of its peak, and beyond it counts as 0",
+                    variable_ == Variable::y ? "p(y)" : "p(y')", end, share));
+  };
+  if (variable_ == Variable::ydot || knots_.front() > 0) note(knots_.front());
+  note(knots_.back());
+}
+
+double GivenMarginal::cumulative(double x) const {
+  if (x <= knots_.front()) return 0;
+  if (x >= knots_.back()) return cumulative_.back();
+  const auto k = std::ranges::upper_bound(knots_, x) - knots_.begin() - 1;
+  if (x == knots_[k]) return cumulative_[k];
+  return cumulative_[k] + integral(density_, knots_[k], x);
+}
+
+transform::Marginal GivenMarginal::on(std::span<const double> edges) const {
+  transform::Marginal result{{edges.begin(), edges.end()}, {}, {}, {}};
+  double below = cumulative(edges.front());
+  for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
+    const double upper = cumulative(edges[b + 1]);
+    result.density.push_back(std::max(scale_ * (upper - below) / result.width(b), 0.0));
+    below = upper;
+  }
+  if (!has_errors()) return result;
+  constexpr double kTwoSided95 = 1.959964;
+  const auto errors = bin_errors(knots_, errors_, edges);
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    const double half = kTwoSided95 * scale_ * errors[b].standard();
+    result.lower.push_back(std::max(result.density[b] - half, 0.0));
+    result.upper.push_back(result.density[b] + half);
+  }
+  return result;
+}
+
+double GivenMarginal::share_beyond(double lower, double upper) const {
+  return std::clamp(1 - (cumulative(upper) - cumulative(lower)) / cumulative_.back(), 0.0, 1.0);
+}
+
+double GivenMarginal::moment(int power) const {
+  double sum = 0;
+  for (std::size_t k = 1; k < knots_.size(); ++k) {
+    sum += integral([&](double x) { return std::pow(x, power) * density_(x); }, knots_[k - 1],
+                    knots_[k]);
+  }
+  return scale_ * sum;
+}
+
+BinSamplingL1 GivenMarginal::sampling_l1(std::span<const double> edges) const {
+  const auto [expected, in_99] = methods::sampling_l1(bin_errors(knots_, errors_, edges));
+  return {scale_ * expected, scale_ * in_99};
+}
+
+GivenMarginal read_given_marginal(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(file, ignored)) in.open(file);
+  if (!in.is_open()) {
+    throw InputError(fmt::format("--against: '{}' is not a readable file", file.string()));
+  }
+  return GivenMarginal(read_number_table(in, file.string()));
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,176 @@
+#include "methods/given/given_methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "methods/given/given_marginal.hpp"
+#include "methods/look.hpp"
+#include "parameters/input_error.hpp"
+#include "results/directory.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+namespace fs = std::filesystem;
+using transform::Variable;
+
+struct Argument {
+  fs::path file;
+  std::string label;
+};
+
+// A file's name may have colons itself.
+Argument parse(const std::string& text) {
+  std::error_code ignored;
+  const auto colon = text.rfind(':');
+  if (colon == std::string::npos || fs::exists(text, ignored)) {
+    return {text, results::file_stem(fs::path(text).stem().string())};
+  }
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+void require_free(const std::string& label, const Registry& registry) {
+  constexpr std::size_t kLongest = 24;  // the table has 80 columns
+  const bool legal =
+      !label.empty() && label.size() <= kLongest && results::file_stem(label) == label;
+  if (!legal) {
+    throw InputError(
+        fmt::format("--against: label '{}' (must be 1 to {} letters, digits, '-', '_' or '.': "
+                    "FILE:LABEL)",
+                    label, kLongest));
+  }
+  for (const auto& solver : registry.solvers()) {
+    if (label == solver.name || label.starts_with(solver.name + '-')) {
+      throw InputError(
+          fmt::format("--against: label '{}' is a method's (choose another: FILE:LABEL)", label));
+    }
+  }
+}
+
+double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
+
+// The comparison does not see what lies beyond its axes.
+std::optional<std::string> note_of_what_lies_beyond(const GivenMarginal& marginal, double share,
+                                                    const std::vector<double>& bins) {
+  constexpr double kSmall = 1e-3;
+  if (share <= kSmall) return std::nullopt;
+  return fmt::format(
+      "{:.3g} % of it lies beyond the axes of the comparison, {} = {:.3g} to {:.3g}, and does not "
+      "count (other units?)",
+      100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back());
+}
+
+// What a file held and what became of it, under "files[k]".
+void observe(const GivenMarginal& marginal, const std::vector<double>& bins, double mass,
+             double min_density, std::size_t k, transform::Observer& observer) {
+  const std::string path = fmt::format("files[{}].", k);
+  const GivenFile& file = marginal.file();
+  const double beyond = marginal.share_beyond(bins.front(), bins.back());
+  observer.text(path + "file", file.path)
+      .text(path + "variable", std::string(name(marginal.variable())))
+      .text(path + "form", file.form)
+      .work(path + "rows", transform::counted(file.rows));
+  if (!file.values.empty()) observer.text(path + "values", file.values);
+  observer.result(path + "from", file.from)
+      .result(path + "to", file.to)
+      .result(path + "integral", file.integral);
+  if (file.divided_by) observer.result(path + "normalised_by", *file.divided_by);
+  auto notes = file.notes;
+  if (const auto note = note_of_what_lies_beyond(marginal, beyond, bins)) notes.push_back(*note);
+  if (notes.empty()) observer.empty_list(path + "notes", transform::Kind::text);
+  for (std::size_t n = 0; n < notes.size(); ++n) {
+    observer.text(fmt::format("{}notes[{}]", path, n), notes[n]);
+  }
+  observer.result(path + "mass", mass)
+      .result(path + "min_density", min_density)
+      .result(path + "beyond_axes", beyond);
+}
+
+void add_sampling(const GivenMarginal& marginal, const std::vector<double>& bins,
+                  transform::Solution& solution) {
+  if (!marginal.has_errors()) return;
+  const auto [expected, in_99] = marginal.sampling_l1(bins);
+  auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
+  const bool of_y = marginal.variable() == Variable::y;
+  (of_y ? sampling.y : sampling.ydot) = expected;
+  (of_y ? sampling.y_99 : sampling.ydot_99) = in_99;
+}
+
+transform::Solution solution_of(const std::vector<GivenMarginal>& marginals,
+                                const compare::ComparisonAxes& axes) {
+  transform::Solution solution;
+  solution.status = transform::Status::ok;
+  solution.energy_residual = unknown();
+  auto& m = solution.moments;
+  m = {unknown(), unknown(), unknown(), unknown(), unknown(), unknown()};
+  transform::Observer observer;
+  for (std::size_t k = 0; k < marginals.size(); ++k) {
+    const auto& marginal = marginals[k];
+    const bool of_y = marginal.variable() == Variable::y;
+    (of_y ? m.y1 : m.v1) = marginal.moment(1);
+    (of_y ? m.y2 : m.v2) = marginal.moment(2);
+    (of_y ? m.y4 : m.v4) = marginal.moment(4);
+    const auto& bins = compare::edges(axes, marginal.variable());
+    auto on_axes = marginal.on(bins);
+    const double mass = marginal.moment(0);
+    const auto [least, most] = std::ranges::minmax(on_axes.density);
+    const double min_density = most > 0 ? least / most : 0;
+    // Of several files the worse.
+    if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
+    if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
+    add_sampling(marginal, bins, solution);
+    observe(marginal, bins, mass, min_density, k, observer);
+    solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
+  }
+  solution.observations = observer.take();
+  return solution;
+}
+
+}  // namespace
+
+std::vector<Method> given_methods(std::span<const std::string> arguments,
+                                  const Registry& registry) {
+  struct Given {
+    std::string label;
+    std::vector<GivenMarginal> marginals;
+  };
+  std::vector<Given> solutions;
+  for (const auto& text : arguments) {
+    const auto [file, label] = parse(text);
+    require_free(label, registry);
+    auto marginal = read_given_marginal(file);
+    auto own = std::ranges::find(solutions, label, &Given::label);
+    if (own == solutions.end()) own = solutions.insert(own, {label, {}});
+    if (std::ranges::find(own->marginals, marginal.variable(), &GivenMarginal::variable) !=
+        own->marginals.end()) {
+      throw InputError(fmt::format(
+          "--against: two files of '{}' are densities of {} (name another label: FILE:LABEL)",
+          label, marginal.variable() == Variable::y ? "y" : "y'"));
+    }
+    own->marginals.push_back(std::move(marginal));
+  }
+  std::vector<Method> methods;
+  for (auto& [label, marginals] : solutions) {
+    const std::size_t place = methods.size();
+    methods.push_back(
+        {.identity = {.id = label,
+                      .method = "file",
+                      .role = transform::Role::given,
+                      .family = "file",
+                      .meaning = "A density from a file (--against): neither its equation nor its "
+                                 "impact is known.",
+                      .trust = static_cast<int>(place),
+                      .look = given_look(place)},
+         .solve = [marginals = marginals](const problem::Problem&, const Setting& setting) {
+           return solution_of(marginals, setting.axes);
+         }});
+  }
+  return methods;
+}
+
+}  // namespace fpkcheck::methods

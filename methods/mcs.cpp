@@ -1,0 +1,86 @@
+#include "methods/mcs.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "mcs/options.hpp"
+#include "mcs/solve.hpp"
+#include "methods/builtin.hpp"
+#include "methods/look.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+constexpr const char* kMcsUsage = R"(usage: fpkcheck mcs CASE ... [options]
+
+Simulates the impact system itself: impulses at their exact times, impacts located by root
+finding, independent streams whose differences give the standard errors and 95 % intervals.
+The same seed gives the same result, bit for bit, for any number of threads.
+
+Ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C ends it within
+a second or so with what has been reached as the result; a second one ends the program.
+
+--tails splits the trajectories that reach high energies: densities down to 1e-8 of their peak
+and beyond, with intervals, in the time of a common run.
+
+examples:
+  fpkcheck mcs case1 --seed 7
+  fpkcheck mcs case1 --target-error 3e-4 --json
+  fpkcheck mcs case1 --samples 1e7
+  fpkcheck mcs case1 --tails --out tails
+  fpkcheck mcs case1 --equation white
+  fpkcheck mcs case1 --time 1e9 --checkpoint state        then, after an interruption:
+  fpkcheck mcs case1 --time 1e9 --checkpoint state --resume state
+)";
+
+transform::Solution solve(const problem::Problem& problem, const mcs::Options& options,
+                          const Setting& setting) {
+  mcs::Options on_axes = options;
+  on_axes.y_edges = setting.axes.y_edges;
+  on_axes.v_edges = setting.axes.v_edges;
+  on_axes.progress = [&](const mcs::Progress& at) {
+    if (setting.progress) setting.progress(at.fraction, fmt::format("error {:.1e}", at.error));
+  };
+  return mcs::solve(problem, on_axes).solution;
+}
+
+}  // namespace
+
+Method controlled(Method simulation, const SimulationControl& control) {
+  mcs::Options options = mcs::description().read(simulation.options, "options");
+  options.checkpoint = control.checkpoint;
+  options.resume = control.resume;
+  options.stop = control.stop;
+  options.warn = control.warn;
+  simulation.solve = [options = std::move(options)](const problem::Problem& problem,
+                                                    const Setting& setting) {
+    return solve(problem, options, setting);
+  };
+  return simulation;
+}
+
+Solver mcs_solver() {
+  Solver entry{.name = "mcs",
+               .summary = "Monte Carlo simulation of the impact system itself",
+               .usage = kMcsUsage,
+               .families = {{.name = "mcs",
+                             .role = transform::Role::simulation,
+                             .meaning = "Simulation of the impact system itself; bands are 95 % "
+                                        "intervals.",
+                             .usual = {"mcs"},
+                             .look = simulation_look}},
+               .parallel = true,
+               .set_by_a_run = {"time", "seed", "threads"},
+               .parameters = nullptr,
+               .usual_options = {},
+               .options_of = {},
+               .method = {}};
+  return with_front<mcs::Options>(std::move(entry), {.description = mcs::description(),
+                                                     .validate = mcs::validate,
+                                                     .identity = mcs::identity,
+                                                     .options_of = mcs::options_of,
+                                                     .solve = solve});
+}
+
+}  // namespace fpkcheck::methods

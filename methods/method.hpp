@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "compare/axes.hpp"
+#include "parameters/value.hpp"
+#include "problem/problem.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::methods {
+
+/// Told the fraction of a method's work that is done, 0 .. 1, and what else there is to say of it
+/// (may be empty).
+using Fraction = std::function<void(double, const std::string& note)>;
+
+/// What a method is given besides the problem.
+struct Setting {
+  const compare::ComparisonAxes& axes;  ///< a simulation makes its histogram on these
+  const Fraction& progress;             ///< may be empty
+};
+
+/// One way to solve a problem, ready to run.
+struct Method {
+  transform::Identity identity;     ///< of the solution it yields
+  parameters::Values options = {};  ///< as files keep them
+  /// True when it uses all processors itself, so that nothing else should run beside it.
+  bool parallel = false;
+  /// The solution's identity and options are filled in by whoever calls it (run_cases).
+  std::function<transform::Solution(const problem::Problem&, const Setting&)> solve;
+
+  const std::string& id() const { return identity.id; }
+};
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,176 @@
+#include "methods/registry.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using parameters::NamedValue;
+using parameters::Values;
+using transform::Identity;
+using transform::Solution;
+
+bool belongs(std::string_view id, const std::string& family) {
+  return id == family || id.starts_with(family + '-');
+}
+
+Values replaced(Values options, const Values& given) {
+  for (const auto& [name, value] : given) {
+    const auto own = std::ranges::find(options, name, &NamedValue::name);
+    if (own != options.end()) own->value = value;
+  }
+  return options;
+}
+
+// The ids that an item of a list stands for: a family's, a solver's, or itself.
+std::vector<std::string> ids_of(const Registry& registry, const std::string& item) {
+  std::vector<std::string> ids;
+  for (const auto& solver : registry.solvers()) {
+    for (const auto& family : solver.families) {
+      if (family.name != item && solver.name != item) continue;
+      ids.insert(ids.end(), family.usual.begin(), family.usual.end());
+    }
+  }
+  if (ids.empty()) ids.push_back(item);
+  return ids;
+}
+
+}  // namespace
+
+void Registry::add(Solver solver) {
+  const auto known = families();
+  for (const auto& family : solver.families) {
+    const bool taken =
+        std::ranges::any_of(known, [&](const Family* other) { return other->name == family.name; });
+    if (taken || find(solver.name) != nullptr) {
+      throw std::logic_error("methods '" + family.name + "' are registered twice");
+    }
+  }
+  solvers_.push_back(std::move(solver));
+}
+
+const Solver* Registry::find(std::string_view name) const {
+  const auto found = std::ranges::find(solvers_, name, &Solver::name);
+  return found == solvers_.end() ? nullptr : &*found;
+}
+
+std::vector<const Family*> Registry::families() const {
+  std::vector<const Family*> all;
+  for (const auto& solver : solvers_) {
+    for (const auto& family : solver.families) all.push_back(&family);
+  }
+  std::ranges::stable_sort(all, {}, [](const Family* family) { return family->role; });
+  return all;
+}
+
+void Registry::present(Identity& identity) const {
+  const auto all = families();
+  const auto own = std::ranges::find_if(
+      all, [&](const Family* family) { return belongs(identity.id, family->name); });
+  if (own == all.end()) return;
+  const Family& family = **own;
+  identity.role = family.role;
+  identity.family = family.name;
+  identity.meaning = family.meaning;
+  // Families by their place, their members by order or by their place among the usual ones.
+  constexpr int kMembers = 1000;
+  const auto place = std::ranges::find(family.usual, identity.id) - family.usual.begin();
+  identity.trust = static_cast<int>(own - all.begin()) * kMembers +
+                   identity.order.value_or(static_cast<int>(place));
+  identity.look = family.look(identity);
+}
+
+Method Registry::presented(Method method) const {
+  present(method.identity);
+  return method;
+}
+
+Method Registry::method(const Solver& solver, const Values& options) const {
+  return presented(solver.method(options));
+}
+
+std::optional<Method> Registry::by_id(std::string_view id, const Values& given) const {
+  for (const auto& solver : solvers_) {
+    if (const auto options = solver.options_of(id)) {
+      return method(solver, replaced(*options, given));
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Method> Registry::select(const std::string& list, const Values& given) const {
+  std::map<std::string, Method> methods;
+  std::istringstream items(list);
+  for (std::string item; std::getline(items, item, ',');) {
+    for (const auto& id : ids_of(*this, item)) {
+      auto found = by_id(id, given);
+      if (!found) {
+        throw InputError(
+            fmt::format("--methods: '{}' is no method (use {})", item, what_to_select(*this)));
+      }
+      methods.emplace(found->id(), std::move(*found));
+    }
+  }
+  if (methods.empty()) {
+    throw InputError(fmt::format("--methods: the list is empty (use {}, separated by commas)",
+                                 what_to_select(*this)));
+  }
+  std::vector<Method> ordered;
+  for (auto& [id, method] : methods) ordered.push_back(std::move(method));
+  std::ranges::stable_sort(ordered, less_trusted, &Method::identity);
+  return ordered;
+}
+
+std::optional<Method> Registry::that_made(const Solution& solution, const Values& given) const {
+  constexpr const char* kFile = "file";
+  const auto& identity = solution.identity;
+  if (identity.method == kFile) return std::nullopt;
+  const Solver* solver = find(identity.method);
+  if (solver == nullptr) {
+    std::vector<std::string> names;
+    for (const auto& known : solvers_) names.push_back(known.name);
+    throw InputError(fmt::format("method '{}' (must be {} or {})", identity.method,
+                                 fmt::join(names, ", "), kFile));
+  }
+  Method made = method(*solver, replaced(solution.options, given));
+  if (made.id() != identity.id) {
+    throw InputError(fmt::format("its options are those of {} (run again)", made.id()));
+  }
+  return made;
+}
+
+void Registry::introduce(results::Run& run) const {
+  for (auto& one : run.cases) {
+    for (auto& solution : one.solutions) {
+      if (!solution.identity.family.empty()) continue;
+      if (const auto method = by_id(solution.id())) solution.identity = method->identity;
+    }
+  }
+}
+
+bool less_trusted(const Identity& one, const Identity& other) {
+  return std::tie(one.role, one.trust, one.id) < std::tie(other.role, other.trust, other.id);
+}
+
+std::string what_to_select(const Registry& registry) {
+  std::vector<std::string> names, examples;
+  for (const auto& solver : registry.solvers()) {
+    names.push_back(solver.name);
+    for (const auto& family : solver.families) {
+      if (!family.usual.empty()) examples.push_back(family.usual.back());
+    }
+  }
+  return fmt::format("{}, or ids such as {}", fmt::join(names, ", "), fmt::join(examples, ", "));
+}
+
+}  // namespace fpkcheck::methods

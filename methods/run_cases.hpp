@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "methods/method.hpp"
+#include "problem/problem.hpp"
+#include "results/run.hpp"
+
+namespace fpkcheck::methods {
+
+/// Where a run stands.
+struct RunProgress {
+  std::size_t done;   ///< solutions finished
+  std::size_t total;  ///< solutions asked for
+  std::string case_name;
+  std::string method;
+  double fraction;        ///< of this method's work: 1 when it has just finished
+  std::string note = {};  ///< what else the method has to say; may be empty
+};
+
+/// Told of progress; called from several threads, never two at once.
+using ProgressListener = std::function<void(const RunProgress&)>;
+
+/// Solves a problem by a method on the axes of its case; the solution knows who it is and what was
+/// asked for.
+transform::Solution solve_by(const Method& method, const problem::Problem& problem,
+                             const Setting& setting);
+
+/// Solves every problem by every method and compares. Methods that use one processor run side by
+/// side; those that use all of them run alone.
+/// @param methods by increasing trust
+/// @param threads processors to use; 0 for all
+/// @throws whatever a solver throws, after the others have ended
+std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
+                                     const std::vector<Method>& methods, int threads,
+                                     const ProgressListener& listener);
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "methods/method.hpp"
+#include "parameters/description.hpp"
+
+namespace fpkcheck::methods {
+
+/// Solutions that belong together: what lists, glossaries, legends and the order of trust know of
+/// them.
+struct Family {
+  std::string name;  ///< ids are NAME or begin with NAME-: "epc-gaussian", "fd", "mcs"
+  transform::Role role;
+  std::string meaning;             ///< one sentence, for glossaries
+  std::vector<std::string> usual;  ///< ids that the name stands for in a list, by increasing trust
+  std::function<transform::Look(const transform::Identity&)> look;
+};
+
+/// A solver as the program knows it: an entry of the registry. What the program does with methods
+/// (list, solve, tabulate, draw, save, repeat, study) it does by these entries alone.
+struct Solver {
+  std::string name;                            ///< its command, and "method" in files: "epc"
+  std::string summary;                         ///< a line of `fpkcheck --help`
+  std::string usage;                           ///< the head of `fpkcheck NAME --help`
+  std::vector<Family> families;                ///< by increasing trust
+  bool parallel = false;                       ///< Method::parallel
+  std::vector<std::string> set_by_a_run = {};  ///< names of options that `run` offers too
+
+  const parameters::Descriptions* parameters;  ///< of its options
+  parameters::Values usual_options;            ///< where nobody asks for anything else
+  /// The options that belong to an id; nothing where the id is of no solution of this solver.
+  std::function<std::optional<parameters::Values>(std::string_view id)> options_of;
+  /// The method with these options.
+  /// @throws InputError when they cannot be read or used
+  std::function<Method(const parameters::Values&)> method;
+};
+
+/// What a solver's room offers: its front.
+template <class Options>
+struct Front {
+  const parameters::Description<Options>& description;
+  /// @throws InputError when the options cannot be used
+  void (*validate)(const Options&);
+  transform::Identity (*identity)(const Options&);
+  std::optional<Options> (*options_of)(std::string_view id);
+  std::function<transform::Solution(const problem::Problem&, const Options&, const Setting&)> solve;
+};
+
+/// Completes an entry by a front: options become values, and values methods.
+template <class Options>
+Solver with_front(Solver solver, const Front<Options>& front) {
+  solver.parameters = &front.description;
+  solver.usual_options = front.description.values(Options{});
+  solver.options_of = [front](std::string_view id) -> std::optional<parameters::Values> {
+    const auto options = front.options_of(id);
+    if (!options) return std::nullopt;
+    return front.description.values(*options);
+  };
+  solver.method = [front, parallel = solver.parallel](const parameters::Values& values) {
+    const Options options = front.description.read(values, "options");
+    front.validate(options);
+    return Method{front.identity(options), front.description.values(options), parallel,
+                  [front, options](const problem::Problem& problem, const Setting& setting) {
+                    return front.solve(problem, options, setting);
+                  }};
+  };
+  return solver;
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fpkcheck::parameters {
+
+/// What a parameter was set to; nothing (std::monostate): automatic, or not there.
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+struct NamedValue {
+  std::string name;
+  Value value;
+
+  bool operator==(const NamedValue&) const = default;
+};
+using Values = std::vector<NamedValue>;
+
+inline bool is_nothing(const Value& value) { return std::holds_alternative<std::monostate>(value); }
+
+/// As people read it: numbers with the digits that it takes to read them back, words in quotes,
+/// "automatic" for nothing.
+std::string text_of(const Value& value);
+
+}  // namespace fpkcheck::parameters

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/special_functions/factorials.hpp>
+#include <cmath>
+#include <complex>
+#include <string_view>
+#include <vector>
+
+#include "problem/laws/atom.hpp"
+
+namespace fpkcheck::problem {
+
+/// Y ~ N(mean, deviation^2).
+struct GaussianLaw {
+  double mean;
+  double deviation;
+
+  static constexpr std::string_view kName = "gaussian";
+  static constexpr std::string_view kWidthName = "deviation";
+  static GaussianLaw with(double mean, double deviation) { return {mean, deviation}; }
+  double width() const { return deviation; }
+  double standard_deviation() const { return deviation; }
+
+  /// E[((Y - mean) / deviation)^n] = (n-1)!! for even n.
+  double standardised_moment(int n) const {
+    if (n % 2 != 0) return 0;
+    return n == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(n - 1));
+  }
+  double density(double y) const {
+    return boost::math::pdf(boost::math::normal(mean, deviation), y);
+  }
+  std::vector<Atom> atoms() const { return {}; }
+  std::vector<double> smooth_pieces() const { return {mean - 9 * deviation, mean + 9 * deviation}; }
+  /// E[exp(iu (Y - mean))]
+  std::complex<double> centred_characteristic_function(double u) const {
+    return std::exp(-u * u * deviation * deviation / 2);
+  }
+  /// E[exp(u (Y - mean))]
+  double centred_moment_generating_function(double u) const {
+    return std::exp(u * u * deviation * deviation / 2);
+  }
+};
+
+}  // namespace fpkcheck::problem

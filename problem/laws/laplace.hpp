@@ -1,0 +1,46 @@
+#pragma once
+
+#include <boost/math/distributions/laplace.hpp>
+#include <boost/math/special_functions/factorials.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include "problem/laws/atom.hpp"
+
+namespace fpkcheck::problem {
+
+/// Density exp(-|y - mean| / scale) / (2 scale): variance 2 scale^2.
+struct LaplaceLaw {
+  double mean;
+  double scale;
+
+  static constexpr std::string_view kName = "laplace";
+  static constexpr std::string_view kWidthName = "scale";
+  static LaplaceLaw with(double mean, double deviation) {
+    return {mean, deviation / std::numbers::sqrt2};
+  }
+  double width() const { return scale; }
+  double standard_deviation() const { return std::numbers::sqrt2 * scale; }
+
+  /// n! / 2^(n/2) for even n.
+  double standardised_moment(int n) const {
+    if (n % 2 != 0) return 0;
+    return boost::math::factorial<double>(static_cast<unsigned>(n)) / std::pow(2.0, n / 2);
+  }
+  double density(double y) const { return boost::math::pdf(boost::math::laplace(mean, scale), y); }
+  std::vector<Atom> atoms() const { return {}; }
+  std::vector<double> smooth_pieces() const { return {mean - 42 * scale, mean, mean + 42 * scale}; }
+  std::complex<double> centred_characteristic_function(double u) const {
+    return 1 / (1 + u * u * scale * scale);
+  }
+  double centred_moment_generating_function(double u) const {
+    const double ub = std::abs(u) * scale;
+    return ub < 1 ? 1 / (1 - ub * ub) : std::numeric_limits<double>::infinity();
+  }
+};
+
+}  // namespace fpkcheck::problem

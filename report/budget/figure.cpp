@@ -1,0 +1,213 @@
+#include "report/budget/figure.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "report/budget/part_look.hpp"
+#include "report/figure/frame.hpp"
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/legend_strip.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using compare::BudgetPart;
+using compare::BudgetRow;
+using compare::ClosureBudget;
+using transform::Status;
+using transform::Variable;
+
+constexpr int kWidth = 1500;
+// Fractions of the width, pixels from the top, and of the unit between two closures.
+constexpr double kLefts[] = {0.065, 0.565}, kPanelWidth = 0.42;
+constexpr double kTops[] = {81, 485}, kPanelHeight = 280;
+constexpr int kLegendTop = 879;
+constexpr double kGroupWidth = 0.8;
+// Parts that are smaller than this share of the largest total would stretch the axis for nothing.
+constexpr double kSmallestShare = 1e-4;
+
+/// One panel: a variable, and one of the two measures.
+struct Panel {
+  const char* title;
+  const char* label;
+  Variable variable;
+  double BudgetRow::*total;
+  double BudgetPart::*part;
+  const char* block;  ///< its prefix of data blocks
+  int column, row;
+};
+constexpr std::array kPanels{
+    Panel{"(a) displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
+          &BudgetRow::total, &BudgetPart::l1, "y_l1", 0, 0},
+    Panel{"(b) displacement, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+          Variable::y, &BudgetRow::total_tail, &BudgetPart::tail, "y_tail", 1, 0},
+    Panel{"(c) velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance", Variable::ydot,
+          &BudgetRow::total, &BudgetPart::l1, "v_l1", 0, 1},
+    Panel{"(d) velocity, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+          Variable::ydot, &BudgetRow::total_tail, &BudgetPart::tail, "v_tail", 1, 1}};
+
+std::string block(const Panel& panel, std::size_t part, bool ok) {
+  return fmt::format("${}_{}{}", panel.block, part, ok ? "" : "_not_ok");
+}
+
+std::string totals_block(const Panel& panel) { return fmt::format("${}_total", panel.block); }
+
+/// A bar: where it stands among the closures 1, 2, .. and how wide it is.
+struct Bar {
+  double centre, width, value;
+};
+
+// The bars of a closure share the width of its group, whatever their number.
+std::vector<std::pair<std::string, Bar>> bars(const Panel& panel, const ClosureBudget& budget,
+                                              std::size_t place) {
+  std::vector<std::pair<std::string, Bar>> result;
+  const BudgetRow* row = budget.row(panel.variable);
+  if (row == nullptr) return result;
+  const double width = kGroupWidth / static_cast<double>(row->parts.size());
+  double left = static_cast<double>(place) + 1 - kGroupWidth / 2;
+  for (const auto& part : row->parts) {
+    result.push_back({part.name(), {left + width / 2, width, part.*panel.part}});
+    left += width;
+  }
+  return result;
+}
+
+std::string data(const Panel& panel, const std::vector<ClosureBudget>& budgets,
+                 const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    for (const bool ok : {true, false}) {
+      text += block(panel, n, ok) + " << EOD\n";
+      for (std::size_t place = 0; place < budgets.size(); ++place) {
+        if ((budgets[place].status == Status::ok) != ok) continue;
+        for (const auto& [name, bar] : bars(panel, budgets[place], place)) {
+          if (name != names[n] || !(bar.value > 0)) continue;
+          text += fmt::format("{:.4f} {:.6g} {:.4f}\n", bar.centre, bar.value, bar.width);
+        }
+      }
+      text += "EOD\n";
+    }
+  }
+  text += totals_block(panel) + " << EOD\n";
+  for (std::size_t place = 0; place < budgets.size(); ++place) {
+    const BudgetRow* row = budgets[place].row(panel.variable);
+    if (row == nullptr || !(row->*panel.total > 0)) continue;
+    text += fmt::format("{:.4f} {:.6g} {:.4f}\n", static_cast<double>(place) + 1 - kGroupWidth / 2,
+                        row->*panel.total, kGroupWidth);
+  }
+  return text + "EOD\n";
+}
+
+/// The decades that hold all bars that matter.
+struct Range {
+  double from, to;
+};
+Range range(const Panel& panel, const std::vector<ClosureBudget>& budgets) {
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  const auto include = [&](double value) {
+    if (!(value > 0)) return;
+    least = std::min(least, value);
+    greatest = std::max(greatest, value);
+  };
+  for (std::size_t place = 0; place < budgets.size(); ++place) {
+    for (const auto& [name, bar] : bars(panel, budgets[place], place)) include(bar.value);
+    const BudgetRow* row = budgets[place].row(panel.variable);
+    if (row != nullptr) include(row->*panel.total);
+  }
+  if (greatest == 0) return {1e-5, 1};
+  const double from = std::max(least, kSmallestShare * greatest);
+  // The lowest bar keeps some height.
+  return {std::pow(10, std::floor(std::log10(0.8 * from))),
+          std::pow(10, std::ceil(std::log10(1.2 * greatest)))};
+}
+
+// Without the method's name; with an asterisk where the closure is not ok.
+std::string tic_label(const results::Case& one, const ClosureBudget& budget) {
+  std::string label = budget.solution;
+  const auto* solution = one.find(label);
+  if (solution != nullptr && label.starts_with(solution->identity.method + '-')) {
+    label.erase(0, solution->identity.method.size() + 1);
+  }
+  return budget.status == Status::ok ? label : label + " *";
+}
+
+std::string axes(const Panel& panel, const std::vector<ClosureBudget>& budgets,
+                 const results::Case& one, const FigureSize& size) {
+  std::vector<std::string> tics;
+  for (std::size_t place = 0; place < budgets.size(); ++place) {
+    tics.push_back(
+        fmt::format("{} {}", gnuplot_literal(tic_label(one, budgets[place])), place + 1));
+  }
+  const double left = kLefts[panel.column], top = kTops[panel.row];
+  const Range y = range(panel, budgets);
+  return fmt::format(
+      "set title \"{}\"\nset ylabel \"{}\"\n"
+      "set lmargin at screen {:.3f}\nset rmargin at screen {:.3f}\n"
+      "set tmargin at screen {:.3f}\nset bmargin at screen {:.3f}\n"
+      "set xtics ({}) rotate by 35 right\n"
+      "set xrange [0.4:{:.1f}]\nset yrange [{:g}:{:g}]\n",
+      panel.title, panel.label, left, left + kPanelWidth, 1 - top / size.height,
+      1 - (top + kPanelHeight) / size.height, fmt::join(tics, ", "),
+      static_cast<double>(budgets.size()) + 0.6, y.from, y.to);
+}
+
+std::string plot(const Panel& panel, const std::vector<std::string>& names) {
+  std::vector<std::string> plots;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    for (const bool ok : {true, false}) {
+      plots.push_back(fmt::format(
+          "{} using 1:2:3 with boxes fillstyle solid {} border rgb '{}' linecolor rgb "
+          "'{}' notitle",
+          block(panel, n, ok), ok ? 1.0 : 0.3, part_colour(names[n]), part_colour(names[n])));
+    }
+  }
+  plots.push_back(totals_block(panel) +
+                  " using 1:2:3:(0) with vectors nohead linewidth 2.5 linecolor rgb '#000000' "
+                  "notitle");
+  return fmt::format("plot {}\n\n", fmt::join(plots, ", \\\n     "));
+}
+
+Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
+  Legend legend{{}, 2};
+  for (const auto& name : names) {
+    legend.entries.push_back(
+        {fmt::format("NaN with boxes fillstyle solid linecolor rgb '{}'", part_colour(name)),
+         name});
+  }
+  legend.entries.push_back({"NaN with lines linewidth 2.5 linecolor rgb '#000000'", "total"});
+  if (any_not_ok) {
+    legend.entries.push_back(
+        {"NaN with boxes fillstyle solid 0.3 linecolor rgb '#000000'", "* no admissible density"});
+  }
+  return legend;
+}
+
+}  // namespace
+
+bool has_budget(const results::Case& one) { return !one.budget.empty(); }
+
+std::string budget_script(const results::Case& one, const std::string& file_stem) {
+  const auto budgets = compare::closure_budgets(one.budget, one.solutions);
+  const auto names = compare::part_names(budgets);
+  const bool any_not_ok =
+      std::ranges::any_of(budgets, [](const auto& budget) { return budget.status != Status::ok; });
+  const Legend entries = legend(names, any_not_ok);
+  const FigureSize size{.width = kWidth, .height = kLegendTop + legend_height(entries, kWidth)};
+  std::string text = figure_output(file_stem, size) + "# Columns: place, value, width\n";
+  for (const auto& panel : kPanels) text += data(panel, budgets, names);
+  text += fmt::format(
+      "\nset grid ytics linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
+      "set tics nomirror\nset border 3\nset logscale y\nset format y '10^{{%L}}'\n"
+      "set multiplot title {} font ',14'\n\n",
+      figure_title(one.problem));
+  for (const auto& panel : kPanels) text += axes(panel, budgets, one, size) + plot(panel, names);
+  return text + legend_strip(entries, size) + "unset multiplot\nunset output\n";
+}
+
+}  // namespace fpkcheck::report

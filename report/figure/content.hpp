@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/figure/ranges.hpp"
+#include "results/run.hpp"
+
+namespace fpkcheck::report {
+
+/// The curves of one variable, in drawing order.
+struct FigureSide {
+  transform::Variable variable;
+  std::vector<DrawnCurve> curves;
+  FigureRanges ranges;  ///< of the solutions that are ok, or of all when none is
+};
+
+/// What the figure of one case shows. Points into the case.
+struct FigureContent {
+  /// Id of the solution that the others are subtracted from (compare::reference), or "".
+  std::string reference;
+  std::vector<FigureSide> sides;  ///< y and ydot, without a side that has no curve
+};
+
+FigureContent figure_content(const results::Case& one);
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,135 @@
+#include "report/figure/gnuplot.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+
+extern char** environ;
+
+namespace fpkcheck::report {
+namespace {
+
+[[noreturn]] void fail(int error, const char* what) {
+  throw std::system_error(error, std::generic_category(), what);
+}
+
+/// The reading end of the child's standard error.
+class ErrorPipe {
+ public:
+  ErrorPipe() {
+    if (pipe(ends_.data()) != 0) fail(errno, "pipe");
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addclose(&actions_, ends_[0]);
+    posix_spawn_file_actions_addclose(&actions_, ends_[1]);
+  }
+  ErrorPipe(const ErrorPipe&) = delete;
+  ErrorPipe& operator=(const ErrorPipe&) = delete;
+  ~ErrorPipe() {
+    posix_spawn_file_actions_destroy(&actions_);
+    for (const int end : ends_) {
+      if (end >= 0) close(end);
+    }
+  }
+
+  const posix_spawn_file_actions_t* actions() const { return &actions_; }
+
+  std::string read_to_the_end() {
+    close(ends_[1]);  // else the end never comes
+    ends_[1] = -1;
+    std::string text;
+    std::array<char, 4096> buffer;
+    for (;;) {
+      const ssize_t count = read(ends_[0], buffer.data(), buffer.size());
+      if (count > 0) {
+        text.append(buffer.data(), static_cast<std::size_t>(count));
+      } else if (count == 0 || errno != EINTR) {
+        return text;
+      }
+    }
+  }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+  posix_spawn_file_actions_t actions_;
+};
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) fail(errno, "waitpid");
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// Ended by a null, as C wants them.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (auto& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::vector<std::string> environment_without(std::string_view start) {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with(start)) all.emplace_back(*entry);
+  }
+  return all;
+}
+
+}  // namespace
+
+GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
+                           const std::filesystem::path& script) {
+  std::string before;
+  for (const auto& assignment : assignments) before += assignment + "; ";
+  // Without a shell: no path needs quoting. Yet gnuplot takes a name that begins with '<' for a
+  // command: absolute ones begin with '/'.
+  std::vector<std::string> arguments{program, "-d", "-e", before,
+                                     std::filesystem::absolute(script).string()};
+  auto argv = pointers_to(arguments);
+  auto environment = environment_without("GNUTERM=");
+  auto envp = pointers_to(environment);
+
+  ErrorPipe error_pipe;
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(), nullptr,
+                                 argv.data(), envp.data());
+  if (error == ENOENT || error == EACCES) return {false, -1, ""};
+  if (error != 0) fail(error, "starting gnuplot");
+  std::string message = error_pipe.read_to_the_end();
+  const int exit_code = wait_for(child);
+  return {true, exit_code, std::move(message)};
+}
+
+std::string gnuplot_string(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (std::iscntrl(static_cast<unsigned char>(c))) {
+      quoted += ' ';  // a string ends at the end of its line, and what follows would be a command
+    } else {
+      quoted += c == '\'' ? "''" : std::string(1, c);
+    }
+  }
+  return quoted + "'";
+}
+
+std::string gnuplot_literal(const std::string& text) {
+  constexpr std::string_view kMarks = "_^{}@&~\\";
+  std::string escaped;
+  for (const char c : text) {
+    if (kMarks.find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  return gnuplot_string(escaped);
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fpkcheck::report {
+
+/// How a run of gnuplot ended.
+struct GnuplotOutcome {
+  bool found;           ///< the program could be started
+  int exit_code;        ///< -1 when it was not found or a signal ended it
+  std::string message;  ///< what it said on standard error
+};
+
+/// Runs a script, with assignments such as "format='svg'" made before it. What its user has set up
+/// for gnuplot (initialisation files, GNUTERM) has no part in it.
+/// @param program name on the PATH, or a path
+GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
+                           const std::filesystem::path& script);
+
+/// A text as a gnuplot string constant; control characters become blanks.
+std::string gnuplot_string(const std::string& text);
+
+/// As gnuplot_string, with the marks of enhanced text escaped: it is shown letter by letter.
+std::string gnuplot_literal(const std::string& text);
+
+}  // namespace fpkcheck::report

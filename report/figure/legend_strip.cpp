@@ -1,0 +1,51 @@
+#include "report/figure/legend_strip.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/figure/gnuplot.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+// What gnuplot reckons with for the font of the SVG, the larger one, in pixels.
+constexpr double kLetter = 10.5, kLine = 25.2;
+constexpr double kMargin = 16;
+constexpr double kLeft = 0.02, kRight = 0.98;  // of the width
+constexpr int kMostColumns = 4;
+
+int columns(const Legend& legend, int width) {
+  std::size_t longest = 0;
+  for (const auto& entry : legend.entries) longest = std::max(longest, entry.label.size());
+  const double entry_width = kLetter * (static_cast<double>(longest) + legend.sample_length + 1);
+  return std::clamp(static_cast<int>((kRight - kLeft) * width / entry_width), 1, kMostColumns);
+}
+
+}  // namespace
+
+int legend_height(const Legend& legend, int width) {
+  const auto rows = std::ceil(static_cast<double>(legend.entries.size()) / columns(legend, width));
+  return static_cast<int>(std::ceil(kMargin + kLine * rows));
+}
+
+std::string legend_strip(const Legend& legend, const FigureSize& size) {
+  std::vector<std::string> plots;
+  for (const auto& [plot, label] : legend.entries) {
+    plots.push_back(fmt::format("{} title {}", plot, gnuplot_literal(label)));
+  }
+  const double top = legend_height(legend, size.width) - kMargin / 4, bottom = kMargin / 4;
+  return fmt::format(
+      "unset title\nunset xlabel\nunset ylabel\nunset border\nunset tics\nunset grid\n"
+      "unset logscale\n"
+      "set lmargin at screen {}\nset rmargin at screen {}\n"
+      "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
+      "set key center center horizontal maxcols {} Left reverse samplen {} spacing 1.2\n"
+      "plot [0:1] [0:1] {}\n",
+      kLeft, kRight, top / size.height, bottom / size.height, columns(legend, size.width),
+      legend.sample_length, fmt::join(plots, ", \\\n     "));
+}
+
+}  // namespace fpkcheck::report

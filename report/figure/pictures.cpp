@@ -1,0 +1,74 @@
+#include "report/figure/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include "report/budget/figure.hpp"
+#include "report/figure/drawing.hpp"
+#include "report/figure/script.hpp"
+#include "results/directory.hpp"
+
+namespace fpkcheck::report {
+namespace fs = std::filesystem;
+namespace {
+
+std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
+
+/// A gnuplot script, and the name without extension under which it and its pictures are filed.
+struct Picture {
+  std::string stem, script;
+};
+
+// @param warnings gets a line for each case of which there is nothing to draw
+std::vector<Picture> pictures_of(const results::Run& run, std::vector<std::string>& warnings) {
+  std::vector<Picture> pictures;
+  for (const auto& one : run.cases) {
+    const FigureContent content = figure_content(one);
+    const std::string stem = results::file_stem(one.name());
+    if (content.sides.empty()) {
+      warnings.push_back(
+          fmt::format("no picture of {}: none of its solutions has a density", one.name()));
+      continue;
+    }
+    pictures.push_back({stem, figure_script(one.problem, content, stem)});
+    if (has_budget(one)) {
+      pictures.push_back({budget_stem(stem), budget_script(one, budget_stem(stem))});
+    }
+  }
+  return pictures;
+}
+
+}  // namespace
+
+void remove_pictures(const fs::path& directory, const results::Run& run) {
+  for (const auto& one : run.cases) {
+    const auto stem = results::file_stem(one.name());
+    for (const auto& each : {stem, budget_stem(stem)}) {
+      remove_pictures_of(directory / "figures", each);
+    }
+  }
+}
+
+std::vector<std::string> draw_pictures(const fs::path& directory, const results::Run& run,
+                                       const std::string& gnuplot) {
+  const fs::path figures = directory / "figures";
+  std::vector<std::string> warnings;
+  const auto pictures = pictures_of(run, warnings);
+  fs::create_directories(figures);
+  remove_pictures(directory, run);
+  for (const auto& [stem, script] : pictures) {
+    results::write_file(figures / (stem + ".gp"), script);
+  }
+  try {
+    for (const auto& picture : pictures) {
+      const auto own = draw_both(gnuplot, figures, picture.stem);
+      warnings.insert(warnings.end(), own.begin(), own.end());
+    }
+  } catch (const GnuplotMissing& missing) {
+    warnings.push_back(
+        fmt::format("no pictures: {} (install gnuplot, then `fpkcheck report {}` draws them)",
+                    missing.what(), directory.string()));
+  }
+  return warnings;
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/run.hpp"
+
+namespace fpkcheck::report {
+
+/// Removes what draw_pictures made of the cases of a run.
+void remove_pictures(const std::filesystem::path& directory, const results::Run& run);
+
+/// Draws every case into DIRECTORY/figures: NAME.png, NAME.svg and the script NAME.gp that drew
+/// them and can draw them again, NAME being its name as results::file_stem files it; NAME-budget
+/// likewise where there is an error budget. A case that cannot be drawn has no pictures afterwards.
+/// @param gnuplot the program that draws
+/// @return warnings, one line each: pictures that could not be drawn, and why
+/// @throws std::runtime_error when a script cannot be written
+std::vector<std::string> draw_pictures(const std::filesystem::path& directory,
+                                       const results::Run& run,
+                                       const std::string& gnuplot = "gnuplot");
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,282 @@
+#include "report/findings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "compare/reference.hpp"
+#include "report/references.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using parameters::meaning_of;
+using problem::Equation;
+using problem::Impact;
+using results::Case;
+using transform::Role;
+using transform::Solution;
+using transform::Variable;
+
+using Sentences = std::vector<std::string>;
+
+/// Something in both variables, or in those that are known.
+struct Pair {
+  std::optional<double> y, ydot;
+
+  bool whole() const { return y && ydot; }
+  bool any() const { return y || ydot; }
+};
+
+std::string text(const Pair& pair) {
+  if (!pair.ydot) return fmt::format("{:.2g} in p(y)", pair.y.value_or(0));
+  if (!pair.y) return fmt::format("{:.2g} in p(y')", *pair.ydot);
+  return fmt::format("{:.2g} in p(y) and {:.2g} in p(y')", *pair.y, *pair.ydot);
+}
+
+std::string numbers(const Pair& pair) {
+  if (pair.whole()) return fmt::format("{:.2g} and {:.2g}", *pair.y, *pair.ydot);
+  return fmt::format("{:.2g}", pair.y ? *pair.y : pair.ydot.value_or(0));
+}
+
+Pair l1_of(const Case& one, const Solution& a, const Solution& b) {
+  return {one.l1(a.id(), b.id(), Variable::y), one.l1(a.id(), b.id(), Variable::ydot)};
+}
+
+// Of a solution of the problem itself.
+std::string words_for(const Solution& solution) {
+  return fmt::format(
+      "the {} ({})",
+      solution.identity.role == Role::simulation ? "simulation" : "full jump equation",
+      solution.id());
+}
+
+std::string capitalised(std::string sentence) {
+  sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+  return sentence;
+}
+
+void say_discretisation_errors(const Case& one, Sentences& sentences) {
+  if (!one.budget.empty()) return;  // it has them
+  Sentences ids;
+  transform::StatedError largest;
+  for (const auto& solution : one.solutions) {
+    if (solution.identity.role != Role::equation || !solution.error) continue;
+    const auto& error = *solution.error;
+    if (!std::isfinite(error.y_l1 + error.ydot_l1 + error.moments.y2 + error.moments.v2)) continue;
+    ids.push_back(solution.id());
+    largest.y_l1 = std::max(largest.y_l1, error.y_l1);
+    largest.ydot_l1 = std::max(largest.ydot_l1, error.ydot_l1);
+    largest.moments.y2 = std::max(largest.moments.y2, error.moments.y2);
+    largest.moments.v2 = std::max(largest.moments.v2, error.moments.v2);
+  }
+  if (ids.empty()) return;
+  const bool several = ids.size() > 1;
+  sentences.push_back(fmt::format(
+      "The discretisation error{} of {}, by {} own estimate: {}L1 {}, {:.1g} in E[y^2] and {:.1g} "
+      "in E[y'^2].",
+      several ? "s" : "", fmt::join(ids, ", "), several ? "their" : "its",
+      several ? "at most " : "", text(Pair{largest.y_l1, largest.ydot_l1}), largest.moments.y2,
+      largest.moments.v2));
+}
+
+void say_what_approximations_cost(const Case& one, Sentences& sentences) {
+  Sentences of_equations, of_impacts;
+  for (const auto& a : one.solutions) {
+    for (const auto& b : one.solutions) {
+      const auto &approximate = a.identity, &exact = b.identity;
+      if (approximate.role != Role::equation || exact.role != Role::equation) continue;
+      if (!a.is_ok() || !b.is_ok() || approximate.method != exact.method) continue;
+      const bool known =
+          approximate.equation && approximate.impact && exact.equation && exact.impact;
+      const bool other_equation = approximate.equation != exact.equation;
+      const bool other_impact = approximate.impact != exact.impact;
+      const bool costs = other_equation ? !other_impact && exact.equation == Equation::kf
+                                        : other_impact && approximate.impact == Impact::delta;
+      const Pair cost = l1_of(one, a, b);
+      if (!known || !costs || !cost.whole()) continue;
+      const std::string what =
+          other_equation ? fmt::format("{} in place of the {}", meaning_of(*approximate.equation),
+                                       meaning_of(*exact.equation))
+                         : fmt::format("the impact {} in place of {}",
+                                       meaning_of(*approximate.impact), meaning_of(*exact.impact));
+      (other_equation ? of_equations : of_impacts)
+          .push_back(fmt::format("{} ({}) {}", what, a.id(), text(cost)));
+    }
+  }
+  of_equations.insert(of_equations.end(), of_impacts.begin(), of_impacts.end());
+  if (of_equations.empty()) return;
+  sentences.push_back(
+      fmt::format("What approximations cost in L1: {}.", fmt::join(of_equations, "; ")));
+}
+
+void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
+  const Solution* reference = compare::reference(one.solutions);
+  const bool any = std::ranges::any_of(
+      one.solutions, [](const Solution& s) { return s.identity.role == Role::closure; });
+  if (reference == nullptr || !any) return;
+  const auto ranks = compare::closures_by_distance(one.solutions, one.pairs);
+  if (ranks.empty()) {
+    sentences.emplace_back("No closure gave an admissible density.");
+    return;
+  }
+  // By family and formulation: the closest, and those that nobody can tell from it.
+  std::map<std::pair<std::string, std::string>, std::vector<const compare::Rank*>> groups;
+  bool several = false;
+  for (const auto& rank : ranks) {
+    const auto& identity = rank.solution->identity;
+    auto& closest = groups[{identity.family, identity.formulation}];
+    const bool first = closest.empty();
+    if (first || compare::indistinguishable(*closest.front(), rank, *reference)) {
+      closest.push_back(&rank);
+      several = several || !first;
+    }
+  }
+  Sentences parts;
+  for (const auto& [group, closest] : groups) {
+    Sentences ids;
+    Pair most{0, 0};
+    for (const auto* rank : closest) {
+      ids.push_back(rank->solution->id());
+      most = {std::max(*most.y, rank->y), std::max(*most.ydot, rank->ydot)};
+    }
+    const bool tie = ids.size() > 1;
+    parts.push_back(fmt::format("{}{} with L1 {}{}", fmt::join(ids, ", "),
+                                tie ? " (indistinguishable)" : "", tie ? "at most " : "",
+                                text(most)));
+  }
+  sentences.push_back(fmt::format(
+      "The admissible closure closest to {}: {}.{}", reference->id(), fmt::join(parts, "; "),
+      several ? " Indistinguishable: their distances differ by no more than the reference's own "
+                "error."
+              : ""));
+}
+
+/// What chance does to a difference: what one expects, and what 99 runs of 100 stay below.
+struct Chance {
+  Pair expected, in_99;
+};
+
+Chance chance_of(const Solution& solution) {
+  if (!solution.sampling) return {};
+  const auto& sampling = *solution.sampling;
+  // Where only that is known: single runs reach nearly twice the expectation.
+  constexpr double kScatter = 2;
+  const auto most = [](const std::optional<double>& in_99, const std::optional<double>& expected) {
+    return in_99 || !expected ? in_99 : std::optional(kScatter * *expected);
+  };
+  return {{sampling.y, sampling.ydot},
+          {most(sampling.y_99, sampling.y), most(sampling.ydot_99, sampling.ydot)}};
+}
+
+// The errors of a difference whose parts are independent.
+Pair together(const Pair& one, const Pair& other) {
+  const auto sum = [](const auto& a, const auto& b) {
+    return a || b ? std::optional(std::hypot(a.value_or(0), b.value_or(0))) : std::nullopt;
+  };
+  return {sum(one.y, other.y), sum(one.ydot, other.ydot)};
+}
+
+// "; WHOSE EXPECTED (99 runs of 100 stay below ..), which explains that".
+std::string whether_explained(const Pair& gap, const Chance& one, const Chance& other,
+                              const std::string& whose) {
+  const Pair expected = together(one.expected, other.expected);
+  const Pair in_99 = together(one.in_99, other.in_99);
+  const auto within = [](const auto& difference, const auto& most) {
+    return !difference || !most || *difference <= *most;
+  };
+  const bool explained = within(gap.y, in_99.y) && within(gap.ydot, in_99.ydot);
+  return fmt::format("; {} {} (99 runs of 100 stay below {}), which {} that", whose, text(expected),
+                     numbers(in_99), explained ? "explains" : "does not explain");
+}
+
+void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
+  const auto all = references(one);
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const Solution &reference = *all.front(), &other = *all[k];
+    const Pair gap = l1_of(one, reference, other);
+    if (!gap.whole()) continue;
+    const Chance own = chance_of(reference), others = chance_of(other);
+    const bool both = own.expected.any() && others.expected.any();
+    std::string chance;
+    if (own.expected.any() || others.expected.any()) {
+      const std::string whose =
+          both ? "their sampling errors account for about"
+               : fmt::format("the sampling error of {} is",
+                             words_for(own.expected.any() ? reference : other));
+      chance = whether_explained(gap, own, others, whose);
+    }
+    sentences.push_back(capitalised(fmt::format("{} and {} differ by {}{}.", words_for(reference),
+                                                words_for(other), text(gap), chance)));
+  }
+}
+
+void say_how_far_files_are(const Case& one, Sentences& sentences) {
+  const auto all = references(one);
+  for (const auto& given : one.solutions) {
+    if (given.identity.role != Role::given) continue;
+    for (const Solution* reference : all) {
+      const Pair gap = l1_of(one, given, *reference);
+      if (!gap.any()) continue;
+      // Only in the variables in which the file says how far off it may be.
+      const Chance own = chance_of(given);
+      Chance other = chance_of(*reference);
+      for (auto* part : {&other.expected, &other.in_99}) {
+        if (!own.expected.y) part->y.reset();
+        if (!own.expected.ydot) part->ydot.reset();
+      }
+      std::string chance;
+      if (own.expected.any()) {
+        chance = whether_explained(
+            gap, own, other,
+            fmt::format("its standard errors{} account for about",
+                        other.expected.any() ? " and those of " + reference->id() : ""));
+      }
+      sentences.push_back(fmt::format("{} differs from {} by L1 {}{}.", given.id(),
+                                      words_for(*reference), text(gap), chance));
+    }
+  }
+}
+
+void say_what_solvers_note(const Case& one, Sentences& sentences) {
+  constexpr std::string_view kNotes = "notes[";
+  for (const auto& solution : one.solutions) {
+    std::map<std::string, Sentences> notes;  // by what the path begins with
+    for (const auto& observation : solution.observations) {
+      const auto mark = observation.path.rfind(kNotes);
+      const auto* note = std::get_if<std::string>(&observation.value);
+      if (note == nullptr || mark == std::string::npos) continue;
+      if (mark > 0 && observation.path[mark - 1] != '.') continue;
+      notes[observation.path.substr(0, mark)].push_back(*note);
+    }
+    for (const auto& [place, own] : notes) {
+      const auto file = transform::word(solution.observations, place + "file");
+      sentences.push_back(fmt::format(
+          "Of {}: {}.", file ? std::filesystem::path(*file).filename().string() : solution.id(),
+          fmt::join(own, "; ")));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> findings(const Case& one) {
+  Sentences sentences;
+  if (one.solutions.size() > 1) sentences.push_back(compare::reference_text(one.solutions));
+  say_discretisation_errors(one, sentences);
+  say_what_approximations_cost(one, sentences);
+  say_which_closures_are_closest(one, sentences);
+  say_whether_the_references_agree(one, sentences);
+  say_how_far_files_are(one, sentences);
+  say_what_solvers_note(one, sentences);
+  return sentences;
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,117 @@
+#include "report/legend.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "compare/budget.hpp"
+#include "problem/model.hpp"
+#include "report/budget/table.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using compare::Link;
+
+constexpr const char* kSolvesColumn = "solves";
+
+bool any_group(const std::vector<Column>& columns, std::string_view start) {
+  return std::ranges::any_of(columns, [&](const Column& c) { return c.group.starts_with(start); });
+}
+
+bool any_header(const std::vector<Column>& columns, std::string_view part) {
+  return std::ranges::any_of(
+      columns, [&](const Column& c) { return c.header.find(part) != std::string::npos; });
+}
+
+template <class Condition>
+bool any_cell(const std::vector<Column>& columns, std::string_view header, Condition condition) {
+  return std::ranges::any_of(columns, [&](const Column& c) {
+    return c.header == header && std::ranges::any_of(c.cells, condition);
+  });
+}
+
+// Those of an enum's names that stand in the cells, with what they mean.
+template <class Enum>
+std::string explained(const std::vector<Column>& results, const std::string& before,
+                      const std::string& after) {
+  std::vector<std::string> terms;
+  for (const auto& [value, name, meaning] : names(Enum{})) {
+    const std::string part = fmt::format("{}{}{}", before, name, after);
+    if (any_cell(results, kSolvesColumn, [&](const auto& cell) {
+          return after.empty() ? cell.ends_with(part) : cell.starts_with(part);
+        })) {
+      terms.push_back(fmt::format("{}: {}", name, meaning));
+    }
+  }
+  return fmt::format("{}", fmt::join(terms, "; "));
+}
+
+std::string solves_legend(const std::vector<Column>& results) {
+  const auto equations = explained<problem::Equation>(results, "", "/");
+  const auto impacts = explained<problem::Impact>(results, "/", "");
+  std::vector<std::string> terms;
+  if (!equations.empty()) terms.push_back(fmt::format("the excitation term ({})", equations));
+  if (!impacts.empty()) terms.push_back(fmt::format("the impact ({})", impacts));
+  if (any_cell(results, kSolvesColumn,
+               [](const auto& cell) { return cell.starts_with("given/"); })) {
+    terms.emplace_back("given: from a file");
+  }
+  return fmt::format("{}: {}.", kSolvesColumn, fmt::join(terms, " / "));
+}
+
+}  // namespace
+
+std::string results_legend(const std::vector<Column>& results) {
+  std::vector<std::string> sentences;
+  const bool distances = any_group(results, "L1");
+  if (distances) {
+    sentences.emplace_back(
+        "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones.");
+  }
+  if (any_header(results, kSolvesColumn)) sentences.push_back(solves_legend(results));
+  if (any_header(results, "energy")) {
+    sentences.emplace_back("energy: residual of the power balance relative to the input.");
+  }
+  if (any_header(results, "sec")) sentences.emplace_back("sec: wall-clock time.");
+  if (distances || any_header(results, "E[")) {
+    sentences.emplace_back(any_header(results, "sec") ? "All else is non-dimensional."
+                                                      : "All is non-dimensional.");
+  }
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+std::string budget_legend(const std::vector<Column>& budgets) {
+  if (budgets.empty()) return "";
+  const auto has_row = [&](std::string_view name) {
+    return any_cell(budgets, "error budget", [&](const auto& cell) { return cell == name; });
+  };
+  std::vector<std::string> rows_below;
+  for (const auto& links : {std::vector{Link::discretisation}, std::vector{Link::sampling},
+                            std::vector{Link::discretisation, Link::sampling}}) {
+    if (has_row(compare::name(links))) rows_below.push_back(compare::name(links));
+  }
+  std::string text =
+      "error budget: the L1 distance from each closure to the end of its chain of models (total; the "
+      "simulation, where there is one) is at most the sum of its parts";
+  if (!rows_below.empty()) {
+    text += fmt::format(" and of the row{} {}", rows_below.size() > 1 ? "s" : "",
+                        fmt::join(rows_below, " and "));
+  }
+  for (const auto& [link, name, meaning] : compare::kLinkNames) {
+    const std::string header = part_header(std::string(name));
+    // Links without a density between them share a column, as closure + impact.
+    if (!any_header(budgets, header) && !any_header(budgets, name)) continue;
+    text += fmt::format("; {}: {}", header, meaning);
+    if (link == Link::closure) text += ", against its own equation discretised";
+  }
+  if (any_group(budgets, "tail")) text += "; tail: mean |log10 p - log10 of that end|";
+  if (any_cell(budgets, "error budget", [](const auto& cell) { return cell.ends_with('*'); })) {
+    text += "; *: the closure found no admissible density";
+  }
+  return text + '.';
+}
+
+}  // namespace fpkcheck::report

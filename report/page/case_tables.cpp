@@ -1,0 +1,139 @@
+#include "report/page/case_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "report/page/family_tables.hpp"
+#include "report/page/html.hpp"
+#include "report/page/number_text.hpp"
+#include "report/page/plot.hpp"
+#include "report/references.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using transform::Moments;
+using transform::Solution;
+using transform::Variable;
+
+/// A table with a row for each solution, and a column for each question put to them.
+class SolutionsTable {
+ public:
+  explicit SolutionsTable(const results::Case& one) : one_(one) {
+    add_text("solution", &Solution::id);
+  }
+
+  void add_text(const std::string& header,
+                const std::function<std::string(const Solution&)>& cell) {
+    columns_.push_back({header, Align::left});
+    for (const auto& s : one_.solutions) columns_.back().cells.push_back(cell(s));
+  }
+  void add_status() {
+    add_text("status", [](const Solution& s) { return std::string(name(s.status)); });
+  }
+
+  void add_number(const std::string& header,
+                  const std::function<std::string(const Solution&)>& cell) {
+    add_text(header, cell);
+    columns_.back().align = Align::right;
+  }
+  /// A number that only a density has.
+  void add_of_density(const std::string& header, int digits,
+                      const std::function<double(const Solution&)>& number) {
+    add_number(header, [&](const Solution& s) {
+      return s.has_density() ? number_text(number(s), digits) : std::string(kNoValue);
+    });
+  }
+  void add_mass_and_energy() {
+    // Of a mass, what tells anything is how far it is from one.
+    add_of_density("mass \u2212 1", 1, [](const Solution& s) { return s.mass - 1; });
+    add_of_density("energy residual", 1, [](const Solution& s) { return s.energy_residual; });
+  }
+
+  std::string html(const std::string& caption) && {
+    return table_html(caption, std::move(columns_));
+  }
+
+ private:
+  const results::Case& one_;
+  std::vector<HtmlColumn> columns_;
+};
+
+// Of what only some solutions have.
+template <class Part, class Number>
+std::optional<double> of(const std::optional<Part>& part, const Number& number) {
+  if (!part) return std::nullopt;
+  return std::invoke(number, *part);
+}
+
+}  // namespace
+
+std::string results_table(const results::Case& one) {
+  SolutionsTable table(one);
+  table.add_text("solves", [](const Solution& s) { return solves_text(s.identity); });
+  table.add_status();
+  const std::pair<const char*, double Moments::*> moments[] = {{"E[y]", &Moments::y1},
+                                                               {"E[y\u00b2]", &Moments::y2},
+                                                               {"E[y\u2032\u00b2]", &Moments::v2},
+                                                               {"E[y\u2074]", &Moments::y4},
+                                                               {"E[y\u2032\u2074]", &Moments::v4}};
+  for (const auto& [header, member] : moments) {
+    table.add_of_density(header, 4, [&](const Solution& s) { return s.moments.*member; });
+  }
+  for (const Solution* measure : references(one)) {
+    for (const Variable variable : transform::kVariables) {
+      table.add_number(
+          fmt::format("L1 to {}, {}", measure->id(), density_text(variable)),
+          [&](const Solution& s) { return l1_cell(one.l1(s.id(), measure->id(), variable)); });
+    }
+  }
+  table.add_mass_and_energy();
+  table.add_number("seconds", [](const Solution& s) { return seconds_text(s.seconds); });
+  return std::move(table).html("All solutions");
+}
+
+std::string reasons_html(const results::Case& one) {
+  std::string items;
+  for (const auto& solution : one.solutions) {
+    if (solution.is_ok()) continue;
+    items += fmt::format("<li><strong>{} {}</strong>: {}.</li>\n", escaped(solution.id()),
+                         name(solution.status), escaped(solution.reason));
+  }
+  return items.empty() ? "" : "<ul class=\"reasons\">\n" + items + "</ul>\n";
+}
+
+std::string diagnostics_tables(const results::Case& one) {
+  using transform::StandardErrors;
+  SolutionsTable table(one);
+  table.add_status();
+  table.add_of_density("least density / peak", 1, [](const Solution& s) { return s.min_density; });
+  table.add_mass_and_energy();
+  table.add_number("its standard error", [](const Solution& s) {
+    return number_text(of(s.standard_errors, &StandardErrors::energy_residual), 1);
+  });
+  table.add_number("stated error of p(y), L1", [](const Solution& s) {
+    return l1_cell(of(s.error, &transform::StatedError::y_l1));
+  });
+  table.add_number("of p(y\u2032)", [](const Solution& s) {
+    return l1_cell(of(s.error, &transform::StatedError::ydot_l1));
+  });
+  table.add_number("sampling error of p(y), L1", [](const Solution& s) {
+    return l1_cell(s.sampling ? s.sampling->y : std::nullopt);
+  });
+  table.add_number("of p(y\u2032)", [](const Solution& s) {
+    return l1_cell(s.sampling ? s.sampling->ydot : std::nullopt);
+  });
+  table.add_number("standard error of E[y\u00b2]", [](const Solution& s) {
+    return number_text(of(s.standard_errors, [](const auto& e) { return e.moments.y2; }), 2);
+  });
+  table.add_number("of E[y\u2032\u00b2]", [](const Solution& s) {
+    return number_text(of(s.standard_errors, [](const auto& e) { return e.moments.v2; }), 2);
+  });
+  return std::move(table).html("Mass, energy, errors by their own account") + family_tables(one);
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,204 @@
+#include "report/page/density_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "report/figure/content.hpp"
+#include "report/page/first_shown.hpp"
+#include "report/page/typed_array.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kSmallestShown = 1e-7;
+// Ends of intervals at or below zero have no logarithm; this is far below the axis.
+constexpr double kFarBelow = 1e-12;
+
+/// The rows of a plot, from the top: axes "", "2", "3" of plotly.js.
+enum Row { kLinear, kLogarithmic, kDifference };
+
+std::string axis(char letter, Row row) {
+  return row == kLinear ? std::string(1, letter) : fmt::format("{}{}", letter, row + 1);
+}
+
+// a + b - c
+std::vector<double> shifted(const std::vector<double>& a, const std::vector<double>& b,
+                            const std::vector<double>& c) {
+  std::vector<double> result(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] + b[k] - c[k];
+  return result;
+}
+
+std::vector<double> at_least(std::vector<double> values, double least) {
+  for (double& value : values) value = std::max(value, least);
+  return values;
+}
+
+class DensityPlot {
+ public:
+  DensityPlot(const results::Case& one, const FigureSide& side, const std::string& reference)
+      : one_(one), side_(side), reference_(reference), shown_(first_shown(one)) {
+    for (const auto& drawn : side_.curves) add(drawn);
+  }
+
+  std::string figure() const {
+    const Json json{{"height", reference_.empty() ? 520 : 760},
+                    {"arrays", arrays_},
+                    {"data", traces_},
+                    {"layout", layout()}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+
+ private:
+  void add(const DrawnCurve& drawn) {
+    const results::Curve& curve = *drawn.curve;
+    const auto& [solution, variable, abscissa, density, lower, upper] = curve;
+    if (x_of(drawn) == solution + " x") put(solution + " x", abscissa);
+    put(solution + " p", density);
+    const bool has_bands = !lower.empty() && !upper.empty();
+    if (has_bands) {
+      add_band(drawn, kLinear, "p", lower, upper);
+      add_band(drawn, kLogarithmic, "log p", at_least(lower, kFarBelow),
+               at_least(upper, kFarBelow));
+    }
+    add_curve(drawn, kLinear, "p");
+    add_curve(drawn, kLogarithmic, "p");
+    if (drawn.difference.empty()) return;
+    put(solution + " difference", drawn.difference);
+    if (has_bands) {
+      add_band(drawn, kDifference, "difference", shifted(drawn.difference, lower, density),
+               shifted(drawn.difference, upper, density));
+    }
+    add_curve(drawn, kDifference, "difference");
+  }
+
+  // Nearly always the same bins: then the first curve's serve all.
+  std::string x_of(const DrawnCurve& drawn) const {
+    const results::Curve& first = *side_.curves.front().curve;
+    const bool same = drawn.curve->abscissa == first.abscissa;
+    return (same ? first.solution : drawn.curve->solution) + " x";
+  }
+
+  void put(const std::string& name, const std::vector<double>& values) {
+    arrays_[name] = float_array(values);
+  }
+
+  Json trace(const DrawnCurve& drawn, Row row, const std::string& array) const {
+    const std::string& id = drawn.curve->solution;
+    // In legends as in tables, whatever is drawn first.
+    const auto rank = drawn.solution - one_.solutions.data();
+    Json json{{"type", "scatter"},           {"name", legend_name(*drawn.solution)},
+              {"legendgroup", id},           {"legendrank", rank},
+              {"showlegend", false},         {"x", "@" + x_of(drawn)},
+              {"y", "@" + id + " " + array}, {"xaxis", axis('x', row)},
+              {"yaxis", axis('y', row)}};
+    if (!shown_.contains(id)) json["visible"] = "legendonly";
+    return json;
+  }
+
+  void add_curve(const DrawnCurve& drawn, Row row, const std::string& array) {
+    Json json = trace(drawn, row, array);
+    json["showlegend"] = row == kLinear;
+    const auto& look = drawn.solution->identity.look;
+    if (look.as_points) {
+      json["mode"] = "markers";
+      // More points than these would hide the lines.
+      json["marker"] = {
+          {"color", look.colour}, {"symbol", "circle-open"}, {"size", 6}, {"maxdisplayed", 40}};
+    } else {
+      json["mode"] = "lines";
+      json["line"] = {
+          {"color", look.colour}, {"width", look.width}, {"dash", plotly_dash(look.dash)}};
+    }
+    json["hovertemplate"] = "%{y:.4g}";
+    traces_.push_back(json);
+  }
+
+  void add_band(const DrawnCurve& drawn, Row row, const std::string& array,
+                const std::vector<double>& lower, const std::vector<double>& upper) {
+    put(drawn.curve->solution + ' ' + array + " lower", lower);
+    put(drawn.curve->solution + ' ' + array + " upper", upper);
+    Json from = trace(drawn, row, array + " lower"), to = trace(drawn, row, array + " upper");
+    for (Json* edge : {&from, &to}) {
+      (*edge)["mode"] = "lines";
+      (*edge)["line"] = {{"width", 0}};
+      (*edge)["hoverinfo"] = "skip";
+    }
+    to["fill"] = "tonexty";
+    to["fillcolor"] = "rgba(0,0,0,0.18)";
+    traces_.push_back(from);
+    traces_.push_back(to);
+  }
+
+  Json layout() const {
+    const FigureRanges& r = side_.ranges;
+    const std::string p = density_text(side_.variable);
+    const bool with_difference = !reference_.empty();
+    const double gap = 0.07;
+    const double rows = with_difference ? 3 : 2;
+    const auto domain = [&](Row row) {
+      const double height = (1 - (rows - 1) * gap) / rows,
+                   top = 1 - static_cast<int>(row) * (height + gap);
+      return Json{std::max(0.0, top - height), top};
+    };
+    const auto x_axis = [&](Row row, double from, double to) {
+      return Json{{"anchor", axis('y', row)}, {"range", {from, to}}, {"title", {{"text", ""}}}};
+    };
+    Json json{{"xaxis", x_axis(kLinear, r.linear_from, r.linear_to)},
+              {"yaxis",
+               {{"domain", domain(kLinear)},
+                {"anchor", "x"},
+                {"range", {0, 1.08 * r.largest_density}},
+                {"title", {{"text", p}}}}},
+              {"xaxis2", x_axis(kLogarithmic, r.logarithmic_from, r.logarithmic_to)},
+              {"yaxis2",
+               {{"domain", domain(kLogarithmic)},
+                {"anchor", "x2"},
+                {"type", "log"},
+                {"dtick", 1},
+                {"exponentformat", "power"},
+                {"range", {std::log10(kSmallestShown), std::log10(3 * r.largest_density)}},
+                {"title", {{"text", p + ", logarithmic"}}}}}};
+    if (with_difference) {
+      json["xaxis3"] = x_axis(kDifference, r.linear_from, r.linear_to);
+      json["yaxis3"] = {{"domain", domain(kDifference)},
+                        {"anchor", "x3"},
+                        {"exponentformat", "power"},
+                        {"title", {{"text", p + " \u2212 " + plotly_text(reference_)}}}};
+    }
+    json[with_difference ? "xaxis3" : "xaxis2"]["title"] = {
+        {"text", variable_text(side_.variable)}};
+    return json;
+  }
+
+  const results::Case& one_;
+  const FigureSide& side_;
+  const std::string& reference_;  // "" without one
+  std::set<std::string> shown_;
+  Json arrays_ = Json::object(), traces_ = Json::array();
+};
+
+}  // namespace
+
+std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix) {
+  const FigureContent content = figure_content(one);
+  std::vector<Plot> plots;
+  for (const auto& side : content.sides) {
+    std::string caption(parameters::meaning_of(side.variable));
+    caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
+    caption += fmt::format(" {}: density, its logarithm", variable_text(side.variable));
+    if (!content.reference.empty()) caption += ", difference from " + content.reference;
+    plots.push_back({fmt::format("{}-density-{}", prefix, name(side.variable)), caption,
+                     DensityPlot(one, side, content.reference).figure()});
+  }
+  return plots;
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,88 @@
+#include "report/page/family_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "report/page/families.hpp"
+#include "report/page/html.hpp"
+#include "report/page/number_text.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using transform::Observation;
+using transform::Solution;
+
+constexpr int kDigits = 4;
+
+bool repeats_an_option(const Observation& observation, const Solution& solution) {
+  return std::ranges::find(solution.options,
+                           parameters::NamedValue{observation.path, observation.value}) !=
+         solution.options.end();
+}
+
+// "support" of "support.edge_density"; nothing of a path that stands by itself.
+std::string_view group_of(const std::string& path) {
+  const auto dot = path.find('.');
+  return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
+}
+
+// Paths of what tells anything, each where it stands in the solution that has it first; groups
+// after the others, by name, since a file keeps the order within a group only.
+std::vector<std::string> told_paths(const Family& family) {
+  std::vector<std::string> paths;
+  std::set<std::string> told;
+  for (const Solution* solution : family.solutions) {
+    auto at = paths.begin();
+    for (const auto& observation : solution->observations) {
+      if (observation.path.find('[') != std::string::npos) continue;
+      const auto known = std::ranges::find(paths, observation.path);
+      at = (known != paths.end() ? known : paths.insert(at, observation.path)) + 1;
+      if (!parameters::is_nothing(observation.value) &&
+          !repeats_an_option(observation, *solution)) {
+        told.insert(observation.path);
+      }
+    }
+  }
+  std::erase_if(paths, [&](const auto& path) { return !told.contains(path); });
+  std::ranges::stable_sort(paths, {}, group_of);
+  return paths;
+}
+
+// "support.edge_density" is "support: edge density".
+std::string readable(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    if (c == '.') text += ':';
+    text += c == '.' || c == '_' ? ' ' : c;
+  }
+  return text;
+}
+
+std::string family_table(const Family& family) {
+  const auto paths = told_paths(family);
+  std::vector<HtmlColumn> table{{"quantity", Align::left}};
+  for (const auto& path : paths) table.front().cells.push_back(readable(path));
+  for (const Solution* solution : family.solutions) {
+    table.push_back({transform::short_name(solution->identity)});
+    for (const auto& path : paths) {
+      const Observation* found = find(solution->observations, path);
+      table.back().cells.push_back(value_text(found ? found->value : parameters::Value(), kDigits));
+    }
+  }
+  return table_html(fmt::format("What {} says of itself", family.name), std::move(table));
+}
+
+}  // namespace
+
+std::string family_tables(const results::Case& one) {
+  std::string html;
+  for (const auto& family : families(one.solutions)) html += family_table(family);
+  return html.empty() ? "" : "<div class=\"families\">\n" + html + "</div>\n";
+}
+
+}  // namespace fpkcheck::report

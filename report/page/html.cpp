@@ -1,0 +1,88 @@
+#include "report/page/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fpkcheck::report {
+namespace {
+
+std::string_view css_class(const HtmlColumn& column) {
+  return column.align == Align::right ? " class=\"number\"" : "";
+}
+
+bool says_nothing(const HtmlColumn& column) {
+  return std::ranges::all_of(column.cells, [](const auto& cell) { return cell == kNoValue; });
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string html;
+  html.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      case '\'':
+        html += "&#39;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+std::string element(std::string_view tag, std::string_view text) {
+  return fmt::format("<{0}>{1}</{0}>\n", tag, escaped(text));
+}
+
+std::string inside_script(std::string_view json) {
+  // In JSON a `<` stands only inside strings, where \u003c is the same character.
+  std::string text;
+  text.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns) {
+  if (columns.empty() || columns.front().cells.empty()) return "";
+  std::erase_if(columns, says_nothing);
+  if (columns.size() < 2) return "";
+  std::string html = fmt::format(
+      "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\">\n"
+      "<table>\n<caption>{0}</caption>\n<thead><tr>",
+      escaped(caption));
+  for (const auto& column : columns) {
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", css_class(column), escaped(column.header));
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
+    html += fmt::format("<tr><th scope=\"row\">{}</th>", escaped(columns.front().cells[row]));
+    for (std::size_t c = 1; c < columns.size(); ++c) {
+      html +=
+          fmt::format("<td{}>{}</td>", css_class(columns[c]), escaped(columns[c].cells.at(row)));
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n</div>\n";
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,179 @@
+#include "report/page/joint_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/reference.hpp"
+#include "report/page/html.hpp"
+#include "report/page/number_text.hpp"
+#include "report/page/typed_array.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using results::JointDensity;
+using transform::GridDensity;
+
+// The part of its peak down to which a density is shown. Farther out the simulation has few
+// samples.
+constexpr double kSeen = 1e-5;
+
+/// Half-open ranges of cells.
+struct Window {
+  std::size_t y_end, v_begin, v_end;
+};
+
+// Where the density exceeds this part of its peak, from the wall on.
+Window window_above(const GridDensity& density, double part) {
+  const double peak = *std::ranges::max_element(density.averages);
+  Window window{1, density.nv() - 1, 1};
+  for (std::size_t i = 0; i < density.ny(); ++i) {
+    for (std::size_t j = 0; j < density.nv(); ++j) {
+      if (density.average(i, j) <= part * peak) continue;
+      window.y_end = std::max(window.y_end, i + 1);
+      window.v_begin = std::min(window.v_begin, j);
+      window.v_end = std::max(window.v_end, j + 1);
+    }
+  }
+  return window;
+}
+
+std::vector<double> rows_of_constant_velocity(const GridDensity& density, const Window& window) {
+  std::vector<double> values;
+  for (std::size_t j = window.v_begin; j < window.v_end; ++j) {
+    for (std::size_t i = 0; i < window.y_end; ++i) values.push_back(density.average(i, j));
+  }
+  return values;
+}
+
+double l1_distance(const GridDensity& a, const GridDensity& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.ny(); ++i) {
+    for (std::size_t j = 0; j < a.nv(); ++j) {
+      const double area = (a.y_edges[i + 1] - a.y_edges[i]) * (a.v_edges[j + 1] - a.v_edges[j]);
+      sum += area * std::abs(a.average(i, j) - b.average(i, j));
+    }
+  }
+  return sum;
+}
+
+JointDifference difference(const JointDensity& joint, const JointDensity& reference,
+                           const Window& window) {
+  auto values = rows_of_constant_velocity(joint.density, window);
+  const auto subtracted = rows_of_constant_velocity(reference.density, window);
+  std::ranges::transform(values, subtracted, values.begin(), std::minus{});
+  double largest = 0;
+  for (const double d : values) largest = std::max(largest, std::abs(d));
+  std::vector<std::int16_t> roots;
+  for (const double d : values) {
+    const double root = largest > 0 ? std::sqrt(std::abs(d) / largest) : 0;
+    roots.push_back(static_cast<std::int16_t>(std::lround(std::copysign(32767 * root, d))));
+  }
+  return {joint.solution, l1_distance(joint.density, reference.density), largest, roots};
+}
+
+const JointDensity* find(const results::Case& one, const std::string& solution) {
+  const auto found = std::ranges::find(one.joints, solution, &JointDensity::solution);
+  return found == one.joints.end() ? nullptr : &*found;
+}
+
+// Closures, the closest first, then the others that are ok.
+std::vector<std::string> compared(const results::Case& one, const std::string& reference) {
+  std::vector<std::string> ids;
+  for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
+    ids.push_back(rank.solution->id());
+  }
+  for (const auto& solution : one.solutions) {
+    const bool ranked = std::ranges::find(ids, solution.id()) != ids.end();
+    if (!ranked && solution.is_ok() && solution.id() != reference) ids.push_back(solution.id());
+  }
+  return ids;
+}
+
+bool on_the_same_cells(const GridDensity& a, const GridDensity& b) {
+  return a.y_edges == b.y_edges && a.v_edges == b.v_edges;
+}
+
+}  // namespace
+
+std::optional<JointMaps> joint_maps(const results::Case& one) {
+  const auto* measure = compare::reference(one.solutions);
+  const JointDensity* reference = measure != nullptr ? find(one, measure->id()) : nullptr;
+  if (reference == nullptr) return std::nullopt;
+  const GridDensity& density = reference->density;
+  const Window window = window_above(density, kSeen), bulk = window_above(density, 1.0 / 500);
+  JointMaps maps{
+      reference->solution,
+      {density.y_edges.begin(), density.y_edges.begin() + window.y_end + 1},
+      {density.v_edges.begin() + window.v_begin, density.v_edges.begin() + window.v_end + 1},
+      rows_of_constant_velocity(density, window),
+      {0, density.y_edges[bulk.y_end]},
+      {density.v_edges[bulk.v_begin], density.v_edges[bulk.v_end]},
+      {}};
+  for (const auto& id : compared(one, reference->solution)) {
+    const JointDensity* joint = find(one, id);
+    if (joint == nullptr || !on_the_same_cells(joint->density, density)) continue;
+    maps.differences.push_back(difference(*joint, *reference, window));
+  }
+  if (maps.differences.empty()) return std::nullopt;
+  return maps;
+}
+
+std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
+  std::string options;
+  for (const auto& one : maps.differences) {
+    options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>", escaped(one.solution),
+                           l1_cell(one.l1));
+  }
+  const std::string reference = escaped(maps.reference);
+  const std::string first = escaped(maps.differences.front().solution);
+  std::string html = fmt::format(
+      "<p class=\"controls\"><label>Compared with {0}: <select id=\"{1}-joint-choice\">{2}</select>"
+      "</label>\n"
+      "<label>Colours: <select id=\"{1}-joint-scale\"><option value=\"linear\">linear</option>"
+      "<option value=\"logarithmic\">logarithmic</option></select></label></p>\n"
+      "<p>L1 is here the integral of |p(y, y\u2032) \u2212 reference| over the half-plane.</p>\n"
+      "<div class=\"maps\">\n",
+      reference, prefix, options);
+  const std::string parts[][2] = {
+      {"reference", fmt::format("p(y, y\u2032) of {}", reference)},
+      {"chosen",
+       fmt::format("p(y, y\u2032) of <span id=\"{}-joint-name\">{}</span>", prefix, first)},
+      {"difference",
+       fmt::format("<span id=\"{}-joint-caption\">{} \u2212 {}</span>", prefix, first, reference)}};
+  const char* const spoken[] = {"Heat map of the joint density of the reference",
+                                "Heat map of the joint density of the solution chosen",
+                                "Heat map of the difference of both joint densities"};
+  for (std::size_t k = 0; k < std::size(parts); ++k) {
+    html += fmt::format(
+        "<figure>\n<figcaption>{}</figcaption>\n<div class=\"plot\" id=\"{}-joint-{}\" "
+        "role=\"img\" aria-label=\"{}\"></div>\n</figure>\n",
+        parts[k][1], prefix, parts[k][0], spoken[k]);
+  }
+  return html + "</div>\n";
+}
+
+std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
+  Json json{{"id", prefix + "-joint"},
+            {"prefix", prefix},
+            {"reference", maps.reference},
+            {"y_edges", float_array(maps.y_edges)},
+            {"v_edges", float_array(maps.v_edges)},
+            {"decades", -std::log10(kSeen)},
+            {"y_bulk", maps.y_bulk},
+            {"v_bulk", maps.v_bulk},
+            {"density", float_array(maps.reference_density)},
+            {"differences", Json::array()}};
+  for (const auto& one : maps.differences) {
+    json["differences"].push_back({{"solution", one.solution},
+                                   {"largest", one.largest},
+                                   {"roots", integer_array(one.roots)}});
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,64 @@
+#include "report/page/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <variant>
+
+#include "report/page/html.hpp"
+#include "report/text/l1_text.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+bool is_there(const std::optional<double>& value) { return value && std::isfinite(*value); }
+
+// "1.2e-05" is "1.2e-5".
+std::string without_padded_exponent(std::string text) {
+  const auto e = text.find('e');
+  if (e == std::string::npos || e + 2 >= text.size()) return text;
+  while (text[e + 2] == '0' && e + 3 < text.size()) text.erase(e + 2, 1);
+  if (text[e + 1] == '+') text.erase(e + 1, 1);
+  return text;
+}
+
+// "#" keeps zeros, and a point with nothing (or, by some versions, one zero) behind it: "150." and
+// "150.0" of three digits are "150".
+std::string without_bare_point(std::string text, int digits) {
+  const auto point = text.find('.');
+  if (point == std::string::npos) return text;
+  const auto before = point - (text[0] == '-' ? 1 : 0);
+  if (before < static_cast<std::size_t>(digits)) return text;
+  return text.erase(point, text.find('e', point) - point);
+}
+
+}  // namespace
+
+std::string number_text(const std::optional<double>& value, int digits) {
+  if (!is_there(value)) return std::string(kNoValue);
+  if (*value == 0) return "0";
+  if (digits == 1) return without_padded_exponent(fmt::format("{:.0e}", *value));
+  return without_padded_exponent(
+      without_bare_point(fmt::format("{:#.{}g}", *value, digits), digits));
+}
+
+std::string value_text(const parameters::Value& value, int digits) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
+  if (const auto* count = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *count);
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr || !std::isfinite(*number)) return std::string(kNoValue);
+  return without_padded_exponent(fmt::format("{:.{}g}", *number, digits));
+}
+
+std::string l1_cell(const std::optional<double>& l1) {
+  return is_there(l1) ? without_padded_exponent(l1_text(*l1)) : std::string(kNoValue);
+}
+
+std::string seconds_text(const std::optional<double>& seconds) {
+  if (!is_there(seconds)) return std::string(kNoValue);
+  if (*seconds < 10) return number_text(seconds, 2);
+  return fmt::format("{:.{}f}", *seconds, *seconds < 100 ? 1 : 0);
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace fpkcheck::report {
+
+/// Numbers as plotly.js takes them in JSON: little-endian bytes in base64.
+struct TypedArray {
+  std::string dtype;
+  std::string bdata;
+};
+
+/// As 32-bit floating point: seven digits in a third of the characters of a decimal fraction.
+TypedArray float_array(std::span<const double> values);
+
+/// As 16-bit integers.
+TypedArray integer_array(std::span<const std::int16_t> values);
+
+/// How nlohmann::json takes one: {"dtype", "bdata"}.
+template <class Json>
+void to_json(Json& json, const TypedArray& array) {
+  json = {{"dtype", array.dtype}, {"bdata", array.bdata}};
+}
+
+}  // namespace fpkcheck::report

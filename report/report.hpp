@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/text/format.hpp"
+#include "results/run.hpp"
+
+namespace fpkcheck::report {
+
+/// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json, report.html
+/// and figures/ into a directory that results::make_writable prepared. The files replace those of
+/// an earlier run together, or not at all; its pictures and joint densities are removed.
+/// @return warnings, one line each, about pictures that could not be drawn
+/// @throws std::runtime_error when a file cannot be written
+std::vector<std::string> write_report(const std::filesystem::path& directory,
+                                      const results::Run& run);
+
+/// A report made again from a directory.
+struct ReportAgain {
+  std::string table;
+  std::vector<std::string> warnings;  ///< about pictures, one line each
+};
+
+/// The table of a saved run, and its page and pictures made anew; solves nothing.
+/// @param directory where the run is saved
+/// @param run       what results::load_run read there
+/// @param format    of the table
+/// @throws std::runtime_error when a file cannot be written
+ReportAgain report_again(const std::filesystem::path& directory, const results::Run& run,
+                         const TextFormat& format = {});
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,111 @@
+#include "report/text/columns.hpp"
+
+#include <fmt/color.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "transform/solution.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+std::size_t total_width(const std::vector<Column>& shown_columns, std::size_t gap) {
+  std::size_t total = 0;
+  for (const auto& column : shown_columns) total += column.width() + gap;
+  return total - std::min(total, gap);
+}
+
+std::string without_trailing_spaces(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+fmt::text_style status_style(const std::string& cell) {
+  using transform::Status;
+  const auto status = parameters::value_named<Status>(cell);
+  if (status == Status::ok) return fmt::fg(fmt::terminal_color::green);
+  if (status == Status::failed || status == Status::ill_posed) {
+    return fmt::fg(fmt::terminal_color::red);
+  }
+  return fmt::fg(fmt::terminal_color::yellow);
+}
+
+std::string group_line(const std::vector<Column>& all, const std::string& gap) {
+  std::string line;
+  for (std::size_t c = 0; c < all.size();) {
+    std::size_t span = all[c].width(), next = c + 1;
+    for (; next < all.size() && !all[c].group.empty() && all[next].group == all[c].group; ++next) {
+      span += gap.size() + all[next].width();
+    }
+    const std::string text = all[c].group.empty() ? "" : ' ' + all[c].group + ' ';
+    line += fmt::format(fmt::runtime(text.empty() ? "{: ^{}}" : "{:-^{}}"), text, span) + gap;
+    c = next;
+  }
+  return without_trailing_spaces(line);
+}
+
+std::string aligned(const Column& column, const std::string& text) {
+  return column.left_aligned ? fmt::format("{:<{}}", text, column.width())
+                             : fmt::format("{:>{}}", text, column.width());
+}
+
+std::string header_line(const std::vector<Column>& all, const std::string& gap) {
+  std::string line;
+  for (const auto& column : all) line += aligned(column, column.header) + gap;
+  return without_trailing_spaces(line);
+}
+
+std::string row(const std::vector<Column>& all, const std::string& gap, std::size_t k,
+                bool colour) {
+  std::string line;
+  for (const auto& column : all) {
+    const std::string& cell = column.cells[k];
+    const std::string text = aligned(column, cell);
+    line += (colour && column.is_status ? fmt::format(status_style(cell), "{}", text) : text) + gap;
+  }
+  return without_trailing_spaces(line);
+}
+
+std::string bold(const std::string& line) {
+  return fmt::format(fmt::emphasis::bold, "{}", line.substr(0, line.size() - 1)) + '\n';
+}
+
+}  // namespace
+
+std::size_t Column::width() const {
+  std::size_t width = header.size();
+  for (const auto& cell : cells) width = std::max(width, cell.size());
+  return width;
+}
+
+Column status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
+
+std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& format) {
+  while (total_width(columns, 1) > format.width) {
+    const int least = std::ranges::min_element(columns, {}, &Column::importance)->importance;
+    if (least == kAlwaysShown) break;
+    std::erase_if(columns, [&](const Column& column) { return column.importance == least; });
+  }
+  return columns;
+}
+
+std::string rows(std::vector<Column> columns, const TextFormat& format) {
+  columns = fitting(std::move(columns), format);
+  if (columns.empty()) return "";
+  const std::string gap(total_width(columns, 2) <= format.width ? 2 : 1, ' ');
+  std::string head;
+  if (std::ranges::any_of(columns, [](const Column& c) { return !c.group.empty(); })) {
+    head = group_line(columns, gap);
+    if (format.colour) head = bold(head);
+  }
+  const std::string headers = header_line(columns, gap);
+  std::string text = head + (format.colour ? bold(headers) : headers);
+  for (std::size_t k = 0; k < columns.front().cells.size(); ++k) {
+    text += row(columns, gap, k, format.colour);
+  }
+  return text;
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,13 @@
+#include "report/text/l1_text.hpp"
+
+#include <fmt/format.h>
+
+namespace fpkcheck::report {
+
+std::string l1_text(double l1) {
+  constexpr double kSmallestShown = 1e-5;
+  if (l1 == 0) return "0";
+  return l1 < kSmallestShown ? fmt::format("{:.0e}", l1) : fmt::format("{:.5f}", l1);
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace fpkcheck::report {
+
+/// An L1 distance as tables show it: five decimals, one digit below 1e-5.
+std::string l1_text(double l1);
+
+}  // namespace fpkcheck::report

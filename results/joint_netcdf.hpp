@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/directory.hpp"
+#include "results/run.hpp"
+
+namespace fpkcheck::results {
+
+/// Adds the joint densities of a run as netCDF-4 (an HDF5 file), following the CF conventions. For
+/// each case, NAME being its name as file_stem files it:
+///
+///     dimensions   solution, y_NAME, ydot_NAME, bounds = 2
+///     labels       solution(solution, solution_length): ids, as characters
+///     coordinates  y_NAME(y_NAME), ydot_NAME(ydot_NAME): centres of cells; their edges are in
+///                  y_NAME_bounds(y_NAME, bounds), ydot_NAME_bounds(ydot_NAME, bounds)
+///     densities    p_NAME(solution, y_NAME, ydot_NAME): averages over cells, of single precision;
+///                  NaN where a solution has no density
+///
+/// The attributes of p_NAME hold the case's own name, its system and its impulses; those of the
+/// file the command. All is non-dimensional.
+/// @param run with at least one joint density
+/// @throws std::runtime_error on one line when it cannot be written; the file is then as it was
+void add_joint_netcdf(PendingFiles& files, const std::filesystem::path& file, const Run& run);
+
+/// A joint density with the name of its case.
+struct JointOfCase {
+  std::string case_name;
+  JointDensity joint;
+};
+
+/// Reads what add_joint_netcdf wrote.
+/// @throws InputError on one line: the file and what is wrong
+std::vector<JointOfCase> read_joint_netcdf(const std::filesystem::path& file);
+
+}  // namespace fpkcheck::results

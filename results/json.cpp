@@ -1,0 +1,187 @@
+#include "results/json.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <istream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+using transform::Kind;
+using transform::Observation;
+using transform::Observations;
+
+// Deeper than any file of ours, and far from what would exhaust a stack.
+constexpr int kDeepest = 32;
+
+// The place that a path leads to; what is not there yet is made on the way.
+Json& place(Json& object, std::string_view path) {
+  Json* at = &object;
+  while (!path.empty()) {
+    if (path.front() == '.') path.remove_prefix(1);
+    if (at->is_primitive() && !at->is_null()) {
+      throw std::logic_error("an observation under " + std::string(path) + " stands in a value");
+    }
+    if (path.front() == '[') {
+      const auto close = path.find(']');
+      std::size_t index = 0;
+      std::from_chars(path.data() + 1, path.data() + close, index);
+      at = &(*at)[index];
+      path.remove_prefix(close + 1);
+    } else {
+      const auto end = path.find_first_of(".[");
+      at = &(*at)[std::string(path.substr(0, end))];
+      path.remove_prefix(std::min(end, path.size()));
+    }
+  }
+  return *at;
+}
+
+void collect(const std::string& path, const Json& json, Observations& observations) {
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) {
+      collect(path.empty() ? key : path + '.' + key, value, observations);
+    }
+  } else if (json.is_array()) {
+    if (json.empty()) observations.push_back({.path = path + "[]", .value = {}});
+    for (std::size_t k = 0; k < json.size(); ++k) {
+      collect(fmt::format("{}[{}]", path, k), json[k], observations);
+    }
+  } else {
+    observations.push_back({.path = path,
+                            .value = value_in(json),
+                            .kind = json.is_string() ? Kind::text : Kind::result});
+  }
+}
+
+}  // namespace
+
+Json program_json(const Program& program) {
+  return {{"name", program.name}, {"version", program.version}, {"command", program.command}};
+}
+
+Json problem_json(const problem::Problem& problem) {
+  Json json{{"name", problem.name}};
+  for (const auto& section : problem::sections(problem)) {
+    json[section.name] = values_json(section.values);
+  }
+  json["impulse"]["moments"] = problem.impulses.law().moments();
+  return json;
+}
+
+Json value_json(const parameters::Value& value) {
+  return std::visit(
+      [](const auto& held) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
+          return nullptr;
+        } else {
+          return held;
+        }
+      },
+      value);
+}
+
+Json values_json(const parameters::Values& values) {
+  Json json = Json::object();
+  for (const auto& [name, value] : values) json[name] = value_json(value);
+  return json;
+}
+
+Json moments_json(const transform::Moments& m) {
+  return {{"y1", m.y1}, {"y2", m.y2}, {"y4", m.y4}, {"v1", m.v1}, {"v2", m.v2}, {"v4", m.v4}};
+}
+
+void add_observations(const Observations& observations, Json& object) {
+  for (const auto& observation : observations) {
+    const std::string_view path = observation.path;
+    if (path.ends_with("[]")) {
+      place(object, path.substr(0, path.size() - 2)) = Json::array();
+      continue;
+    }
+    Json& at = place(object, path);
+    if (!at.is_null()) throw std::logic_error("two observations under " + observation.path);
+    at = value_json(observation.value);
+  }
+}
+
+Observations observations_in(const Json& object) {
+  Observations observations;
+  collect("", object, observations);
+  return observations;
+}
+
+parameters::Value value_in(const Json& json) {
+  if (json.is_null()) return {};
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_unsigned() && !std::in_range<std::int64_t>(json.get<std::uint64_t>())) {
+    throw InputError(fmt::format("{} is beyond all integers (run again)", json.dump()));
+  }
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  throw InputError("a list or an object stands where a value must be (run again)");
+}
+
+parameters::Values values_in(const Json& object) {
+  parameters::Values values;
+  for (const auto& [key, value] : object.items()) {
+    if (!value.is_structured()) values.push_back({key, value_in(value)});
+  }
+  return values;
+}
+
+problem::Problem problem_in(const Json& object) {
+  std::vector<problem::Section> sections;
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) sections.push_back({key, values_in(value)});
+  }
+  return problem::problem_from(object.at("name").get<std::string>(), sections);
+}
+
+std::optional<double> number_if_any(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return std::nullopt;
+  return found->get<double>();
+}
+
+Json with_null_for_non_finite(Json value) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) return nullptr;
+  if (value.is_structured()) {
+    for (auto& element : value) element = with_null_for_non_finite(std::move(element));
+  }
+  return value;
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+Json parsed(std::istream& in, const std::string& where) {
+  const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth <= kDeepest) return true;
+    throw InputError(fmt::format("{} is nested more than {} deep (not a file of this program)",
+                                 where, kDeepest));
+  };
+  try {
+    return Json::parse(in, shallow);
+  } catch (const Json::parse_error& error) {
+    throw InputError(fmt::format("{} is not JSON (at byte {}; run again)", where, error.byte));
+  } catch (const Json::exception& error) {  // a number that no double holds
+    throw InputError(fmt::format("{} is not JSON ({}; run again)", where, said_by(error)));
+  }
+}
+
+std::string said_by(const std::exception& error) {
+  const std::string text = error.what();
+  const auto end = text.find("] ");
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
+}  // namespace fpkcheck::results

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <exception>
+#include <iosfwd>
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "parameters/value.hpp"
+#include "problem/problem.hpp"
+#include "results/run.hpp"
+#include "transform/observation.hpp"
+
+/// The parts that every JSON file of results is made of, for its writer and its reader alone.
+namespace fpkcheck::results {
+
+using Json = nlohmann::ordered_json;
+
+/// The name and version of the program, and its command line: what every file of results opens
+/// with.
+Json program_json(const Program& program);
+/// A case's name and its sections: "system", "impulse".
+Json problem_json(const problem::Problem& problem);
+Json value_json(const parameters::Value& value);
+/// An object with a field per value.
+Json values_json(const parameters::Values& values);
+Json moments_json(const transform::Moments& moments);
+
+/// Adds observations to an object: a path such as "quantiles.y[2].value" makes the objects and
+/// lists on its way, "splitting_thresholds[]" without a value an empty list.
+/// @throws std::logic_error when a path leads through a value
+void add_observations(const transform::Observations& observations, Json& object);
+/// The observations that add_observations made of an object: each leaf, with the kind that its form
+/// tells (a number or a flag: result; else text).
+transform::Observations observations_in(const Json& object);
+
+/// @throws nlohmann::json::exception, InputError
+parameters::Value value_in(const Json& json);
+parameters::Values values_in(const Json& object);
+problem::Problem problem_in(const Json& object);
+/// What stands for a number that JSON cannot have.
+inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+/// None where the field is missing or null.
+std::optional<double> number_if_any(const Json& object, const char* key);
+
+/// JSON has no infinities: numbers that are not finite become null.
+Json with_null_for_non_finite(Json value);
+
+/// As text. Bytes that are not UTF-8 (a file's name may have any) are replaced.
+std::string text_of(const Json& json);
+
+/// A file's JSON, nested no deeper than any of ours.
+/// @param where how messages name it
+/// @throws InputError on one line
+Json parsed(std::istream& in, const std::string& where);
+
+/// What is wrong with a file, without the prefix "[json.exception.out_of_range.403] ", which
+/// tells the reader nothing.
+std::string said_by(const std::exception& error);
+
+}  // namespace fpkcheck::results

@@ -1,0 +1,132 @@
+#include "results/marginals_csv.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <charconv>
+#include <istream>
+#include <ostream>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+constexpr std::string_view kHeader = "case,solution,variable,abscissa,density,lower,upper";
+constexpr std::size_t kFields = 7;
+
+// RFC 4180: only a case's name, which is a file's name, can need quotes.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + '"';
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool inside_quotes = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (line[k] == '"') {
+      const bool doubled = inside_quotes && k + 1 < line.size() && line[k + 1] == '"';
+      if (doubled) {
+        fields.back() += '"';
+        ++k;
+      } else {
+        inside_quotes = !inside_quotes;
+      }
+    } else if (line[k] == ',' && !inside_quotes) {
+      fields.emplace_back();
+    } else {
+      fields.back() += line[k];
+    }
+  }
+  return fields;
+}
+
+std::string interval_end(const std::vector<double>& ends, std::size_t k) {
+  return ends.empty() ? "" : fmt::format("{}", ends[k]);
+}
+
+// Version control may have changed line ends to CRLF.
+bool next_line(std::istream& in, std::string& line) {
+  if (!std::getline(in, line)) return false;
+  if (line.ends_with('\r')) line.pop_back();
+  return true;
+}
+
+class RowReader {
+ public:
+  explicit RowReader(std::string_view source) : source_(source) {}
+
+  void read(const std::string& line, int line_number, std::vector<CurveOfCase>& curves) {
+    line_number_ = line_number;
+    const auto fields = split(line);
+    if (fields.size() != kFields) {
+      fail(fmt::format("{} fields (must be {})", fields.size(), kFields));
+    }
+    const auto variable = parameters::value_named<transform::Variable>(fields[2]);
+    if (!variable) fail(fmt::format("variable '{}' (must be y or ydot)", fields[2]));
+    const bool continues = !curves.empty() && curves.back().case_name == fields[0] &&
+                           curves.back().curve.solution == fields[1] &&
+                           curves.back().curve.variable == *variable;
+    if (!continues) curves.push_back({fields[0], {fields[1], *variable, {}, {}, {}, {}}});
+    Curve& curve = curves.back().curve;
+    curve.abscissa.push_back(number(fields[3]));
+    curve.density.push_back(number(fields[4]));
+    if (!fields[5].empty()) curve.lower.push_back(number(fields[5]));
+    if (!fields[6].empty()) curve.upper.push_back(number(fields[6]));
+    for (const auto* ends : {&curve.lower, &curve.upper}) {
+      if (!ends->empty() && ends->size() != curve.density.size()) {
+        fail("intervals on some rows of a curve only");
+      }
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(fmt::format("{}:{}: {}", source_, line_number_, problem));
+  }
+
+ private:
+  double number(const std::string& text) const {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end) fail(fmt::format("'{}' is not a number", text));
+    return value;
+  }
+
+  std::string_view source_;
+  int line_number_ = 1;
+};
+
+}  // namespace
+
+void write_marginals_csv(std::ostream& out, std::span<const Case> cases) {
+  out << kHeader << '\n';
+  for (const auto& one : cases) {
+    const std::string case_name = quoted(one.name());
+    for (const auto& curve : one.curves) {
+      for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
+        fmt::print(out, "{},{},{},{},{},{},{}\n", case_name, curve.solution, name(curve.variable),
+                   curve.abscissa[k], curve.density[k], interval_end(curve.lower, k),
+                   interval_end(curve.upper, k));
+      }
+    }
+  }
+}
+
+std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source) {
+  RowReader row(source);
+  std::string line;
+  if (!next_line(in, line) || line != kHeader) {
+    row.fail(fmt::format("not a file of marginals (the header must be {})", kHeader));
+  }
+  std::vector<CurveOfCase> curves;
+  for (int line_number = 2; next_line(in, line); ++line_number) {
+    row.read(line, line_number, curves);
+  }
+  return curves;
+}
+
+}  // namespace fpkcheck::results

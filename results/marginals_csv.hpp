@@ -1,0 +1,30 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "results/run.hpp"
+
+namespace fpkcheck::results {
+
+/// One row per bin of every curve of every case, under the header
+/// `case,solution,variable,abscissa,density,lower,upper`, with as many digits as it takes to read
+/// the same numbers back.
+void write_marginals_csv(std::ostream& out, std::span<const Case> cases);
+
+/// A curve with the name of its case.
+struct CurveOfCase {
+  std::string case_name;
+  Curve curve;
+};
+
+/// Reads what write_marginals_csv wrote.
+/// @param source how messages name the stream
+/// @throws InputError on one line: source, line number and what is wrong
+std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source);
+
+}  // namespace fpkcheck::results

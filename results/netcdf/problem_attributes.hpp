@@ -1,0 +1,13 @@
+#pragma once
+
+#include "problem/problem.hpp"
+#include "results/netcdf/writer.hpp"
+
+namespace fpkcheck::results {
+
+/// The parameters of a problem as attributes of a variable, or of the file: `damping`, ..,
+/// `impulse_rate`, `impulse_law`, ..
+void write_parameters(NetCdfWriter& file, const problem::Problem& problem,
+                      int variable = NetCdfWriter::kFile);
+
+}  // namespace fpkcheck::results

@@ -1,0 +1,127 @@
+#include "results/netcdf/writer.hpp"
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace fpkcheck::results {
+namespace {
+
+void check_written(int status, const std::string& what) {
+  if (status != NC_NOERR) {
+    throw std::runtime_error(fmt::format("netCDF: {} ({})", what, nc_strerror(status)));
+  }
+}
+
+int define(int file, const std::string& name, nc_type type, const std::vector<int>& dimensions) {
+  int variable = 0;
+  check_written(nc_def_var(file, name.c_str(), type, static_cast<int>(dimensions.size()),
+                           dimensions.data(), &variable),
+                fmt::format("variable {}", name));
+  return variable;
+}
+
+}  // namespace
+
+NetCdfWriter::NetCdfWriter(const std::filesystem::path& path) {
+  static_assert(kFile == NC_GLOBAL);
+  check_written(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_), "cannot create the file");
+}
+
+NetCdfWriter::~NetCdfWriter() {
+  if (open_) nc_close(id_);
+}
+
+int NetCdfWriter::dimension(const std::string& name, std::size_t length) {
+  int dimension = 0;
+  check_written(nc_def_dim(id_, name.c_str(), length, &dimension),
+                fmt::format("dimension {}", name));
+  return dimension;
+}
+
+int NetCdfWriter::variable(const std::string& name, const std::vector<int>& dimensions,
+                           const std::string& long_name, std::span<const double> values) {
+  const int variable = define(id_, name, NC_DOUBLE, dimensions);
+  if (!long_name.empty()) {
+    attribute("long_name", long_name, variable);
+    attribute("units", "1", variable);
+  }
+  check_written(nc_put_var_double(id_, variable, values.data()), fmt::format("values of {}", name));
+  return variable;
+}
+
+int NetCdfWriter::cells(const std::string& name, const std::string& long_name, int bounds,
+                        std::span<const double> edges) {
+  std::vector<double> centres, ends;
+  for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
+    centres.push_back((edges[b] + edges[b + 1]) / 2);
+    ends.insert(ends.end(), {edges[b], edges[b + 1]});
+  }
+  const int length = dimension(name, centres.size());
+  const int coordinate = variable(name, {length}, long_name, centres);
+  const std::string bounds_name = name + "_bounds";
+  attribute("bounds", bounds_name, coordinate);
+  variable(bounds_name, {length, bounds}, "", ends);
+  return length;
+}
+
+int NetCdfWriter::compressed(const std::string& name, const std::vector<int>& dimensions,
+                             const std::string& long_name, std::span<const float> values) {
+  constexpr int kLevel = 4;
+  const int variable = define(id_, name, NC_FLOAT, dimensions);
+  std::vector<std::size_t> chunk;
+  for (const int dimension : dimensions) {
+    check_written(nc_inq_dimlen(id_, dimension, &chunk.emplace_back()),
+                  fmt::format("chunks of {}", name));
+  }
+  chunk.front() = 1;
+  check_written(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
+                fmt::format("chunks of {}", name));
+  check_written(nc_def_var_deflate(id_, variable, NC_SHUFFLE, 1, kLevel),
+                fmt::format("compression of {}", name));
+  const float fill = std::nanf("");
+  check_written(nc_def_var_fill(id_, variable, NC_FILL, &fill),
+                fmt::format("fill value of {}", name));
+  attribute("long_name", long_name, variable);
+  attribute("units", "1", variable);
+  check_written(nc_put_var_float(id_, variable, values.data()), fmt::format("values of {}", name));
+  return variable;
+}
+
+void NetCdfWriter::labels(const std::string& name, int dimension,
+                          std::span<const std::string> texts) {
+  std::size_t length = 1;
+  for (const auto& text : texts) length = std::max(length, text.size());
+  std::string characters;
+  for (const auto& text : texts) characters += text + std::string(length - text.size(), '\0');
+  const int characters_of_a_text = this->dimension(name + "_length", length);
+  const int variable = define(id_, name, NC_CHAR, {dimension, characters_of_a_text});
+  attribute("_Encoding", "utf-8", variable);
+  check_written(nc_put_var_text(id_, variable, characters.data()),
+                fmt::format("values of {}", name));
+}
+
+void NetCdfWriter::attribute(const std::string& name, const std::string& text, int variable) {
+  check_written(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()),
+                fmt::format("attribute {}", name));
+}
+
+void NetCdfWriter::attribute(const std::string& name, double value, int variable) {
+  check_written(nc_put_att_double(id_, variable, name.c_str(), NC_DOUBLE, 1, &value),
+                fmt::format("attribute {}", name));
+}
+
+void NetCdfWriter::attribute(const std::string& name, int value, int variable) {
+  check_written(nc_put_att_int(id_, variable, name.c_str(), NC_INT, 1, &value),
+                fmt::format("attribute {}", name));
+}
+
+void NetCdfWriter::close() {
+  open_ = false;
+  check_written(nc_close(id_), "cannot finish the file");
+}
+
+}  // namespace fpkcheck::results

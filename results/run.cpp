@@ -1,0 +1,46 @@
+#include "results/run.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "results/joint_density.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+Curve curve_of(compare::SolutionMarginal&& found) {
+  auto& [solution, variable, marginal] = found;
+  std::vector<double> centres;
+  for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.centre(b));
+  return {std::move(solution),       variable,
+          std::move(centres),        std::move(marginal.density),
+          std::move(marginal.lower), std::move(marginal.upper)};
+}
+
+}  // namespace
+
+const Curve* Case::curve(std::string_view solution, transform::Variable variable) const {
+  const auto found = std::ranges::find_if(curves, [&](const Curve& curve) {
+    return curve.solution == solution && curve.variable == variable;
+  });
+  return found == curves.end() ? nullptr : &*found;
+}
+
+Program this_program(const std::string& command) { return {"fpkcheck", FPKCHECK_VERSION, command}; }
+
+Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+               std::vector<transform::Solution> solutions) {
+  auto comparison = compare::compare_solutions(axes, solutions);
+  Case result{.problem = problem,
+              .solutions = std::move(solutions),
+              .pairs = std::move(comparison.pairs),
+              .budget = std::move(comparison.budget),
+              .limits = std::move(comparison.limits),
+              .curves = {},
+              .joints = {}};
+  for (auto& found : comparison.marginals) result.curves.push_back(curve_of(std::move(found)));
+  result.joints = joint_densities(axes, result.solutions);
+  return result;
+}
+
+}  // namespace fpkcheck::results

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/axes.hpp"
+#include "compare/comparison.hpp"
+#include "problem/problem.hpp"
+#include "transform/density.hpp"
+#include "transform/solution.hpp"
+
+/// What a run found, as a type. It is complete before anything is written; tables, pictures and the
+/// page are made from it, whether it was just computed or read back from files.
+namespace fpkcheck::results {
+
+/// A marginal density of one solution, as marginals.csv holds it.
+struct Curve {
+  std::string solution;  ///< id
+  transform::Variable variable;
+  std::vector<double> abscissa;  ///< n bin centres
+  std::vector<double> density;   ///< n bin averages
+  std::vector<double> lower;     ///< n lower ends of 95 % intervals, or empty
+  std::vector<double> upper;     ///< n upper ends, or empty
+
+  bool operator==(const Curve&) const = default;
+};
+
+/// The joint density of (y, y') of one solution, as averages over common cells.
+struct JointDensity {
+  std::string solution;  ///< id
+  transform::GridDensity density;
+};
+
+/// Everything a run found out about one case.
+struct Case {
+  problem::Problem problem;
+  std::vector<transform::Solution> solutions;  ///< by increasing trust
+  std::vector<compare::PairDistances> pairs;
+  std::vector<compare::BudgetRow> budget;
+  std::string limits;  ///< one sentence; empty without a budget
+  std::vector<Curve> curves;
+  std::vector<JointDensity> joints;  ///< of the solutions that have one, all on the same cells
+
+  const std::string& name() const { return problem.name; }
+  /// The solution with this id, or null.
+  const transform::Solution* find(std::string_view id) const {
+    return transform::find_solution(solutions, id);
+  }
+  /// The curve of a solution, or null.
+  const Curve* curve(std::string_view solution, transform::Variable variable) const;
+  /// compare::l1_between of its pairs.
+  std::optional<double> l1(std::string_view one, std::string_view other,
+                           transform::Variable variable) const {
+    return compare::l1_between(pairs, one, other, variable);
+  }
+};
+
+/// Which program made a run, and how.
+struct Program {
+  std::string name, version, command;
+};
+
+/// This program.
+/// @param command the command line of the run
+Program this_program(const std::string& command);
+
+struct Run {
+  Program program;
+  std::vector<Case> cases;
+};
+
+/// Compares the solutions of a case and keeps what is saved of them.
+/// @param solutions by increasing trust
+Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+               std::vector<transform::Solution> solutions);
+
+}  // namespace fpkcheck::results

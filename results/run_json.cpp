@@ -1,0 +1,209 @@
+#include "results/run_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "compare/reference.hpp"
+#include "parameters/input_error.hpp"
+#include "results/json.hpp"
+#include "results/solution_json.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+using compare::BudgetPart;
+using compare::BudgetRow;
+using compare::Distances;
+using compare::PairDistances;
+using transform::Variable;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Json pair_json(const PairDistances& pair) {
+  const Distances& d = pair.distances;
+  Json tail = Json::array();
+  for (const auto& part : d.log10_tail) {
+    tail.push_back({{"from", part.from},
+                    {"to", part.to},
+                    {"mean_abs", part.mean_abs},
+                    {"bins", part.bins},
+                    {"left_out", part.left_out}});
+  }
+  return {{"a", pair.a},       {"b", pair.b},  {"variable", name(pair.variable)}, {"l1", d.l1},
+          {"l2", d.l2},        {"sup", d.sup}, {"hellinger", d.hellinger},        {"kl", d.kl},
+          {"log10_tail", tail}};
+}
+
+Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+Json part_json(const BudgetPart& part) {
+  Json json{{"name", part.name()},
+            {"from", part.from},
+            {"to", part.to},
+            {"l1", part.l1},
+            {"tail", part.tail}};
+  if (part.expected) {
+    json["expected"] = *part.expected;
+    json["in_99"] = or_null(part.in_99);
+  } else {
+    json["uncertainty"] = or_null(part.uncertainty);
+  }
+  return json;
+}
+
+Json row_json(const BudgetRow& row) {
+  Json parts = Json::array();
+  for (const auto& part : row.parts) parts.push_back(part_json(part));
+  return {{"solution", row.solution},
+          {"variable", name(row.variable)},
+          {"reference", row.reference},
+          {"total", row.total},
+          {"total_tail", row.total_tail},
+          {"tail", {{"from", row.tail_from}, {"to", row.tail_to}, {"bins", row.tail_bins}}},
+          {"parts", parts}};
+}
+
+template <class Element>
+Json list_of(const std::vector<Element>& elements, Json (*json_of)(const Element&)) {
+  Json list = Json::array();
+  for (const auto& element : elements) list.push_back(json_of(element));
+  return list;
+}
+
+Json case_json(const Case& one) {
+  Json json = problem_json(one.problem);
+  json["solutions"] = list_of(one.solutions, solution_json);
+  json["comparisons"] = list_of(one.pairs, pair_json);
+  json["budget"] = list_of(one.budget, row_json);
+  json["limits"] = one.limits;
+  const auto* reference = compare::reference(one.solutions);
+  json["reference"] = reference == nullptr ? Json() : Json(reference->id());
+  return json;
+}
+
+Variable variable_in(const Json& object) {
+  const auto text = object.at("variable").get<std::string>();
+  const auto variable = parameters::value_named<Variable>(text);
+  if (!variable) throw InputError(fmt::format("variable '{}' (must be y or ydot)", text));
+  return *variable;
+}
+
+// Null stands for what is not finite.
+double number_or(double otherwise, const Json& value) {
+  return value.is_null() ? otherwise : value.get<double>();
+}
+
+PairDistances pair_in(const Json& json) {
+  PairDistances pair{json.at("a"), json.at("b"), variable_in(json), {}};
+  Distances& d = pair.distances;
+  d.l1 = number_or(kNotANumber, json.at("l1"));
+  d.l2 = number_or(kNotANumber, json.at("l2"));
+  d.sup = number_or(kNotANumber, json.at("sup"));
+  d.hellinger = number_or(kNotANumber, json.at("hellinger"));
+  // Both infinities and none are written as null; the former is what a distance of densities has.
+  d.kl = number_or(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
+  for (const auto& tail : json.at("log10_tail")) {
+    d.log10_tail.push_back({.from = tail.at("from"),
+                            .to = tail.at("to"),
+                            .mean_abs = number_or(kNotANumber, tail.at("mean_abs")),
+                            .bins = tail.at("bins"),
+                            .left_out = tail.at("left_out")});
+  }
+  return pair;
+}
+
+BudgetRow budget_row_in(const Json& json) {
+  const Json& tail = json.at("tail");
+  BudgetRow row{.solution = json.at("solution"),
+                .variable = variable_in(json),
+                .reference = json.at("reference"),
+                .total = number_or(kNotANumber, json.at("total")),
+                .total_tail = number_or(kNotANumber, json.at("total_tail")),
+                .tail_from = tail.at("from"),
+                .tail_to = tail.at("to"),
+                .tail_bins = tail.at("bins"),
+                .parts = {}};
+  for (const auto& part : json.at("parts")) {
+    row.parts.push_back({.links = compare::links_named(part.at("name").get<std::string>()),
+                         .from = part.at("from"),
+                         .to = part.at("to"),
+                         .l1 = number_or(kNotANumber, part.at("l1")),
+                         .tail = number_or(kNotANumber, part.at("tail")),
+                         .uncertainty = number_if_any(part, "uncertainty"),
+                         .expected = number_if_any(part, "expected"),
+                         .in_99 = number_if_any(part, "in_99")});
+  }
+  if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts (run again)");
+  return row;
+}
+
+Case case_in(const Json& json) {
+  Case one{.problem = problem_in(json),
+           .solutions = {},
+           .pairs = {},
+           .budget = {},
+           .limits = json.value("limits", std::string()),
+           .curves = {},
+           .joints = {}};
+  std::set<std::string> ids;
+  for (const auto& solution : json.at("solutions")) {
+    one.solutions.push_back(solution_in(solution));
+    if (!ids.insert(one.solutions.back().id()).second) {
+      throw InputError(one.solutions.back().id() + " is there twice (run again)");
+    }
+  }
+  for (const auto& pair : json.at("comparisons")) one.pairs.push_back(pair_in(pair));
+  if (json.contains("budget")) {
+    for (const auto& row : json.at("budget")) one.budget.push_back(budget_row_in(row));
+  }
+  return one;
+}
+
+void require_summary(const Json& json, const std::string& where) {
+  if (!json.is_object() || !json.contains("schema")) {
+    throw InputError(fmt::format("{} is not the summary of a run (it has no schema)", where));
+  }
+  if (json.at("schema") != kSummarySchema) {
+    throw InputError(fmt::format("{} has schema {} (this program reads schema {}; run again)",
+                                 where, json.at("schema").dump(), kSummarySchema));
+  }
+}
+
+}  // namespace
+
+std::string summary_text(const Run& run) {
+  return text_of(with_null_for_non_finite({{"schema", kSummarySchema},
+                                           {"program", program_json(run.program)},
+                                           {"cases", list_of(run.cases, case_json)}}));
+}
+
+Run read_summary(std::istream& in, const std::string& where) {
+  const Json json = parsed(in, where);
+  require_summary(json, where);
+  try {
+    const Json& program = json.at("program");
+    Run run{{program.at("name"), program.at("version"), program.at("command")}, {}};
+    std::set<std::string> names;
+    for (const auto& one : json.at("cases")) {
+      const auto name = one.at("name").get<std::string>();
+      if (!names.insert(name).second) throw InputError(name + " is there twice (run again)");
+      try {
+        run.cases.push_back(case_in(one));
+      } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", name, error.what()));
+      }
+    }
+    return run;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  } catch (const Json::exception& error) {
+    throw InputError(
+        fmt::format("{} is not a whole summary ({}; run again)", where, said_by(error)));
+  }
+}
+
+}  // namespace fpkcheck::results

@@ -1,0 +1,109 @@
+#include "results/saved_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "parameters/input_error.hpp"
+#include "results/joint_netcdf.hpp"
+#include "results/marginals_csv.hpp"
+#include "results/run_json.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::ifstream open_saved(const fs::path& file) {
+  std::error_code ignored;
+  std::ifstream in;
+  if (fs::is_regular_file(file, ignored)) in.open(file);
+  if (!in.is_open()) {
+    if (!file.has_parent_path()) {
+      throw InputError(fmt::format(
+          "{} is not a readable file (give the summary.json of a run, or its directory)",
+          file.string()));
+    }
+    throw InputError(
+        fmt::format("no run in '{}' ({} is not a readable file; give the --out of a run)",
+                    file.parent_path().string(), file.filename().string()));
+  }
+  return in;
+}
+
+[[noreturn]] void refuse_other_run(const fs::path& file) {
+  throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
+                               kSummaryFile, file.filename().string(),
+                               file.parent_path().string()));
+}
+
+Case* find_case(Run& run, const std::string& name) {
+  const auto found = std::ranges::find(run.cases, name, &Case::name);
+  return found == run.cases.end() ? nullptr : &*found;
+}
+
+// Every solution with a density has its curves, and there are no others.
+bool curves_belong(const Case& one) {
+  std::set<std::string> with_curves, with_density;
+  for (const auto& curve : one.curves) with_curves.insert(curve.solution);
+  for (const auto& solution : one.solutions) {
+    if (solution.has_density()) with_density.insert(solution.id());
+  }
+  return with_curves == with_density;
+}
+
+void load_joints(const fs::path& file, Run& run) {
+  for (auto& [case_name, joint] : read_joint_netcdf(file)) {
+    Case* one = find_case(run, case_name);
+    const auto* solution = one == nullptr ? nullptr : one->find(joint.solution);
+    if (solution == nullptr || !solution->has_density()) refuse_other_run(file);
+    one->joints.push_back(std::move(joint));
+  }
+}
+
+}  // namespace
+
+void add_summary_and_curves(PendingFiles& files, const fs::path& directory, const Run& run) {
+  std::ostringstream csv;
+  write_marginals_csv(csv, run.cases);
+  files.add(directory / kMarginalsFile, csv.str());
+  files.add(directory / kSummaryFile, summary_text(run) + '\n');
+}
+
+void add_run(PendingFiles& files, const fs::path& directory, const Run& run) {
+  add_summary_and_curves(files, directory, run);
+  const bool any_joint =
+      std::ranges::any_of(run.cases, [](const Case& one) { return !one.joints.empty(); });
+  if (any_joint) {
+    add_joint_netcdf(files, directory / kJointFile, run);
+  } else {
+    files.remove(directory / kJointFile);
+  }
+}
+
+Run load_summary(const fs::path& file) {
+  auto in = open_saved(file);
+  return read_summary(in, file.string());
+}
+
+void load_curves(const fs::path& file, Run& run) {
+  auto csv = open_saved(file);
+  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string())) {
+    Case* one = find_case(run, case_name);
+    if (one == nullptr) refuse_other_run(file);
+    one->curves.push_back(std::move(curve));
+  }
+  if (!std::ranges::all_of(run.cases, curves_belong)) refuse_other_run(file);
+}
+
+Run load_run(const fs::path& directory) {
+  Run run = load_summary(directory / kSummaryFile);
+  load_curves(directory / kMarginalsFile, run);
+  if (fs::exists(directory / kJointFile)) load_joints(directory / kJointFile, run);
+  return run;
+}
+
+}  // namespace fpkcheck::results

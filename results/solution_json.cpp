@@ -1,0 +1,212 @@
+#include "results/solution_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+using problem::Equation;
+using problem::Impact;
+using transform::Identity;
+using transform::Moments;
+using transform::Solution;
+
+// Of a solution that was read from a file nobody knows what it solves.
+constexpr const char* kGiven = "given";
+constexpr const char* kNoImpact = "-";
+
+// What is not an observation.
+constexpr std::array<std::string_view, 15> kCommon{
+    "id",      "method",      "equation",        "impact",          "identity",
+    "options", "status",      "reason",          "seconds",         "moments",
+    "mass",    "min_density", "energy_residual", "standard_errors", "sampling_l1"};
+// Beside these, "error" may hold what its method alone knows of it.
+constexpr std::array<std::string_view, 3> kCommonOfError{"y_l1", "ydot_l1", "moments"};
+
+template <std::size_t N>
+bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key) {
+  return std::ranges::find(keys, key) != keys.end();
+}
+
+Json identity_json(const Identity& identity) {
+  const auto& look = identity.look;
+  return {{"role", name(identity.role)},
+          {"family", identity.family},
+          {"formulation", identity.formulation},
+          {"order", identity.order ? Json(*identity.order) : Json()},
+          {"meaning", identity.meaning},
+          {"trust", identity.trust},
+          {"look",
+           {{"colour", look.colour},
+            {"dash", look.dash},
+            {"width", look.width},
+            {"as_points", look.as_points},
+            {"layer", look.layer},
+            {"symbol", look.symbol}}}};
+}
+
+void read_identity(const Json& json, Identity& identity) {
+  const auto role = parameters::value_named<transform::Role>(json.at("role").get<std::string>());
+  if (!role)
+    throw InputError(fmt::format("role {} is unknown (run again)", json.at("role").dump()));
+  identity.role = *role;
+  identity.family = json.at("family");
+  identity.formulation = json.at("formulation");
+  if (!json.at("order").is_null()) identity.order = json.at("order").get<int>();
+  identity.meaning = json.at("meaning");
+  identity.trust = json.at("trust");
+  const Json& look = json.at("look");
+  identity.look = {.colour = look.at("colour"),
+                   .dash = look.at("dash"),
+                   .width = look.at("width"),
+                   .as_points = look.at("as_points"),
+                   .layer = look.at("layer"),
+                   .symbol = look.at("symbol")};
+}
+
+Json sampling_json(const transform::SamplingError& sampling) {
+  Json json = Json::object();
+  const auto put = [&](const char* key, const std::optional<double>& value) {
+    if (value) json[key] = *value;
+  };
+  put("y", sampling.y);
+  put("ydot", sampling.ydot);
+  put("y_99", sampling.y_99);
+  put("ydot_99", sampling.ydot_99);
+  return json;
+}
+
+double number_in(const Json& object, const char* key) {
+  const Json& value = object.at(key);
+  return value.is_null() ? kNotANumber : value.get<double>();
+}
+
+Moments moments_in(const Json& json) {
+  return {.y1 = number_in(json, "y1"),
+          .y2 = number_in(json, "y2"),
+          .y4 = number_in(json, "y4"),
+          .v1 = number_in(json, "v1"),
+          .v2 = number_in(json, "v2"),
+          .v4 = number_in(json, "v4")};
+}
+
+template <class Enum>
+std::optional<Enum> choice_in(const Json& json, const char* key, std::string_view unknown) {
+  const auto text = json.at(key).get<std::string>();
+  if (text == unknown) return std::nullopt;
+  const auto value = parameters::value_named<Enum>(text);
+  if (!value) throw InputError(fmt::format("{} '{}' is unknown (run again)", key, text));
+  return value;
+}
+
+void read_numbers(const Json& json, Solution& s) {
+  s.had_density = !json.at("mass").is_null();
+  if (s.had_density) {
+    s.moments = moments_in(json.at("moments"));
+    s.mass = number_in(json, "mass");
+    s.min_density = number_in(json, "min_density");
+    s.energy_residual = number_in(json, "energy_residual");
+  }
+  if (const auto errors = json.find("standard_errors"); errors != json.end()) {
+    s.standard_errors = {moments_in(*errors), number_in(*errors, "energy_residual")};
+  }
+  if (const auto sampling = json.find("sampling_l1"); sampling != json.end()) {
+    s.sampling = {.y = number_if_any(*sampling, "y"),
+                  .ydot = number_if_any(*sampling, "ydot"),
+                  .y_99 = number_if_any(*sampling, "y_99"),
+                  .ydot_99 = number_if_any(*sampling, "ydot_99")};
+  }
+  if (const auto error = json.find("error"); error != json.end() && error->is_object()) {
+    s.error = {number_in(*error, "y_l1"), number_in(*error, "ydot_l1"),
+               moments_in(error->at("moments"))};
+  }
+}
+
+// All that is left: what the solver alone knows.
+Json observed_part(const Json& json) {
+  Json rest = Json::object();
+  for (const auto& [key, value] : json.items()) {
+    if (is_one_of(kCommon, key)) continue;
+    if (key != "error") {
+      rest[key] = value;
+      continue;
+    }
+    for (const auto& [leaf, of_error] : value.items()) {
+      if (!is_one_of(kCommonOfError, leaf)) rest["error"][leaf] = of_error;
+    }
+  }
+  return rest;
+}
+
+}  // namespace
+
+Json solution_json(const Solution& s) {
+  const Identity& identity = s.identity;
+  Json json{{"id", identity.id},
+            {"method", identity.method},
+            {"equation", identity.equation ? name(*identity.equation) : kGiven},
+            {"impact", identity.impact ? name(*identity.impact) : kNoImpact},
+            {"identity", identity_json(identity)},
+            {"options", values_json(s.options)},
+            {"status", name(s.status)},
+            {"reason", s.reason},
+            {"seconds", s.seconds},
+            {"moments", nullptr},
+            {"mass", nullptr},
+            {"min_density", nullptr},
+            {"energy_residual", nullptr}};
+  if (s.has_density()) {
+    json["moments"] = moments_json(s.moments);
+    json["mass"] = s.mass;
+    json["min_density"] = s.min_density;
+    json["energy_residual"] = s.energy_residual;
+  }
+  if (s.standard_errors) {
+    json["standard_errors"] = moments_json(s.standard_errors->moments);
+    json["standard_errors"]["energy_residual"] = s.standard_errors->energy_residual;
+  }
+  if (s.sampling) json["sampling_l1"] = sampling_json(*s.sampling);
+  if (s.error) {
+    json["error"] = {{"y_l1", s.error->y_l1},
+                     {"ydot_l1", s.error->ydot_l1},
+                     {"moments", moments_json(s.error->moments)}};
+  }
+  for (const auto& observation : s.observations) {
+    const std::string_view path = observation.path;
+    if (is_one_of(kCommon, path.substr(0, path.find_first_of(".[")))) {
+      throw std::logic_error("an observation of " + s.id() + " claims " + observation.path);
+    }
+  }
+  add_observations(s.observations, json);
+  return json;
+}
+
+Solution solution_in(const Json& json) {
+  Solution s;
+  Identity& identity = s.identity;
+  identity.id = json.at("id");
+  identity.method = json.at("method");
+  identity.equation = choice_in<Equation>(json, "equation", kGiven);
+  identity.impact = choice_in<Impact>(json, "impact", kNoImpact);
+  if (json.contains("identity")) read_identity(json.at("identity"), identity);
+  s.options = values_in(json.at("options"));
+  const auto status = choice_in<transform::Status>(json, "status", "");
+  if (!status) throw InputError("an empty status (run again)");
+  s.status = *status;
+  s.reason = json.at("reason");
+  s.seconds = number_in(json, "seconds");
+  read_numbers(json, s);
+  s.observations = observations_in(observed_part(json));
+  return s;
+}
+
+}  // namespace fpkcheck::results

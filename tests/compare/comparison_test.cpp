@@ -1,0 +1,81 @@
+#include "compare/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "made_up_solutions.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+using problem::Equation;
+using problem::Impact;
+using transform::Solution;
+using transform::Variable;
+
+struct MadeUp {
+  ComparisonAxes axes = comparison_axes(tests::paper_case(1));
+  std::vector<Solution> solutions = tests::made_up_solutions(axes);
+  Comparison comparison = compare_solutions(axes, solutions);
+};
+
+TEST(Comparison, IsOfEveryPairWithADensityAgainstTheMoreTrusted) {
+  const auto [axes, solutions, comparison] = MadeUp();
+  // Seven of the eight solutions have a density.
+  EXPECT_EQ(comparison.marginals.size(), 2 * 7u);
+  ASSERT_EQ(comparison.pairs.size(), 2 * 21u);
+  EXPECT_EQ(comparison.pairs.front().a, "epc-gaussian-n2");
+  EXPECT_EQ(comparison.pairs.front().b, "epc-gaussian-n4");
+  EXPECT_EQ(comparison.pairs.front().variable, Variable::y);
+  EXPECT_EQ(comparison.pairs.back().a, "fd-kf");
+  EXPECT_EQ(comparison.pairs.back().b, "mcs");
+  EXPECT_EQ(comparison.pairs.back().variable, Variable::ydot);
+  const auto& white = comparison.marginals[3];
+  const auto& kf = comparison.marginals[5];
+  ASSERT_EQ(white.solution + kf.solution, "fd-whitefd-kf");
+  const auto* pair = find_pair(comparison.pairs, "fd-kf", "fd-white", Variable::y);
+  ASSERT_NE(pair, nullptr);
+  EXPECT_EQ(pair->distances.kl, distances(white.marginal, kf.marginal).kl);
+  EXPECT_NE(pair->distances.kl, distances(kf.marginal, white.marginal).kl);
+}
+
+TEST(Comparison, IsOfWhatIsNotOkToo) {
+  const auto [axes, solutions, comparison] = MadeUp();
+  ASSERT_EQ(solutions[1].status, transform::Status::inadmissible);
+  EXPECT_EQ(comparison.marginals[1].solution, solutions[1].id());
+}
+
+TEST(Comparison, UsesTheSimulationsOwnHistogram) {
+  const auto [axes, solutions, comparison] = MadeUp();
+  const auto& own = solutions.back().estimated_marginals.front().second;
+  const auto& used = comparison.marginals[6];
+  ASSERT_EQ(used.solution, "mcs");
+  EXPECT_EQ(used.marginal.density, own.density);
+  EXPECT_EQ(used.marginal.lower, own.lower);
+}
+
+TEST(Comparison, IsOfTheMarginalOfTheVariableItNames) {
+  // Made with the same p(y), and with another p(y').
+  std::vector<Solution> two;
+  for (const double quartic : {0.0, 0.1}) {
+    two.push_back(tests::solution(
+        tests::identity(quartic > 0 ? "flat" : "normal", "fd", Equation::kf, Impact::map),
+        tests::smooth({2, 0, 2, quartic}, 5, 5)));
+  }
+  const auto pairs = compare_solutions(comparison_axes(tests::paper_case(1)), two).pairs;
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_LT(pairs[0].distances.l1, 1e-9);
+  EXPECT_GT(pairs[1].distances.l1, 1e-2);
+}
+
+TEST(Comparison, APairIsFoundFromBothSidesAndIsNoNumberWhereADensityIsNone) {
+  auto made_up = MadeUp();
+  const auto& pairs = made_up.comparison.pairs;
+  EXPECT_EQ(l1_between(pairs, "mcs", "fd-kf", Variable::y),
+            l1_between(pairs, "fd-kf", "mcs", Variable::y));
+  EXPECT_FALSE(l1_between(pairs, "mcs", "epc-gaussian-n8", Variable::y));
+  made_up.comparison.pairs.back().distances.l1 = std::nan("");
+  EXPECT_FALSE(l1_between(pairs, "mcs", "fd-kf", Variable::ydot));
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare

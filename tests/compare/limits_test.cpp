@@ -1,0 +1,110 @@
+#include "compare/limits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fpkcheck::compare {
+namespace {
+
+using transform::Solution;
+using transform::Status;
+using transform::Variable;
+
+BudgetPart part(Link link, const std::string& from, const std::string& to, double l1) {
+  return {.links = {link}, .from = from, .to = to, .l1 = l1, .tail = 0, .uncertainty = 1e-5};
+}
+
+struct Budgets {
+  std::vector<Solution> solutions;
+  std::vector<BudgetRow> rows;
+
+  std::string limits() const { return compare::limits(rows, solutions); }
+
+  void add_solution(const std::string& id, Status status) {
+    solutions.push_back({.identity = {.id = id, .method = "epc"}, .status = status});
+  }
+
+  /// One closure against the simulation, the same in both variables.
+  void add(const std::string& id, double closure, double impact, double total,
+           Status status = Status::ok) {
+    add_solution(id, status);
+    for (const auto variable : transform::kVariables) {
+      BudgetPart sampling = part(Link::sampling, "fd-kf limit", "mcs", 5e-4);
+      sampling.uncertainty.reset();
+      sampling.expected = 6e-4;
+      sampling.in_99 = 8e-4;
+      rows.push_back({.solution = id,
+                      .variable = variable,
+                      .reference = "mcs",
+                      .total = total,
+                      .total_tail = 0,
+                      .tail_from = 0,
+                      .tail_to = 0,
+                      .tail_bins = 0,
+                      .parts = {part(Link::closure, id, "fd-km4-delta", closure),
+                                part(Link::impact, "fd-km4-delta", "fd-km4", impact), sampling}});
+    }
+  }
+};
+
+TEST(Limits, GroupClosuresByTheLargestPartAndByTheReference) {
+  Budgets one;
+  one.add("epc-gaussian-n2", 9e-3, 5e-4, 9.2e-3);
+  one.add("epc-gaussian-n4", 4e-3, 5e-4, 4.2e-3, Status::inadmissible);
+  one.add("epc-gaussian-n6", 1e-4, 2e-3, 2.1e-3);
+  one.add("epc-gaussian-n8", 1e-4, 2e-4, 6e-4);
+  one.add("epc-polar-n8", 1e-5, 2e-5, 7.9e-4);
+  EXPECT_EQ(one.limits(),
+            "What limits each closure: the closure itself in epc-gaussian-n2 and -n4 "
+            "(inadmissible) (80 to 90 % of the sum of the parts); the impact to first order in 1-r "
+            "in epc-gaussian-n6 (77 %); the accuracy of mcs in epc-gaussian-n8 and epc-polar-n8, "
+            "which lie within its sampling error in L1.");
+}
+
+TEST(Limits, BothVariablesMustLieWithinTheErrorOfTheReference) {
+  Budgets one;
+  one.add("epc-polar-n8", 4e-4, 2e-5, 7e-4);
+  EXPECT_NE(one.limits().find("which lies within its sampling error"), std::string::npos);
+  one.rows[1].total = 8.1e-4;
+  EXPECT_EQ(one.limits(),
+            "What limits each closure: the sampling of the reference in epc-polar-n8 (54 % of the "
+            "sum of the parts).");
+}
+
+TEST(Limits, WithoutASimulationTheDiscretisationErrorIsTheMeasure) {
+  Budgets one;
+  one.add_solution("epc-polar-n8", Status::ok);
+  one.rows.push_back({.solution = "epc-polar-n8",
+                      .variable = Variable::y,
+                      .reference = "fd-kf limit",
+                      .total = 2e-5,
+                      .total_tail = 0,
+                      .tail_from = 0,
+                      .tail_to = 0,
+                      .tail_bins = 0,
+                      .parts = {part(Link::closure, "epc-polar-n8", "fd-kf", 4e-5),
+                                part(Link::discretisation, "fd-kf", "fd-kf limit", 3e-5)}});
+  one.rows[0].parts[1].uncertainty = 3e-5;
+  EXPECT_EQ(
+      one.limits(),
+      "What limits each closure: the accuracy of fd-kf limit in epc-polar-n8, which lies within "
+      "its discretisation error in L1.");
+  one.rows[0].total = 5e-5;
+  EXPECT_EQ(one.limits(),
+            "What limits each closure: the closure itself in epc-polar-n8 (57 % of the sum of the "
+            "parts).");
+}
+
+TEST(Limits, ADisagreementOfTheReferencesIsNotCalledSampling) {
+  Budgets one;
+  one.add("epc-polar-n8", 1e-5, 2e-5, 7e-4);
+  ASSERT_EQ(one.limits().find("further apart"), std::string::npos);
+  for (auto& row : one.rows) row.parts.back().l1 = 9e-4;  // 99 of 100 below 8e-4
+  const auto text = one.limits();
+  EXPECT_NE(text.find("further apart than 99 of 100 simulations"), std::string::npos) << text;
+  EXPECT_EQ(text.find("lies within"), std::string::npos) << text;
+}
+
+TEST(Limits, NothingToSayWithoutABudget) { EXPECT_EQ(Budgets().limits(), ""); }
+
+}  // namespace
+}  // namespace fpkcheck::compare

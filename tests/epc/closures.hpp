@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "epc/solve.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+/// What the tests of all formulations share.
+namespace fpkcheck::tests {
+
+inline epc::Options closure(epc::Formulation formulation, int order,
+                            std::optional<problem::Equation> equation = {}) {
+  return {.order = order, .formulation = formulation, .equation = equation};
+}
+
+using Coefficients = std::map<std::pair<int, int>, double>;
+
+inline Coefficients by_power(const epc::Summary& summary) {
+  Coefficients result;
+  for (const auto& [p, q, a] : summary.coefficients) result[{p, q}] = a;
+  return result;
+}
+
+/// The coefficients in a scaled plane, where they are of comparable size.
+inline Coefficients scaled_by_power(const epc::Summary& summary, double sigma1, double sigma2) {
+  Coefficients table = by_power(summary);
+  for (auto& [power, a] : table) {
+    a *= std::pow(sigma1, power.first) * std::pow(sigma2, power.second);
+  }
+  return table;
+}
+
+}  // namespace fpkcheck::tests

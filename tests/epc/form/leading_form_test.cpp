@@ -1,0 +1,60 @@
+#include "epc/form/leading_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scaled_polynomials.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using tests::kSigma;
+using tests::radial;
+using tests::scaled;
+
+TEST(LeadingForm, OfAGaussianIsNegative) {
+  const LeadingForm form = leading_form(radial(0), kSigma);
+  EXPECT_TRUE(form.negative);
+  EXPECT_EQ(form.rising_share, 0);
+}
+
+TEST(LeadingForm, MayVanishWhereALowerDegreeFalls) {
+  EXPECT_TRUE(leading_form(scaled({{2, 0, -1}, {0, 2, -1}, {4, 0, -0.3}}), kSigma).negative);
+  EXPECT_FALSE(leading_form(scaled({{2, 0, -1}, {0, 2, 1}, {4, 0, -0.3}}), kSigma).negative);
+}
+
+TEST(LeadingForm, IgnoresCoefficientsThatAreRounding) {
+  EXPECT_TRUE(
+      leading_form(scaled({{2, 0, -1}, {0, 2, -1}, {4, 0, -0.3}, {6, 0, 1e-14}}), kSigma).negative);
+}
+
+TEST(LeadingForm, NamesTheWorstDirectionAndTheRadius) {
+  const LeadingForm form = leading_form(
+      scaled({{2, 0, -0.5}, {0, 2, -0.5}, {4, 0, 1.0 / 64}, {2, 2, -1}, {0, 4, -0.1}}), kSigma);
+  EXPECT_FALSE(form.negative);
+  EXPECT_NEAR(std::abs(form.worst.x1), 1, 1e-12);
+  EXPECT_NEAR(form.rises_from, 4, 0.02);
+  EXPECT_GT(form.rising_share, 0);
+  EXPECT_LT(form.rising_share, 0.2);
+  EXPECT_EQ(leading_form(radial(0.01), kSigma).rising_share, 1);
+}
+
+TEST(LeadingForm, SeesAnOddLeadingDegree) {
+  const LeadingForm form = leading_form(scaled({{2, 0, -1}, {0, 2, -1}, {0, 3, 0.1}}), kSigma);
+  EXPECT_FALSE(form.negative);
+  EXPECT_NEAR(form.worst.x2, 1, 1e-12);
+  EXPECT_NEAR(form.rising_share, 0.5, 1e-2);
+}
+
+TEST(LeadingForm, IsToldInWords) {
+  EXPECT_EQ(behaviour(leading_form(radial(0), kSigma), "(u, w)"), "though Q_n falls in the end");
+  EXPECT_EQ(
+      behaviour({.negative = false, .worst = {1, 0}, .rises_from = 4.017, .rising_share = 0.124},
+                "(u, w)"),
+      "and Q_n rises in the end along 12 % of all directions, along (u, w) = (1.00, 0.00) "
+      "from radius 4.02 on");
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc

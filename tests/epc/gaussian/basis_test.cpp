@@ -1,0 +1,59 @@
+#include "epc/gaussian/basis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+TEST(Basis, CountsTheUnknownsOfThePaper) {
+  // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; half of them, roughly, are point-symmetric.
+  const Deviations sigma{1, 1};
+  for (const auto& [order, general, symmetric] :
+       {std::tuple{2, 5, 3}, {4, 14, 8}, {6, 27, 15}, {8, 44, 24}}) {
+    EXPECT_EQ(Basis(order, MonomialSet::general, sigma).size(), general);
+    EXPECT_EQ(Basis(order, MonomialSet::point_symmetric, sigma).size(), symmetric);
+  }
+}
+
+TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
+  const Basis basis(6, MonomialSet::general, {0.7, 1.6});
+  const double x1 = 0.8, x2 = -1.1, h = 2e-2;
+  const BasisTable table =
+      basis.table(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2));
+  for (Eigen::Index s = 0; s < basis.size(); ++s) {
+    const auto at = [&](double i, double j) { return basis.value(s, x1 + i * h, x2 + j * h); };
+    EXPECT_NEAR(table.value(0, s), at(0, 0), 1e-14);
+    const auto lower = [&](double i, double j) {
+      // Fourth-order difference of the first derivative in the direction (i, j).
+      return (8 * (at(i, j) - at(-i, -j)) - (at(2 * i, 2 * j) - at(-2 * i, -2 * j))) / (12 * h);
+    };
+    EXPECT_NEAR(table.d1(0, s), lower(1, 0), 1e-5);
+    EXPECT_NEAR(table.d2(0, s), lower(0, 1), 1e-5);
+    EXPECT_NEAR(table.d22(0, s), (at(0, 1) - 2 * at(0, 0) + at(0, -1)) / (h * h), 1e-3);
+    EXPECT_NEAR(table.d222(0, s),
+                (at(0, 2) - 2 * at(0, 1) + 2 * at(0, -1) - at(0, -2)) / (2 * h * h * h), 2e-3);
+    EXPECT_NEAR(
+        table.d2222(0, s),
+        (at(0, 2) - 4 * at(0, 1) + 6 * at(0, 0) - 4 * at(0, -1) + at(0, -2)) / std::pow(h, 4),
+        4e-3);
+  }
+}
+
+TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
+  const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
+  // x1^2: E[x1^4] = 3 sigma_1^4; x1 x2: sigma_1 sigma_2.
+  EXPECT_NEAR(basis.value(0, 1, 1), 1 / (0.25 * std::sqrt(3)), 1e-14);
+  EXPECT_NEAR(basis.value(1, 1, 1), 1.0, 1e-14);
+}
+
+TEST(Basis, ScaledCoefficientsAndPolynomialsAreInverse) {
+  const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
+  const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(basis.size(), -1, 1);
+  EXPECT_LT((basis.scaled(basis.polynomial(a).terms()) - a).norm(), 1e-14);
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::gaussian

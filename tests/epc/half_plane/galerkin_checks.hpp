@@ -1,0 +1,56 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "epc/half_plane/equations.hpp"
+#include "problem/problem.hpp"
+
+/// What the tests of the Galerkin equations share, whatever their coordinates.
+namespace fpkcheck::tests {
+
+/// T = D2/c of the exact density C exp(-h/T) of white noise at an impact without loss.
+inline double temperature_of(const problem::Problem& p) {
+  return p.impulses.intensity() / (2 * p.system.damping());
+}
+
+/// That density at points, as masses that sum to 1.
+inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::Points& points, double temperature) {
+  const Eigen::VectorXd mass = points.weight.array() * (-points.energy.array() / temperature).exp();
+  return mass / mass.sum();
+}
+
+/// Its coefficients.
+inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::Equations& equations,
+                                              double temperature) {
+  const auto& points = equations.points();
+  return equations.fit(-points.energy / temperature, boltzmann_mass(points, temperature));
+}
+
+/// Coefficients of a density nearby that has no symmetry left.
+inline Eigen::VectorXd shaken(Eigen::VectorXd a) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal(0, 0.05);
+  for (double& x : a) x += normal(engine);
+  return a;
+}
+
+/// The analytic Jacobian of Galerkin equations against central differences of their residual.
+inline void expect_jacobian_is_derivative(const epc::half_plane::Galerkin& equations,
+                                          const Eigen::VectorXd& a) {
+  constexpr double kStep = 1e-5;
+  const Eigen::MatrixXd jacobian = equations.jacobian(equations.density(a));
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    const Eigen::VectorXd e = kStep * Eigen::VectorXd::Unit(a.size(), k);
+    const Eigen::VectorXd difference = (equations.residual(equations.density(a + e)) -
+                                        equations.residual(equations.density(a - e))) /
+                                       (2 * kStep);
+    EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(),
+              1e-7 * (1 + difference.cwiseAbs().maxCoeff()))
+        << k;
+  }
+}
+
+}  // namespace fpkcheck::tests

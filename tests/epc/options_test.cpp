@@ -1,0 +1,190 @@
+#include "epc/options.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+// In everything other than by default.
+Options changed() {
+  return {.order = 10,
+          .formulation = Formulation::moment,
+          .monomials = MonomialSet::general,
+          .equation = Equation::white,
+          .tail = Tail::cut,
+          .tolerance = 3.1e-9,
+          .max_iterations = 17};
+}
+
+// All that may be asked for by a name and an order.
+std::vector<Options> named_options() {
+  std::vector<Options> list;
+  for (const int order : {2, 12}) {
+    for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+      list.push_back({.order = order, .equation = equation});
+    }
+    for (const auto equation : {Equation::white, Equation::kf}) {
+      for (const auto tail : {Tail::confined, Tail::cut}) {
+        list.push_back({.order = order,
+                        .formulation = Formulation::moment,
+                        .equation = equation,
+                        .tail = tail});
+      }
+    }
+    list.push_back({.order = order, .formulation = Formulation::polar});
+  }
+  return list;
+}
+
+std::string refusal(const Options& options) {
+  try {
+    validate(options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ClosureOptions, ComeBackFromTheirValues) {
+  const auto values = description().values(changed()), usual = description().values({});
+  EXPECT_EQ(description().values(description().read(values, "options")), values);
+  EXPECT_EQ(description().values(description().read(usual, "options")), usual);
+  for (std::size_t k = 0; k < values.size(); ++k) EXPECT_NE(values[k], usual[k]) << values[k].name;
+}
+
+TEST(ClosureOptions, HaveTheNamesOfTheFiles) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : description().values({})) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"order", "formulation", "monomials", "equation",
+                                             "tail", "tolerance", "max_iterations"}));
+}
+
+TEST(ClosureOptions, OnTheCommandLineTheEquationIsOneThatAClosureMaySolve) {
+  Options options;
+  const auto& equation = *description().find("equation");
+  for (const char* word : {"white", "km4", "kf", "auto"}) {
+    EXPECT_NO_THROW(description().parse(options, equation, word, "--equation")) << word;
+  }
+  EXPECT_FALSE(options.equation.has_value());
+  EXPECT_THROW(description().parse(options, equation, "km4-pade", "--equation"), InputError);
+}
+
+TEST(ClosureOptions, AutomaticIsTheUsualEquationOfTheFormulation) {
+  EXPECT_EQ(equation_of({}), Equation::km4);
+  EXPECT_EQ(equation_of({.formulation = Formulation::moment}), Equation::kf);
+  EXPECT_EQ(equation_of({.formulation = Formulation::polar}), Equation::kf);
+  EXPECT_EQ(equation_of({.equation = Equation::white}), Equation::white);
+}
+
+TEST(ClosureOptions, AreNamedByFormulationVariantAndOrder) {
+  EXPECT_EQ(id({}), "epc-gaussian-n6");
+  EXPECT_EQ(id({.order = 4, .equation = Equation::white}), "epc-gaussian-white-n4");
+  EXPECT_EQ(id({.equation = Equation::kf}), "epc-gaussian-kf-n6");
+  EXPECT_EQ(id({.equation = Equation::km4}), "epc-gaussian-n6");
+  EXPECT_EQ(id({.order = 8, .formulation = Formulation::moment, .tail = Tail::cut}),
+            "epc-moment-cut-n8");
+  EXPECT_EQ(id({.order = 4, .formulation = Formulation::moment, .equation = Equation::white}),
+            "epc-moment-white-n4");
+  EXPECT_EQ(id({.formulation = Formulation::moment, .equation = Equation::kf}), "epc-moment-n6");
+  EXPECT_EQ(id({.formulation = Formulation::polar}), "epc-polar-n6");
+}
+
+TEST(ClosureOptions, ComeBackFromTheirId) {
+  std::set<std::string> ids;
+  for (const Options& options : named_options()) {
+    EXPECT_EQ(refusal(options), "");
+    ids.insert(id(options));
+    const auto again = options_of(id(options));
+    ASSERT_TRUE(again.has_value()) << id(options);
+    EXPECT_EQ(id(*again), id(options));
+    EXPECT_EQ(again->formulation, options.formulation);
+    EXPECT_EQ(again->tail, options.tail);
+    EXPECT_EQ(equation_of(*again), equation_of(options));
+    EXPECT_EQ(again->order, options.order);
+    EXPECT_EQ(again->monomials, MonomialSet::point_symmetric);
+  }
+  EXPECT_EQ(ids.size(), named_options().size());
+}
+
+TEST(ClosureOptions, AnIdThatIsNoClosuresHasNone) {
+  for (const char* other : {"", "epc", "epc-gaussian", "epc-gaussian-n", "epc-gaussian-nx",
+                            "epc-gaussian-n6x", "epc-gaussian-km4-n6", "epc-moment-kf-n6",
+                            "epc-polar-cut-n6", "epc-spherical-n6", "fd-kf-n6", "mcs"}) {
+    EXPECT_FALSE(options_of(other).has_value()) << other;
+  }
+  EXPECT_EQ(options_of("epc-gaussian-n7")->order, 7);  // validate has to refuse it
+}
+
+TEST(ClosureOptions, IdentityStatesWhatIsSolved) {
+  const auto gaussian = identity({});
+  EXPECT_EQ(gaussian.id, "epc-gaussian-n6");
+  EXPECT_EQ(gaussian.method, "epc");
+  EXPECT_EQ(gaussian.formulation, "gaussian");
+  EXPECT_EQ(gaussian.order, 6);
+  EXPECT_EQ(gaussian.equation, Equation::km4);
+  EXPECT_EQ(gaussian.impact, Impact::delta);
+  EXPECT_EQ(gaussian.role, transform::Role::closure);
+  const auto cut = identity(changed());
+  EXPECT_EQ(cut.id, "epc-moment-cut-white-n10");
+  EXPECT_EQ(cut.formulation, "moment-cut-white");
+  EXPECT_EQ(cut.equation, Equation::white);
+  EXPECT_EQ(cut.impact, Impact::map);
+}
+
+TEST(ClosureOptions, AreRefusedWithOneLine) {
+  for (const int order : {-2, 0, 1, 3, 7, 14, 100}) {
+    const std::string message = refusal({.order = order});
+    EXPECT_NE(message.find("epc order = " + std::to_string(order) +
+                           " (must be an even number from 2 to 12"),
+              std::string::npos)
+        << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+  EXPECT_NE(refusal({.tolerance = 0}), "");
+  EXPECT_NE(refusal({.tolerance = std::nan("")}), "");
+  EXPECT_NE(refusal({.max_iterations = 0}), "");
+}
+
+TEST(ClosureOptions, EveryEvenOrderUpToTheGreatestIsAllowed) {
+  for (const auto& [formulation, name, meaning] : kFormulationNames) {
+    for (int order = 2; order <= greatest_order(formulation); order += 2) {
+      EXPECT_EQ(refusal({.order = order, .formulation = formulation}), "") << name << order;
+    }
+    EXPECT_NE(refusal({.order = greatest_order(formulation) + 2, .formulation = formulation}), "");
+  }
+}
+
+TEST(ClosureOptions, WhatAFormulationCannotSolveIsRefused) {
+  EXPECT_NE(refusal({.equation = Equation::km4_pade}).find("epc equation = km4-pade"),
+            std::string::npos);
+  for (const auto equation : {Equation::km4, Equation::km4_pade}) {
+    EXPECT_NE(refusal({.formulation = Formulation::moment, .equation = equation}), "");
+  }
+  for (const auto equation : {Equation::white, Equation::km4, Equation::km4_pade}) {
+    EXPECT_NE(refusal({.formulation = Formulation::polar, .equation = equation}), "");
+  }
+}
+
+TEST(ClosureOptions, AChoiceThatAFormulationDoesNotHaveIsRefused) {
+  for (const auto formulation : {Formulation::gaussian, Formulation::polar}) {
+    EXPECT_NE(refusal({.formulation = formulation, .tail = Tail::cut}).find("epc tail = cut"),
+              std::string::npos);
+  }
+  for (const auto formulation : {Formulation::moment, Formulation::polar}) {
+    EXPECT_NE(refusal({.formulation = formulation, .monomials = MonomialSet::general})
+                  .find("epc monomials = general"),
+              std::string::npos);
+  }
+  EXPECT_EQ(refusal({.formulation = Formulation::moment, .tail = Tail::cut}), "");
+  EXPECT_EQ(refusal({.monomials = MonomialSet::general}), "");
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc

@@ -1,0 +1,70 @@
+#include "epc/polar/coordinates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::epc::polar {
+namespace {
+
+using tests::make_problem;
+
+TEST(Coordinates, AreInverseToEachOther) {
+  for (const double stiffness : {0.0, 1.0}) {
+    const auto p = make_problem({.stiffness = stiffness, .cubic = 0.7});
+    const Coordinates coordinates(p);
+    for (const double y : {0.0, 1e-8, 0.3, 5.0}) {
+      EXPECT_NEAR(coordinates.y(coordinates.w(y)), y, 1e-14 * (1 + y));
+      const double h = 1e-5;
+      EXPECT_NEAR(coordinates.slope(y), (coordinates.w(y + h) - coordinates.w(y - h)) / (2 * h),
+                  1e-8);
+      if (y > 0) {
+        EXPECT_NEAR(coordinates.force_by_w(y) * coordinates.w(y) / p.system.force()(y), 1, 1e-14);
+      }
+    }
+  }
+  // With a stiffness of its own the amplitude is that of the energy.
+  const auto p = make_problem({.cubic = 0.7});
+  EXPECT_NEAR(std::pow(Coordinates(p).rho(0.6, -0.8), 2) / 2,
+              0.32 + 0.18 + 0.7 * std::pow(0.6, 4) / 4, 1e-15);
+}
+
+TEST(PolarRule, HasTheAreaAndTheMomentsOfTheHalfDisc) {
+  const auto p = make_problem({.cubic = 0});
+  for (const std::vector<double>& breaks : {std::vector<double>{}, {0.4, 1.1}}) {
+    const half_plane::Points points = rule(Coordinates(p), 2, breaks, {24, 24, 24});
+    EXPECT_NEAR(points.weight.sum(), M_PI * 2, 1e-12);
+    EXPECT_NEAR(points.weight.dot(points.y), 2.0 / 3 * 8, 1e-12);
+    EXPECT_NEAR(points.weight.dot(points.v.cwiseAbs2()), M_PI * 16 / 8, 1e-12);
+  }
+}
+
+// K y^2 + mu y^4 / 2 = w^2, by hand.
+TEST(Coordinates, InvertTheEnergyOfACubicSpringAsItsClosedFormDoes) {
+  for (const double cubic : {0.0, 1e-6, 0.7, 5.0}) {
+    const Coordinates coordinates(make_problem({.stiffness = 1.3, .cubic = cubic}));
+    for (const double w : {1e-30, 1e-9, 0.4, 7.0, 1e5}) {
+      const double y = w * std::sqrt(2 / (1.3 + std::sqrt(1.3 * 1.3 + 2 * cubic * w * w)));
+      EXPECT_NEAR(coordinates.y(w) / y, 1, 4e-15) << cubic << ' ' << w;
+    }
+  }
+}
+
+TEST(PolarRule, PointsCarryTheirCoordinatesAndEnergies) {
+  const auto p = make_problem({.cubic = 0.7});
+  const Coordinates coordinates(p);
+  const auto points = rule(coordinates, 2, {}, {7, 9, 7});
+  EXPECT_EQ(points.size(), 63);
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    const double y = points.y[i], v = points.v[i];
+    EXPECT_NEAR(points.s[i], coordinates.rho(y, v), 1e-14);
+    EXPECT_NEAR(points.t[i], coordinates.theta(y, v), 1e-13);
+    EXPECT_NEAR(points.energy[i], v * v / 2 + p.system.potential()(y), 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::polar

@@ -1,0 +1,59 @@
+#include "epc/polar/tail.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::epc::polar {
+namespace {
+
+using tests::make_problem;
+
+// k = 1, mu = 0: amplitudes are radii.
+const problem::Problem kLinear = make_problem({.cubic = 0});
+
+// exp(-rho^2 / 2T) over the half-plane integrates to pi T, and beyond an energy to exp(-E/T) of it.
+TEST(PolarTail, ProbabilityBeyondIsThatOfAGaussian) {
+  const double temperature = 0.7, rho = 3;
+  const Polynomial q({{2, 0, -1 / (2 * temperature)}});
+  const double expected = std::exp(-rho * rho / 2 / temperature);
+  EXPECT_NEAR(half_plane::probability_beyond(q, contour(Coordinates(kLinear), rho), temperature,
+                                             std::log(M_PI * temperature)),
+              expected, 1e-12 * expected);
+}
+
+TEST(PolarTail, RadiiAreThoseOfTheScaledHalfCircle) {
+  const auto [least, greatest] =
+      half_plane::radii(contour(Coordinates(kLinear), 2), {.x1 = 0.5, .x2 = 1});
+  EXPECT_NEAR(least, 2, 1e-12);
+  EXPECT_NEAR(greatest, 4, 1e-12);
+}
+
+TEST(PolarTail, LargestAtAnAmplitudeSeesTheWallAndTheAxis) {
+  EXPECT_NEAR(largest_at(Polynomial({{1, 1, 1}}), 2), M_PI, 1e-12);
+  EXPECT_NEAR(largest_at(Polynomial({{1, 2, -1}, {1, 0, 3}}), 2), 6, 1e-12);
+}
+
+TEST(PolarTail, AFallIsFollowedToTheDepthAskedForOrToWhereItEnds) {
+  const Fall whole = fall_of(Polynomial({{2, 0, -1}}), 25, 10);
+  EXPECT_NEAR(whole.reached.value(), 5, 0.05);
+  EXPECT_EQ(whole.turning, 10);
+  // -rho^2 + 0.02 rho^4 is least, -12.5, at rho = 5.
+  const Fall turned = fall_of(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), 25, 10);
+  EXPECT_FALSE(turned.reached.has_value());
+  EXPECT_NEAR(turned.turning, 5, 0.1);
+}
+
+TEST(PolarTail, LeadingFormIsTheSignOfTheHighestPowerOfTheAmplitude) {
+  EXPECT_TRUE(leading_form_in_amplitude(Polynomial({{2, 0, -1}, {1, 1, 3}}), {1, 1}).negative);
+  const LeadingForm rising =
+      leading_form_in_amplitude(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
+  EXPECT_FALSE(rising.negative);
+  EXPECT_EQ(rising.rising_share, 1);
+  EXPECT_NEAR(rising.rises_from, 2.5, 0.06);  // in deviations of v
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::polar

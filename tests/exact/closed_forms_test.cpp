@@ -1,0 +1,92 @@
+#include "exact/closed_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
+#include "problem/energy_balance.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "trapezoid.hpp"
+
+namespace fpkcheck::exact {
+
+using namespace problem;
+
+namespace {
+
+TEST(Exact, WhiteNoiseDensityIsNormalisedAndSolvesTheEquation) {
+  const Problem p = tests::make_problem({.cubic = 0.5, .restitution = 1});
+  const WhiteNoiseDensity density(p);
+  EXPECT_NEAR(
+      tests::trapezoid([&](double x) { return density.displacement_marginal(std::abs(x)) / 2; }, -6,
+                       6, 600),
+      1.0, 1e-12);
+  // -x2 p_1 + d/dx2[(c x2 + k x1 + mu x1^3) p] + D2 p_22 = 0, by central differences.
+  const double h = 1e-3, d2 = p.impulses.intensity() / 2, x1 = 0.6, x2 = -0.4;
+  const auto drift = [&](double u) {
+    return (p.system.damping() * u + p.system.force()(x1)) * density(x1, u);
+  };
+  const double residual =
+      -x2 * (density(x1 + h, x2) - density(x1 - h, x2)) / (2 * h) +
+      (drift(x2 + h) - drift(x2 - h)) / (2 * h) +
+      d2 * (density(x1, x2 + h) - 2 * density(x1, x2) + density(x1, x2 - h)) / (h * h);
+  EXPECT_NEAR(residual, 0.0, 1e-6);
+}
+
+TEST(Exact, WhiteNoiseDensityKeepsTheEnergyBalance) {
+  const Problem p = tests::make_problem({.restitution = 1});
+  const WhiteNoiseDensity density(p);
+  const double v2 =
+      tests::trapezoid([&](double v) { return v * v * density.velocity_marginal(v); }, -9, 9, 400);
+  EXPECT_NEAR(v2, mean_square_velocity(p), 1e-12);
+  EXPECT_NEAR(
+      energy_residual(p, Impact::map,
+                      {.mean_velocity = 0, .mean_square_velocity = v2, .impact_energy_flux = 3}),
+      0.0, 1e-12);
+}
+
+TEST(Exact, EnergyResidualCountsTheImpactAccordingToItsKind) {
+  const Problem p = tests::make_problem({.restitution = 0.8});
+  const EnergyTerms terms{
+      .mean_velocity = 0, .mean_square_velocity = 0.3, .impact_energy_flux = 0.05};
+  // input 0.05; map: 0.03 + 0.18 * 0.05; delta: 0.03 + 0.2 * 0.05
+  EXPECT_NEAR(energy_residual(p, Impact::map, terms), (0.05 - 0.039) / 0.05, 1e-14);
+  EXPECT_NEAR(energy_residual(p, Impact::exact, terms), (0.05 - 0.039) / 0.05, 1e-14);
+  EXPECT_NEAR(energy_residual(p, Impact::delta, terms), (0.05 - 0.040) / 0.05, 1e-14);
+}
+
+TEST(Exact, LinearCumulantsGiveTheFourthMomentsOfTheTheoryNotes) {
+  const Problem p = tests::make_problem({.cubic = 0, .restitution = 1});
+  const double x2 = linear_cumulant(p, 2, 0), v2 = linear_cumulant(p, 0, 2);
+  EXPECT_NEAR(x2, 0.5, 1e-12);  // lambda E[Y^2] / (2 c k)
+  EXPECT_NEAR(v2, 0.5, 1e-12);
+  EXPECT_NEAR(linear_cumulant(p, 1, 1), 0.0, 1e-12);
+  EXPECT_NEAR(linear_cumulant(p, 4, 0) + 3 * x2 * x2, 0.8058313, 5e-8);
+  // (The notes give 0.8063895; the integral of h'^4, done by hand, ends in ...896.)
+  EXPECT_NEAR(linear_cumulant(p, 0, 4) + 3 * v2 * v2, 0.8063896, 5e-8);
+}
+
+TEST(Exact, LinearCumulantsHoldUpToCriticalDamping) {
+  const Problem p = tests::make_problem({.damping = 1.9999, .cubic = 0, .restitution = 1});
+  EXPECT_NEAR(linear_cumulant(p, 2, 0), 0.1 / (2 * 1.9999), 1e-12);
+  EXPECT_NEAR(linear_cumulant(p, 0, 2), 0.1 / (2 * 1.9999), 1e-12);
+}
+
+TEST(Exact, WhiteNoiseWithAMeanShiftsTheDensityByTheStaticDeflection) {
+  const Problem p = tests::make_problem({.cubic = 0, .restitution = 1, .mean = 0.1});
+  const WhiteNoiseDensity density(p);
+  // A normal about lambda E[Y] / k with variance D2/(c k) = 0.5, cut at the wall.
+  EXPECT_NEAR(density.displacement_marginal(0.3) / density.displacement_marginal(1.2),
+              std::exp((1.1 * 1.1 - 0.2 * 0.2) / (2 * 0.5)), 1e-10);
+  EXPECT_NEAR(static_deflection(p), 0.1, 1e-14);
+}
+
+TEST(Exact, RefusesProblemsWithoutAnExactSolution) {
+  EXPECT_THROW(WhiteNoiseDensity{tests::make_problem()}, InputError);
+  EXPECT_THROW(linear_cumulant(tests::make_problem({.restitution = 1}), 2, 0), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::exact

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+namespace fpkcheck::tests {
+
+/// All eigenvalues on or above the real axis, the rightmost first, by a dense solver. Compiled once
+/// for all tests that compare with it: the solver takes half a minute.
+std::vector<std::complex<double>> dense_eigenvalues(
+    const Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>& matrix);
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <variant>
+
+#include "exact/closed_forms.hpp"
+#include "fd_fpk/operator/turning_point.hpp"
+#include "fd_fpk/options.hpp"
+#include "transform/solution.hpp"
+
+/// White noise and an elastic impact, where the density is known: for a test and a benchmark.
+namespace fpkcheck::tests {
+
+/// The null vector on nx x nv cells, in a box whose walls lie on one level of energy, 5.5
+/// deviations of the velocity from rest.
+inline fd_fpk::Options elastic_white_noise(const problem::Problem& p, int order, int nx, int nv) {
+  constexpr double kDeviations = 5.5;
+  const double v2 = exact::mean_square_velocity(p) * kDeviations * kDeviations;
+  return {.equation = problem::Equation::white,
+          .stepper = fd_fpk::Stepper::direct,
+          .order = order,
+          .nx = nx,
+          .nv = nv,
+          .x1_max = fd_fpk::turning_point(p.system, v2 / 2),
+          .x2_max = std::sqrt(v2)};
+}
+
+/// Integrals of |bin average - exact bin average| over the cells of the solution's own grid.
+struct MarginalErrors {
+  double y, v;
+};
+inline MarginalErrors errors_of(const transform::Solution& solution, const problem::Problem& p) {
+  using Rule = boost::math::quadrature::gauss<double, 10>;
+  const auto l1 = [](const transform::Marginal& marginal, const auto& exact) {
+    double sum = 0;
+    for (std::size_t b = 0; b < marginal.size(); ++b) {
+      sum += std::abs(marginal.density[b] * marginal.width(b) -
+                      Rule::integrate(exact, marginal.edges[b], marginal.edges[b + 1]));
+    }
+    return sum;
+  };
+  const auto& grid = std::get<transform::GridDensity>(*solution.density);
+  const exact::WhiteNoiseDensity exact(p);
+  return {l1(marginal(solution, transform::Variable::y, grid.y_edges),
+             [&](double y) { return exact.displacement_marginal(y); }),
+          l1(marginal(solution, transform::Variable::ydot, grid.v_edges),
+             [&](double v) { return exact.velocity_marginal(v); })};
+}
+
+}  // namespace fpkcheck::tests

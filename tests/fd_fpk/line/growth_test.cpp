@@ -1,0 +1,64 @@
+#include "fd_fpk/line/growth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fd_fpk/line/excitation.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// The largest growth of an excitation on a long line of this step.
+template <class MakeExcitation>
+Growth growth(double step, int cells, const MakeExcitation& make) {
+  const Line line = Line::uniform(0, step, 2 * cells + 1);
+  return largest_growth(line, make(line), 6);
+}
+
+TEST(WellPosedness, LiteralTruncationGrowsWithTheFourthPowerOfTheResolution) {
+  const auto impulses = tests::make_problem().impulses;
+  const double s = std::sqrt(0.1);
+  const auto literal = [&](double step) {
+    return growth(step, 20, [&](const Line& line) { return kramers_moyal(impulses, line, step); });
+  };
+  EXPECT_GT(literal(s / 2).rate, 0);
+  EXPECT_NEAR(literal(s / 64).rate / literal(s / 32).rate, 16.0, 0.5);
+  EXPECT_NEAR(literal(s / 8).wavenumber, std::numbers::pi / (s / 8), 1e-9);  // the grid's own
+}
+
+TEST(WellPosedness, RegularisedTruncationDecaysOnEveryGrid) {
+  const auto impulses = tests::make_problem({.mean = 0.1}).impulses;
+  const double l = default_regularisation_length(impulses.law());
+  for (const double cells : {1.0, 1.4, 2.0, 5.3, 20.0}) {
+    const auto g = growth(l / cells, static_cast<int>(2 * cells) + 20,
+                          [&](const Line& line) { return kramers_moyal(impulses, line, l); });
+    EXPECT_LT(g.rate, 0.0) << cells;
+  }
+}
+
+TEST(WellPosedness, ShortestLengthIsTheThreshold) {
+  const auto impulses = tests::make_problem().impulses;
+  const double shortest = shortest_regularisation_length(impulses.law());
+  EXPECT_NEAR(shortest, std::sqrt(2.1002465 * 0.25 * 0.1), 1e-6);  // D4/D2 = s^2/4
+  const auto rate = [&](double l) {
+    return growth(l / 40, 100, [&](const Line& line) { return kramers_moyal(impulses, line, l); })
+        .rate;
+  };
+  EXPECT_GT(rate(0.99 * shortest), 0.0);
+  EXPECT_LT(rate(1.01 * shortest), 0.0);
+}
+
+TEST(WellPosedness, JumpsPadeAndWhiteNoiseNeverGrow) {
+  const auto impulses = tests::make_problem({.mean = 0.1}).impulses;
+  EXPECT_LE(growth(0.1, 60, [&](const Line& line) { return jumps(impulses, line); }).rate, 1e-12);
+  EXPECT_LT(
+      growth(0.1, 60, [&](const Line& line) { return kramers_moyal_pade(impulses, line, 6); }).rate,
+      0.0);
+  EXPECT_LT(growth(0.05, 20, [&](const Line&) { return white_noise(impulses); }).rate, 0.0);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

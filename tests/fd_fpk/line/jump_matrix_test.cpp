@@ -1,0 +1,96 @@
+#include "fd_fpk/line/jump_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+double normal_distribution(double x, double mean, double deviation) {
+  return 0.5 * std::erfc((mean - x) / (deviation * std::sqrt(2.0)));
+}
+
+Eigen::VectorXd normal_averages(const Line& line, double mean, double deviation) {
+  Eigen::VectorXd averages(line.cells());
+  for (int i = 0; i < line.cells(); ++i) {
+    averages(i) = (normal_distribution(line.face(i + 1), mean, deviation) -
+                   normal_distribution(line.face(i), mean, deviation)) /
+                  line.width(i);
+  }
+  return averages;
+}
+
+TEST(JumpMatrix, ShiftsADensityByAnyAmplitude) {
+  const Line line = Line::uniform(-6, 0.12, 100);
+  for (const double amplitude : {0.12, -0.7, 1.234}) {
+    const Eigen::VectorXd change = shift_matrix(line, amplitude) * normal_averages(line, 0, 0.6);
+    const Eigen::VectorXd exact =
+        normal_averages(line, amplitude, 0.6) - normal_averages(line, 0, 0.6);
+    EXPECT_LT((change - exact).cwiseAbs().maxCoeff(), 3e-7) << amplitude;
+  }
+}
+
+TEST(JumpMatrix, AddsAGaussianImpulseToAGaussianVelocity) {
+  // N(0.1, 0.6^2) + N(0.2, E[Y^2] - 0.2^2), on cells of equal and of unequal width.
+  const auto law = tests::make_problem({.intensity = 0.5, .mean = 0.2}).impulses.law();
+  const double deviation = std::hypot(0.6, std::sqrt(0.5 - 0.04));
+  const auto error = [&](int cells, const Grading& grading) {
+    const auto positive = graded_faces(8, cells / 2, grading);
+    std::vector<double> faces;
+    for (auto f = positive.rbegin(); f != positive.rend(); ++f) faces.push_back(-*f);
+    faces.insert(faces.end(), positive.begin() + 1, positive.end());
+    const Line line(faces);
+    const Eigen::VectorXd change = jump_matrix(line, law) * normal_averages(line, 0.1, 0.6);
+    const Eigen::VectorXd exact =
+        normal_averages(line, 0.3, deviation) - normal_averages(line, 0.1, 0.6);
+    return (change - exact).cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(error(160, {}), 1e-8);
+  EXPECT_LT(error(200, {0.6, 0.1}), 1e-8);
+  // Order 8: the cumulative is interpolated with degree 7 and integrated against a smooth density.
+  const double coarse = error(48, {}), middle = error(68, {}), fine = error(96, {});
+  for (const double order : {2 * std::log2(coarse / middle), 2 * std::log2(middle / fine)}) {
+    EXPECT_GT(order, 6.5) << coarse << " " << middle << " " << fine;
+    EXPECT_LT(order, 10.5) << coarse << " " << middle << " " << fine;
+  }
+}
+
+// Moments of the discrete operator about the centre of the cell that the mass leaves:
+// E[Y^j], j = 0..6, for every law, whatever the ratio of the cells to the impulses.
+TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
+  for (const auto* name : {"gaussian", "laplace", "two_point", "uniform"}) {
+    for (const double deviation : {0.05, 0.3, 1.0}) {
+      const auto law = problem::ImpulseLaw::named(name, 0.3 * deviation, deviation);
+      // No longer than needed: a far cell's rounding would count with the sixth power.
+      const double reach = law.smooth_pieces().empty() ? 2 : law.smooth_pieces().back();
+      const int half = static_cast<int>(reach / 0.12) + 6;
+      const Line line = Line::uniform(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
+      const Eigen::VectorXd rates = jump_matrix(line, law).col(half);
+      for (int j = 0; j <= 6; ++j) {
+        double moment = 0;
+        for (int to = 0; to < line.cells(); ++to) {
+          moment += rates(to) * std::pow(line.centre(to), j);
+        }
+        const double exact = j == 0 ? 0 : law.moment(j);
+        const double rounding = 1e-14 * std::pow(line.faces().back(), j);
+        EXPECT_NEAR(moment, exact, 1e-10 * std::abs(exact) + rounding)
+            << name << " " << j << " " << deviation;
+      }
+    }
+  }
+}
+
+TEST(JumpMatrix, JumpsThatWouldLeaveTheLineDoNotTakePlace) {
+  const auto law = tests::make_problem({.intensity = 4}).impulses.law();
+  const Line line = Line::uniform(-1, 0.1, 20);
+  const Eigen::MatrixXd jump = jump_matrix(line, law);
+  EXPECT_LT((line.widths().transpose() * jump).cwiseAbs().maxCoeff(), 1e-13);
+  // From the middle, |Y| < 1: erf(1/(2 sqrt 2)) of the impulses stay.
+  EXPECT_NEAR(-jump.diagonal()(10), std::erf(1 / (2 * std::sqrt(2.0))), 0.03);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

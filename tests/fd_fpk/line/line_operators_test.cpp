@@ -1,0 +1,119 @@
+#include "fd_fpk/line/line_operators.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+Eigen::VectorXd monomial_averages(const Line& line, int power) {
+  Eigen::VectorXd averages(line.cells());
+  for (int i = 0; i < line.cells(); ++i) {
+    averages(i) = (std::pow(line.face(i + 1), power + 1) - std::pow(line.face(i), power + 1)) /
+                  ((power + 1) * line.width(i));
+  }
+  return averages;
+}
+
+// Cells of unequal width, growing by up to a third from one to the next.
+const Line kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93, 1.08, 1.2, 1.3,
+                  1.42},
+                 Beyond::boundary);
+
+// Rows whose stencil would reach beyond the right end see p = 0 there: exactness ends before them.
+int last_exact_face(int points) { return kLine.cells() - points; }
+
+TEST(LineOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary) {
+  for (int points = 2; points <= 8; ++points) {
+    for (int power = 0; power < points; ++power) {
+      const auto averages = monomial_averages(kLine, power);
+      for (const Bias bias : {Bias::left, Bias::right}) {
+        const Eigen::VectorXd values = face_values(kLine, points, bias) * averages;
+        for (int f = 1; f <= last_exact_face(points); ++f) {
+          EXPECT_NEAR(values(f), std::pow(kLine.face(f), power), 1e-11) << points << " " << power;
+        }
+      }
+      if (points % 2 == 0) {
+        const Eigen::VectorXd slopes = face_derivatives(kLine, points) * averages;
+        for (int f = 1; f <= last_exact_face(points); ++f) {
+          EXPECT_NEAR(slopes(f), power == 0 ? 0 : power * std::pow(kLine.face(f), power - 1), 1e-9);
+        }
+      }
+      EXPECT_NEAR((end_value(kLine, points) * averages)(0), std::pow(kLine.face(0), power), 1e-11);
+    }
+  }
+}
+
+TEST(LineOperators, OddStencilsTakeTheExtraCellFromTheirBias) {
+  const LineOperator left = face_values(kLine, 3, Bias::left);
+  const LineOperator right = face_values(kLine, 3, Bias::right);
+  EXPECT_NE(left.coeff(6, 4), 0.0);
+  EXPECT_EQ(left.coeff(6, 7), 0.0);
+  EXPECT_EQ(right.coeff(6, 4), 0.0);
+  EXPECT_NE(right.coeff(6, 7), 0.0);
+}
+
+TEST(LineOperators, NothingFlowsThroughTheEndFaces) {
+  const LineOperator values = face_values(kLine, 5, Bias::left);
+  EXPECT_EQ(values.row(0).norm(), 0.0);
+  EXPECT_EQ(values.row(kLine.cells()).norm(), 0.0);
+}
+
+TEST(LineOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier) {
+  const problem::Polynomial weight({0.3, -1.0, 0.5, 2.0, 0.0, 0.7});
+  const int barrier = 7;
+  for (const int points : {1, 3, 5}) {
+    const LineOperator op = weighted_averages(kLine, points, weight, barrier);
+    for (int power = 0; power < points; ++power) {
+      const Eigen::VectorXd weighted = op * monomial_averages(kLine, power);
+      Eigen::VectorXd exact = Eigen::VectorXd::Zero(kLine.cells());
+      for (int q = 0; q <= 5; ++q) {
+        exact += weight.coefficient(q) * monomial_averages(kLine, power + q);
+      }
+      for (int i = 0; i < kLine.cells() - points / 2; ++i) {
+        EXPECT_NEAR(weighted(i), exact(i), 1e-12) << points << " " << power << " " << i;
+      }
+    }
+    EXPECT_EQ(op.block(0, barrier, barrier, kLine.cells() - barrier).norm(), 0.0);
+    EXPECT_EQ(op.block(barrier, 0, kLine.cells() - barrier, barrier).norm(), 0.0);
+  }
+}
+
+TEST(LineOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
+  // avg(x^3 cos x) from averages of cos x with three cells: order 4.
+  const auto error = [](int cells) {
+    const Line line = Line::uniform(0.2, 1.0 / cells, cells, Beyond::boundary);
+    Eigen::VectorXd averages(cells);
+    for (int i = 0; i < cells; ++i) {
+      averages(i) = (std::sin(line.face(i + 1)) - std::sin(line.face(i))) / line.width(i);
+    }
+    const auto primitive = [](double x) {  // of x^3 cos x
+      return x * x * x * std::sin(x) + 3 * x * x * std::cos(x) - 6 * x * std::sin(x) -
+             6 * std::cos(x);
+    };
+    const Eigen::VectorXd weighted =
+        weighted_averages(line, 3, problem::Polynomial({0, 0, 0, 1})) * averages;
+    double largest = 0;
+    for (int i = 0; i < cells - 1; ++i) {
+      const double exact = (primitive(line.face(i + 1)) - primitive(line.face(i))) / line.width(i);
+      largest = std::max(largest, std::abs(weighted(i) - exact));
+    }
+    return largest;
+  };
+  const double coarse = error(20), middle = error(40), fine = error(80);
+  for (const double order : {std::log2(coarse / middle), std::log2(middle / fine)}) {
+    EXPECT_GT(order, 3.7) << coarse << " " << middle << " " << fine;
+    EXPECT_LT(order, 4.3) << coarse << " " << middle << " " << fine;
+  }
+}
+
+TEST(LineOperators, DivergenceTelescopes) {
+  const LineOperator div = divergence(kLine);
+  const Eigen::VectorXd flux = Eigen::VectorXd::LinSpaced(kLine.cells() + 1, 1, 7).array().exp();
+  EXPECT_NEAR(kLine.widths().dot(div * flux), flux(kLine.cells()) - flux(0), 1e-9);
+  EXPECT_NEAR((div * flux)(3), (flux(4) - flux(3)) / kLine.width(3), 1e-12);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,55 @@
+#include "fd_fpk/linear/gmres.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+const Eigen::VectorXd kRight = Eigen::VectorXd::LinSpaced(12, 1, 2);
+const Eigen::VectorXd kWeights = Eigen::VectorXd::Ones(12);
+
+// A diagonal matrix with twelve eigenvalues, 1 .. 12, and an approximation of it.
+Eigen::VectorXd diagonal() { return Eigen::VectorXd::LinSpaced(12, 1, 12); }
+Eigen::VectorXd times(const Eigen::VectorXd& x) { return diagonal().cwiseProduct(x); }
+void nearly(Eigen::Ref<Eigen::VectorXd> b) {
+  b = b.cwiseQuotient((diagonal().array() + 0.5).matrix()).eval();
+}
+
+TEST(Gmres, SolvesToTheTolerance) {
+  const auto [solution, iterations, failure] = gmres(times, nearly, kRight, kWeights, 1e-12);
+  ASSERT_TRUE(solution) << failure;
+  EXPECT_LT((times(*solution) - kRight).norm(), 1e-12 * kRight.norm());
+  EXPECT_LE(iterations, 24);
+}
+
+TEST(Gmres, SaysThatItDidNotConverge) {
+  // Nothing of b is in the range of this matrix.
+  const auto nothing = [](const Eigen::VectorXd& x) { return Eigen::VectorXd(0 * x); };
+  const auto [solution, iterations, failure] = gmres(nothing, nearly, kRight, kWeights, 1e-12);
+  EXPECT_FALSE(solution);
+  EXPECT_NE(failure.find("did not converge"), std::string::npos) << failure;
+}
+
+struct Thrown {
+  int number;
+};
+
+// SUNDIALS is C: the exception must not run through its frames, and must not be lost.
+TEST(Gmres, WhatACallbackThrowsComesOutOfIt) {
+  const LinearMap throwing_map = [](const Eigen::VectorXd&) -> Eigen::VectorXd { throw Thrown{7}; };
+  const ApproximateSolve throwing_solve = [](Eigen::Ref<Eigen::VectorXd>) { throw Thrown{8}; };
+  const auto number_of = [&](const LinearMap& a, const ApproximateSolve& solve) {
+    try {
+      gmres(a, solve, kRight, kWeights, 1e-12);
+    } catch (const Thrown& thrown) {
+      return thrown.number;
+    }
+    return 0;
+  };
+  EXPECT_EQ(number_of(throwing_map, nearly), 7);
+  EXPECT_EQ(number_of(times, throwing_solve), 8);
+  EXPECT_EQ(number_of(times, nearly), 0);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,98 @@
+#include "fd_fpk/linear/linear_cvode.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// dP/dt = -rates P, solved with I + gamma rates exactly.
+const Eigen::VectorXd kRates = Eigen::VectorXd::LinSpaced(6, 0.5, 3);
+
+LinearSystem decay() {
+  const auto gamma = std::make_shared<double>(0);
+  return {
+      .times = [](const Eigen::VectorXd& p) -> Eigen::VectorXd { return -kRates.cwiseProduct(p); },
+      .factor =
+          [gamma](double given) {
+            *gamma = given;
+            return true;
+          },
+      .solve =
+          [gamma](Eigen::Ref<Eigen::VectorXd> b) {
+            b = b.cwiseQuotient((1 + *gamma * kRates.array()).matrix()).eval();
+          }};
+}
+
+const Eigen::VectorXd kStart = Eigen::VectorXd::Ones(6);
+constexpr BdfControl kControl{.max_order = 2,
+                              .relative_tolerance = 1e-7,
+                              .absolute_tolerance = 1e-9,
+                              .linear_tolerance = 1e-3,
+                              .most_steps = 5000};
+
+TEST(LinearCvode, FollowsTheExactSolution) {
+  LinearCvode cvode(decay(), kStart, kControl);
+  for (const double time : {0.5, 2.0}) {
+    const auto [flag, reached] = cvode.advance(time);
+    ASSERT_GE(flag, 0) << cvode.message();
+    EXPECT_EQ(reached, time);
+    const Eigen::VectorXd exact = (-kRates.array() * time).exp();
+    EXPECT_LT((cvode.averages() - exact).cwiseAbs().maxCoeff(), 1e-5);
+  }
+  EXPECT_GT(cvode.steps(), 10);
+  EXPECT_GT(cvode.rhs_evaluations(), cvode.steps());
+  EXPECT_GT(cvode.factorisations(), 0);
+}
+
+TEST(LinearCvode, StopsWithAMessageWhenItMayTakeNoMoreSteps) {
+  BdfControl control = kControl;
+  control.most_steps = 5;
+  LinearCvode cvode(decay(), kStart, control);
+  EXPECT_LT(cvode.advance(2).flag, 0);
+  EXPECT_NE(cvode.message().find("mxstep"), std::string::npos) << cvode.message();
+}
+
+TEST(LinearCvode, AFactorisationThatFailsIsAFlagAndNoException) {
+  LinearSystem system = decay();
+  system.factor = [](double) { return false; };
+  LinearCvode cvode(system, kStart, kControl);
+  EXPECT_LT(cvode.step().flag, 0);
+}
+
+struct ThrownByTheSystem {
+  int number;
+};
+
+// SUNDIALS is C: the exception must not run through its frames, and must not be lost.
+TEST(LinearCvode, WhatACallbackThrowsComesOutOfIt) {
+  const auto number_of = [](const LinearSystem& system) {
+    LinearCvode cvode(system, kStart, kControl);
+    try {
+      cvode.advance(2);
+    } catch (const ThrownByTheSystem& thrown) {
+      return thrown.number;
+    }
+    return 0;
+  };
+  EXPECT_EQ(number_of(decay()), 0);
+  LinearSystem system = decay();
+  system.factor = [](double) -> bool { throw ThrownByTheSystem{1}; };
+  EXPECT_EQ(number_of(system), 1);
+  system = decay();
+  system.solve = [](Eigen::Ref<Eigen::VectorXd>) { throw ThrownByTheSystem{2}; };
+  EXPECT_EQ(number_of(system), 2);
+  // As right-hand side, at once, and as product in GMRES, some calls later.
+  for (int calls = 0; calls < 8; ++calls) {
+    system = decay();
+    system.times = [times = decay().times, left = calls](const Eigen::VectorXd& p) mutable {
+      if (left-- == 0) throw ThrownByTheSystem{3};
+      return times(p);
+    };
+    EXPECT_EQ(number_of(system), 3) << calls;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

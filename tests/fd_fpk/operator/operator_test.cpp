@@ -1,0 +1,165 @@
+#include "fd_fpk/operator/operator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact/closed_forms.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using problem::Impact;
+
+// Cell averages of a function by 3 x 3 Gauss points a cell.
+template <class Function>
+Eigen::VectorXd averages_of(const Grid& grid, const Function& f) {
+  const double node = std::sqrt(0.6) / 2, weight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  Eigen::VectorXd averages = Eigen::VectorXd::Zero(grid.size());
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.nv(); ++j) {
+      for (int a = -1; a <= 1; ++a) {
+        for (int b = -1; b <= 1; ++b) {
+          averages(i * grid.nv() + j) += weight[a + 1] * weight[b + 1] *
+                                         f(grid.x1.centre(i) + a * node * grid.x1.width(i),
+                                           grid.x2.centre(j) + b * node * grid.x2.width(j));
+        }
+      }
+    }
+  }
+  return averages;
+}
+
+TEST(Operator, ColumnsSumToZeroForEveryExcitationOrderAndRestitution) {
+  for (const double r : {1.0, 0.98, 0.4}) {
+    const auto p = tests::make_problem({.restitution = r, .mean = 0.1});
+    const Grid grid = make_grid(20, 30, 3.0, 3.0, {0.5, 0.2}, {0.5, 0.3});
+    for (const int order : {3, 4, 5, 6}) {
+      for (const Excitation& e :
+           {white_noise(p.impulses), kramers_moyal(p.impulses, grid.x2, 0.4),
+            kramers_moyal_pade(p.impulses, grid.x2, 6), jumps(p.impulses, grid.x2)}) {
+        for (const Impact impact : {Impact::map, Impact::delta}) {
+          const auto op = fokker_planck_operator(p.system, e, impact, grid, order);
+          EXPECT_LT(op.leak(), 1e-10) << r << " " << order;
+          // leak() itself, against the assembled matrix.
+          const Eigen::RowVectorXd sums = grid.areas().transpose() * op.assembled();
+          EXPECT_LT(sums.cwiseAbs().maxCoeff(), 1e-10 * grid.areas().maxCoeff());
+        }
+      }
+    }
+  }
+}
+
+TEST(Operator, AnnihilatesTheExactWhiteNoiseDensityToItsOrder) {
+  const auto p = tests::make_problem({.cubic = 0.5, .restitution = 1});
+  const exact::WhiteNoiseDensity exact(p);
+  const auto residual = [&](int cells, int order) {
+    const Grid grid = make_grid(cells, 2 * cells, 4.5, 5.0);
+    const auto op =
+        fokker_planck_operator(p.system, white_noise(p.impulses), Impact::map, grid, order);
+    const auto averages = averages_of(grid, [&](double x, double v) { return 2 * exact(x, v); });
+    return grid.areas().dot((op * averages).cwiseAbs());
+  };
+  for (const int order : {3, 4, 5}) {
+    const double coarse = residual(36, order), middle = residual(54, order),
+                 fine = residual(81, order);
+    for (const double observed :
+         {std::log(coarse / middle) / std::log(1.5), std::log(middle / fine) / std::log(1.5)}) {
+      // The odd orders' weights and centred parts are one order better, so they may show a little
+      // more.
+      EXPECT_GT(observed, order - 0.5) << order << ": " << coarse << " " << middle << " " << fine;
+      EXPECT_LT(observed, order + 0.9) << order << ": " << coarse << " " << middle << " " << fine;
+    }
+  }
+}
+
+// d/dt E[v^2/2 + U(x)] of an arbitrary density from the operator against the power
+// that the exact equation gives it: input - damping - losses at the impact. No term can hide: a
+// wrong sign or factor in any of them shows at once.
+TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
+  for (const double r : {1.0, 0.8, 0.5}) {
+    const auto p = tests::make_problem(
+        {.cubic = 0.4, .restitution = r, .rate = 2, .intensity = 0.3, .mean = 0.12});
+    const Grid grid = make_grid(60, 2 * 50, 5.0, 9.0);
+    const auto density = [](double x, double v) {
+      return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
+    };
+    Eigen::VectorXd averages = averages_of(grid, density);
+    averages /= grid.areas().dot(averages);
+    const int order = 5;
+    for (const Excitation& e :
+         {white_noise(p.impulses), kramers_moyal(p.impulses, grid.x2, 0.4),
+          kramers_moyal_pade(p.impulses, grid.x2, 6), jumps(p.impulses, grid.x2)}) {
+      const auto op = fokker_planck_operator(p.system, e, Impact::map, grid, order);
+      const Eigen::VectorXd rate = op * averages;
+      const double d_energy = mean_energy(p.system, grid, rate, order);
+      const transform::Moments m = moments(grid, averages, order);
+      const double power = p.impulses.rate_moment(2) / 2 + p.impulses.rate_moment(1) * m.v1 -
+                           p.system.damping() * m.v2 -
+                           (1 - r * r) / 2 * impact_flux(grid, averages, order, 3);
+      EXPECT_NEAR(d_energy, power, 4e-4) << "r = " << r;
+    }
+  }
+}
+
+// The density on the wall jumps at x2 = 0 by 1/r^2: what leaves must not be mixed with what
+// returns.
+TEST(Operator, TakesTheOutgoingFluxFromOutgoingVelocitiesAlone) {
+  const Grid grid = make_grid(20, 30, 3.0, 3.0);
+  const LineOperator flux(wall_flux(grid, 5));
+  for (int speed = 0; speed < flux.rows(); ++speed) {
+    for (LineOperator::InnerIterator entry(flux, speed); entry; ++entry) {
+      EXPECT_LT(entry.col() % grid.nv(), grid.nv() / 2);
+    }
+  }
+  // Particles at x1 = 0.1 or so with velocity -1.1: a flux u p at speed u = 1.1, none elsewhere.
+  Eigen::VectorXd beam = Eigen::VectorXd::Zero(grid.size());
+  for (int i = 0; i < grid.nx(); ++i) beam(i * grid.nv() + 9) = 1;  // -1.2 < x2 < -1.0
+  const Eigen::VectorXd out = flux * beam;
+  EXPECT_NEAR(out.sum(), 1.1, 1e-2);
+  EXPECT_NEAR(out(5), 1.1, 1e-2);
+}
+
+// Averages over a density that is not normalised.
+template <class Density, class Function>
+double mean(const Grid& grid, const Density& density, const Function& g) {
+  return averages_of(grid, [&](double x, double v) { return g(x, v) * density(x, v); }).sum() /
+         averages_of(grid, density).sum();
+}
+
+TEST(Operator, MovesTheMeanVelocityByDampingForceImpulsesAndImpacts) {
+  // d/dt E[v] = -c E[v] - E[g(x)] + lambda E[Y] + (1+r) int_{v<0} v^2 p(0,v) dv
+  const auto p = tests::make_problem({.cubic = 0.4, .restitution = 0.7, .mean = 0.12});
+  const Grid grid = make_grid(60, 128, 5.0, 5.5);
+  const auto density = [](double x, double v) {
+    return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
+  };
+  Eigen::VectorXd averages = averages_of(grid, density);
+  averages /= grid.areas().dot(averages);
+  const auto op =
+      fokker_planck_operator(p.system, jumps(p.impulses, grid.x2), Impact::map, grid, 5);
+  const double force = mean(grid, density, [&](double x, double) { return p.system.force()(x); });
+  EXPECT_NEAR(moments(grid, op * averages, 5).v1,
+              -0.1 * moments(grid, averages, 5).v1 - force + p.impulses.rate_moment(1) +
+                  1.7 * impact_flux(grid, averages, 5, 2),
+              1e-4);
+}
+
+TEST(Operator, MovesTheDisplacementByTheVelocity) {
+  // d/dt E[x^2] = 2 E[x v], for a density that vanishes on the wall.
+  const auto p = tests::make_problem();
+  const Grid grid = make_grid(60, 128, 5.0, 5.0);
+  const auto density = [](double x, double v) {
+    return x * x * std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
+  };
+  Eigen::VectorXd averages = averages_of(grid, density);
+  averages /= grid.areas().dot(averages);
+  const auto op = fokker_planck_operator(p.system, white_noise(p.impulses), Impact::map, grid, 5);
+  EXPECT_NEAR(moments(grid, op * averages, 5).y2,
+              2 * mean(grid, density, [](double x, double v) { return x * v; }), 1e-5);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,131 @@
+#include "fd_fpk/options.hpp"
+
+#include <gtest/gtest.h>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Every option differs from its default and from every other.
+Options changed() {
+  return {.equation = Equation::km4,
+          .impact = Impact::delta,
+          .stepper = Stepper::direct,
+          .order = 7,
+          .refinement = 1.3,
+          .origin_refinement = 4,
+          .nx = 60,
+          .nv = 80,
+          .x1_max = 0.1 + 0.2,
+          .x2_max = 5.5,
+          .regularisation_length = 0.31,
+          .wall_density = 2e-7,
+          .refine_unresolved = false,
+          .error_estimate = true,
+          .tolerance = 1.1e-5,
+          .residual_tolerance = 2.2e-9};
+}
+
+TEST(Options, ComeBackFromTheirValues) {
+  const auto values = description().values(changed()), usual = description().values({});
+  EXPECT_EQ(description().values(description().read(values, "options")), values);
+  EXPECT_EQ(description().values(description().read(usual, "options")), usual);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    EXPECT_NE(values[k].value, usual[k].value)
+        << values[k].name << " is as by default: its way back is not tested";
+    for (std::size_t other = 0; other < k; ++other) {
+      EXPECT_NE(values[k].value, values[other].value) << values[k].name;
+    }
+  }
+}
+
+TEST(Options, EveryEquationComesBack) {
+  for (const auto& [equation, name, meaning] : names(Equation{})) {
+    const auto values = description().values({.equation = equation});
+    EXPECT_EQ(description().read(values, "options").equation, equation) << name;
+  }
+}
+
+TEST(Options, HaveTheNamesOfFilesAndTheFlagsOfTheCommandLine) {
+  const std::vector<std::pair<std::string, std::string>> expected{
+      {"equation", "equation"},
+      {"impact", "impact"},
+      {"stepper", "stepper"},
+      {"order", "order"},
+      {"refinement", "refinement"},
+      {"origin_refinement", "origin-refinement"},
+      {"nx", "nx"},
+      {"nv", "nv"},
+      {"x1_max", "y-max"},
+      {"x2_max", "v-max"},
+      {"regularisation_length", "regularisation-length"},
+      {"wall_density", "wall-density"},
+      {"refine_unresolved", ""},
+      {"error_estimate", "error"},
+      {"tolerance", "tolerance"},
+      {"residual_tolerance", "residual"}};
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const auto& parameter : description().all())
+    found.emplace_back(parameter.name, parameter.flag);
+  EXPECT_EQ(found, expected);
+}
+
+std::string refusal(const Options& options) {
+  try {
+    validate(options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Options, ThatCannotBeUsedAreRefusedByName) {
+  EXPECT_EQ(refusal({}), "");
+  EXPECT_EQ(refusal({.order = 9}), "fd order = 9 (must be between 2 and 8)");
+  EXPECT_EQ(refusal({.nv = 31}),
+            "fd nv = 31 (must be an even number from 16 to 2000: y' = 0 lies between two cells)");
+  EXPECT_NE(refusal({.impact = Impact::exact}), "");
+  EXPECT_NE(refusal({.refinement = 0}), "");
+  EXPECT_NE(refusal({.origin_refinement = 0.5}), "");
+  EXPECT_NE(refusal({.nx = 3}), "");
+  EXPECT_NE(refusal({.x1_max = -1.0}), "");
+  EXPECT_NE(refusal({.x2_max = 0.0}), "");
+  EXPECT_NE(refusal({.wall_density = 1}), "");
+  EXPECT_NE(refusal({.tolerance = 1e-11}), "");
+  EXPECT_NE(refusal({.residual_tolerance = 0}), "");
+}
+
+TEST(Options, ThatContradictOneAnotherAreRefused) {
+  EXPECT_EQ(refusal({.regularisation_length = 0.3}),
+            "regularisation length with equation kf (only km4 has one: leave it out)");
+  EXPECT_EQ(refusal({.equation = Equation::km4, .regularisation_length = 0.0}), "");
+  EXPECT_NE(refusal({.equation = Equation::km4, .regularisation_length = -0.3}), "");
+  EXPECT_NE(refusal({.nx = 40, .tolerance = 1e-4}), "");
+}
+
+TEST(Options, AnIdStandsForItsEquationAndImpact) {
+  for (const auto* wanted : {"fd-white", "fd-km4", "fd-km4-pade", "fd-kf", "fd-white-delta",
+                             "fd-km4-delta", "fd-km4-pade-delta", "fd-kf-delta"}) {
+    const auto options = options_of(wanted);
+    ASSERT_TRUE(options) << wanted;
+    EXPECT_EQ(id(*options), wanted);
+  }
+  EXPECT_EQ(options_of("fd-km4-delta")->equation, Equation::km4);
+  EXPECT_EQ(options_of("fd-km4-delta")->impact, Impact::delta);
+  for (const auto* unknown : {"fd", "fd-", "kf", "fd-kf-exact", "fd-kf-map", "epc-gaussian-n4"}) {
+    EXPECT_FALSE(options_of(unknown)) << unknown;
+  }
+}
+
+TEST(Options, SayWhichSolutionTheyAskFor) {
+  const auto identity = fd_fpk::identity({.equation = Equation::km4, .impact = Impact::delta});
+  EXPECT_EQ(identity.id, "fd-km4-delta");
+  EXPECT_EQ(identity.method, "fd");
+  EXPECT_EQ(identity.equation, Equation::km4);
+  EXPECT_EQ(identity.impact, Impact::delta);
+  EXPECT_EQ(identity.role, transform::Role::equation);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,220 @@
+#include "fd_fpk/stationary/error_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "distances.hpp"
+#include "exact/closed_forms.hpp"
+#include "exact/linear_density.hpp"
+#include "fd_fpk/solve.hpp"
+#include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
+#include "transform/richardson.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+using transform::Variable;
+
+// A density that is uniform but for a wave in y of the given amplitude.
+transform::Solution wave(double amplitude) {
+  transform::Solution solution;
+  transform::GridDensity density{{0, 1, 2, 3, 4}, {-1, 0, 1}, {}};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      density.averages.push_back(0.125 + amplitude * (i % 2 == 0 ? 1 : -1));
+    }
+  }
+  solution.density = density;
+  solution.moments = {.y2 = 1 + amplitude, .v2 = 1};
+  return solution;
+}
+
+TEST(ErrorEstimate, IsTheRestOfAGeometricSeries) {
+  // Errors 16 e, 4 e, e: order 4 at the ratio sqrt 2.
+  const double e = 0.001;
+  const auto error = estimate_error(wave(16 * e), wave(4 * e), wave(e), 5);
+  EXPECT_NEAR(error.observed_order, 4, 1e-9);
+  EXPECT_NEAR(error.y_l1, 8 * e, 1e-12);  // |amplitude| over an area of 8
+  EXPECT_NEAR(error.moments.y2, e, 1e-12);
+  EXPECT_NEAR(error.extrapolated.y2, 1, 1e-12);
+  EXPECT_NEAR(error.ydot_l1, 0, 1e-12);
+}
+
+TEST(ErrorEstimate, DoesNotTakeChanceAgreementForAccuracy) {
+  // The last two agree by chance: the difference before and the order of the scheme bound it.
+  const auto error = estimate_error(wave(0.016), wave(0.001), wave(0.001), 5);
+  EXPECT_GT(error.moments.y2, 0.5 * 0.015 / std::pow(2, 2.5) / std::pow(2, 2.5));
+  // Differences that do not fall at all are no convergence.
+  const auto stalled = estimate_error(wave(0.001), wave(0.003), wave(0.001), 5);
+  EXPECT_GT(stalled.moments.y2, 0.002);
+}
+
+TEST(ErrorEstimate, IsOfTheSizeOfTheErrorWhereTheSolutionIsKnown) {
+  const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
+  const exact::LinearDensity exact(p);
+  for (const double refinement : {0.8, 1.2}) {
+    const auto [solution, summary] =
+        solve(p, {.stepper = Stepper::direct, .refinement = refinement, .error_estimate = true});
+    ASSERT_TRUE(summary.error.has_value());
+    const auto [y, v] = tests::distances(
+        solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
+        [&](const auto& edges) { return exact.velocity_averages(edges); });
+    EXPECT_GT(summary.error->y_l1, 0.5 * y);
+    EXPECT_LT(summary.error->y_l1, 4 * y);
+    EXPECT_GT(summary.error->ydot_l1, 0.5 * v);
+    EXPECT_LT(summary.error->ydot_l1, 4 * v);
+    const double y2 = exact::linear_cumulant(p, 2, 0);
+    EXPECT_LT(std::abs(solution.moments.y2 - y2), 2 * summary.error->moments.y2);
+  }
+}
+
+TEST(ErrorEstimate, ATolerancePicksAGridThatMeetsItAndNotAMuchFinerOne) {
+  const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
+  const exact::LinearDensity exact(p);
+  int cells_before = 0;
+  for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
+    const auto [solution, summary] = solve(p, {.stepper = Stepper::direct, .tolerance = tolerance});
+    ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+    const auto [y, v] = tests::distances(
+        solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
+        [&](const auto& edges) { return exact.velocity_averages(edges); });
+    EXPECT_LT(y, tolerance);
+    EXPECT_LT(v, tolerance);
+    if (tolerance < 1e-4) {
+      EXPECT_GT(std::max(y, v), tolerance / 50);
+    }
+    EXPECT_GE(summary.nx * summary.nv, cells_before);
+    cells_before = summary.nx * summary.nv;
+  }
+}
+
+// A solver whose error falls with the given order on uniform grids, with the fifth on graded ones,
+// down to cells half as wide as the automatic ones, where it gives up.
+SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& asked) {
+  return [=, &asked](const Options& options) {
+    asked.push_back(options);
+    Result result;
+    result.summary.origin_refinement = options.origin_refinement.value_or(1);
+    if (options.refinement > 2.1) {
+      result.solution.status = Status::failed;
+      result.solution.reason = "too many cells";
+      return result;
+    }
+    const double order = result.summary.origin_refinement > 1 ? 5 : uniform_order;
+    result.solution = wave(0.01 * std::pow(options.refinement, -order));
+    result.solution.status = Status::ok;
+    return result;
+  };
+}
+
+TEST(ErrorEstimate, SlowConvergenceTurnsOnTheGrading) {
+  for (const double order : {1.5, 4.5}) {
+    std::vector<Options> asked;
+    const auto result = solve_to_tolerance(solver_of_order(order, asked),
+                                           {.stepper = Stepper::direct, .tolerance = 5e-3});
+    EXPECT_EQ(result.solution.status, Status::ok) << result.solution.reason;
+    EXPECT_EQ(result.summary.origin_refinement > 1, order < 2) << order;
+    EXPECT_LE(result.summary.error->y_l1, 5e-3);
+    EXPECT_LT(asked.back().wall_density, 1e-4);
+  }
+}
+
+TEST(ErrorEstimate, TheLimitOfAManufacturedSequenceIsWhatItTendsTo) {
+  // Waves of amplitude 0.01 F^-4 on grids F times finer tend to the uniform density.
+  const std::vector<double> edges{0, 1, 2, 3, 4};
+  std::vector<Options> asked;
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(3e-3)}) {
+    for (const auto stepper : {Stepper::direct, Stepper::cvode}) {
+      const Options options{
+          .stepper = stepper, .error_estimate = !tolerance, .tolerance = tolerance};
+      const auto solve_one = solver_of_order(4, asked);
+      const auto solution = tolerance ? solve_to_tolerance(solve_one, options).solution
+                                      : solve_with_error_estimate(solve_one, options).solution;
+      const auto fine = transform::marginal(solution, Variable::y, edges);
+      const auto limit = transform::limit_marginal(solution, Variable::y, edges);
+      for (std::size_t k = 0; k < limit.size(); ++k) {
+        EXPECT_GT(std::abs(fine.density[k] - 0.25), 1e-5);
+        EXPECT_NEAR(limit.density[k], 0.25, 1e-12);
+      }
+    }
+  }
+  EXPECT_THROW(transform::limit_marginal(wave(0.1), Variable::y, edges), std::logic_error);
+}
+
+// Differences that hardly fall tell how large the error is, but not what the grids tend to.
+TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
+  for (const double order : {1.3, 1.7}) {
+    std::vector<Options> asked;
+    const auto solution =
+        solve_with_error_estimate(solver_of_order(order, asked),
+                                  {.stepper = Stepper::direct, .error_estimate = true})
+            .solution;
+    EXPECT_EQ(solution.extrapolation.has_value(), order > transform::kLeastOrderOfALimit) << order;
+  }
+}
+
+TEST(ErrorEstimate, ALargeOneIsInadmissible) {
+  for (const double amplitude : {0.004, 0.02}) {  // L1 of p(y): 8 times that
+    const auto solve_one = [&](const Options& options) {
+      Result result;
+      result.solution = wave(amplitude * std::pow(options.refinement, -4));
+      result.solution.status = Status::ok;
+      return result;
+    };
+    const auto solution =
+        solve_with_error_estimate(solve_one, {.stepper = Stepper::direct, .error_estimate = true})
+            .solution;
+    EXPECT_EQ(solution.status, amplitude < 0.01 ? Status::ok : Status::inadmissible);
+  }
+}
+
+// The first graded grid has no density: what the uniform ones reached is the result.
+TEST(ErrorEstimate, WhatWasReachedBeforeTheGradingIsNotLost) {
+  const auto solve_one = [](const Options& options) {
+    Result result;
+    result.summary.origin_refinement = options.origin_refinement.value_or(1);
+    if (result.summary.origin_refinement > 1) {
+      result.solution.status = Status::failed;
+      result.solution.reason = "too many cells";
+    } else {
+      result.solution = wave(0.01 / options.refinement);
+      result.solution.status = Status::ok;
+    }
+    return result;
+  };
+  const auto result =
+      solve_to_tolerance(solve_one, {.stepper = Stepper::direct, .tolerance = 1e-4});
+  EXPECT_EQ(result.solution.status, Status::not_converged);
+  EXPECT_TRUE(result.solution.density.has_value());
+  EXPECT_NE(result.solution.reason.find("the error estimate is 8"), std::string::npos)
+      << result.solution.reason;
+}
+
+TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
+  const auto [solution, summary] = solve(tests::paper_case(1), {.tolerance = 1e-4});
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_GT(summary.steps, 1);
+  ASSERT_TRUE(summary.error.has_value());
+  EXPECT_LT(summary.error->ydot_l1, 1e-4);
+}
+
+TEST(ErrorEstimate, AToleranceOutOfReachIsNotConvergedAndSaysHowFarItGot) {
+  std::vector<Options> asked;
+  const auto [solution, summary] = solve_to_tolerance(
+      solver_of_order(5, asked), {.stepper = Stepper::direct, .tolerance = 1e-12});
+  EXPECT_EQ(solution.status, Status::not_converged);
+  EXPECT_NE(solution.reason.find("1.0e-12 was asked for"), std::string::npos) << solution.reason;
+  EXPECT_NE(solution.reason.find("too many cells"), std::string::npos) << solution.reason;
+  ASSERT_TRUE(summary.error.has_value());
+}
+
+TEST(ErrorEstimate, OptionsThatContradictATolerance) {
+  EXPECT_THROW(solve(tests::paper_case(1), {.nx = 40, .tolerance = 1e-4}), InputError);
+  EXPECT_THROW(solve(tests::paper_case(1), {.tolerance = 0.0}), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

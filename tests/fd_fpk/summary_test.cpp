@@ -1,0 +1,83 @@
+#include "fd_fpk/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Kind;
+
+std::vector<std::string> paths(const transform::Observations& observations) {
+  std::vector<std::string> list;
+  for (const auto& observation : observations) list.push_back(observation.path);
+  return list;
+}
+
+const std::vector<std::string> kWithoutEstimate{"nx",
+                                                "nv",
+                                                "refinement",
+                                                "origin_refinement",
+                                                "x1_max",
+                                                "x2_max",
+                                                "nonzeros",
+                                                "leak",
+                                                "steps",
+                                                "factorisations",
+                                                "rhs_evaluations",
+                                                "krylov_iterations",
+                                                "factor_entries",
+                                                "factor_seconds",
+                                                "krylov_seconds",
+                                                "residual",
+                                                "stepped_against_direct",
+                                                "regularisation_length",
+                                                "growth_rate",
+                                                "growth_wavenumber",
+                                                "wall_density.y",
+                                                "wall_density.ydot",
+                                                "impact_rate"};
+
+TEST(Summary, IsObservedInTheOrderOfSummaryFiles) {
+  EXPECT_EQ(paths(observations({})), kWithoutEstimate);
+  auto with_estimate = kWithoutEstimate;
+  with_estimate.insert(with_estimate.end(),
+                       {"error.observed_order", "error.extrapolated.y1", "error.extrapolated.y2",
+                        "error.extrapolated.y4", "error.extrapolated.v1", "error.extrapolated.v2",
+                        "error.extrapolated.v4"});
+  EXPECT_EQ(paths(observations({.error = ErrorEstimate{}})), with_estimate);
+}
+
+TEST(Summary, TellsTheAnswerFromTheWork) {
+  const auto all = observations({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
+  EXPECT_EQ(find(all, "nx")->value, parameters::Value(std::int64_t{40}));
+  EXPECT_EQ(find(all, "nx")->kind, Kind::result);
+  EXPECT_EQ(find(all, "steps")->value, parameters::Value(std::int64_t{5}));
+  for (const auto* work : {"nonzeros", "leak", "steps", "factorisations", "rhs_evaluations",
+                           "krylov_iterations", "factor_entries", "factor_seconds",
+                           "krylov_seconds", "residual", "stepped_against_direct"}) {
+    EXPECT_EQ(find(all, work)->kind, Kind::work) << work;
+  }
+  for (const auto* result : {"refinement", "origin_refinement", "x1_max", "growth_rate",
+                             "regularisation_length", "impact_rate", "wall_density.ydot"}) {
+    EXPECT_EQ(find(all, result)->kind, Kind::result) << result;
+  }
+  EXPECT_EQ(find(all, "wall_density.y")->least_scale, 1e-6);
+  EXPECT_EQ(number(all, "wall_density.ydot"), 2e-9);
+}
+
+TEST(Summary, ALimitIsJudgedByTheSizeOfItsMoment) {
+  const auto all = observations(
+      {.error = ErrorEstimate{.observed_order = 4.9,
+                              .extrapolated = {.y1 = 0.01, .y2 = 3, .v1 = 1e-8, .v2 = 2}}});
+  EXPECT_TRUE(find(all, "error.observed_order")->delicate);
+  EXPECT_EQ(find(all, "error.extrapolated.y1")->least_scale, 0.1);
+  EXPECT_EQ(find(all, "error.extrapolated.y2")->least_scale, 3);
+  EXPECT_EQ(find(all, "error.extrapolated.v1")->least_scale, 2);
+  EXPECT_FALSE(find(all, "error.extrapolated.v1")->delicate);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "compare/axes.hpp"
+#include "paper_cases.hpp"
+#include "results/run.hpp"
+#include "transform/panel_marginals.hpp"
+#include "trapezoid.hpp"
+
+/// Solutions that no solver made: the shapes and the sizes of the differences are those of a real
+/// run, the values are known in advance.
+namespace fpkcheck::tests {
+
+/// p(y, v) ~ exp(-a y^2/2 - b y^4) exp(-d v^2/2 - e v^4 + f v^6) on a box.
+struct Shape {
+  double a, b, d, e, f = 0;
+};
+
+inline transform::SmoothDensity smooth(const Shape& s, double y_max, double v_max) {
+  const auto of_y = [s](double y) { return std::exp(-s.a * y * y / 2 - s.b * std::pow(y, 4)); };
+  const auto of_v = [s](double v) {
+    return std::exp(-s.d * v * v / 2 - s.e * std::pow(v, 4) + s.f * std::pow(v, 6));
+  };
+  const double norm = trapezoid(of_y, 0, y_max, 2000) * trapezoid(of_v, -v_max, v_max, 2000);
+  return {[=](double y, double v) { return of_y(y) * of_v(v) / norm; }, y_max, v_max};
+}
+
+/// Who a solution would be; looks as those of the built-in methods.
+inline transform::Identity identity(const std::string& id, const std::string& method,
+                                    problem::Equation equation, problem::Impact impact) {
+  using transform::Role;
+  transform::Identity who{.id = id, .method = method, .equation = equation, .impact = impact};
+  who.role = method == "epc" ? Role::closure : method == "fd" ? Role::equation : Role::simulation;
+  who.family = method;
+  who.meaning = "What " + method + " makes.";
+  who.look = {.colour = method == "fd" ? "#56B4E9" : "#000000",
+              .dash = "solid",
+              .width = method == "fd" ? 5.0 : 1.0,
+              .as_points = method == "mcs",
+              .layer = static_cast<int>(who.role),
+              .symbol = "circle"};
+  return who;
+}
+
+inline transform::Identity closure_identity(const std::string& formulation, int order) {
+  auto who = identity("epc-" + formulation + "-n" + std::to_string(order), "epc",
+                      problem::Equation::km4, problem::Impact::delta);
+  who.formulation = formulation;
+  who.order = order;
+  who.family = "epc-" + formulation;
+  who.look.colour = formulation == "gaussian" ? "#D55E00" : "#CC79A7";
+  who.look.dash = "(10,4)";
+  who.look.width = 2;
+  return who;
+}
+
+inline transform::Solution solution(const transform::Identity& who,
+                                    const transform::SmoothDensity& density) {
+  transform::Solution s{.identity = who};
+  s.status = transform::Status::ok;
+  s.seconds = 0.42;
+  s.density = density;
+  s.moments = transform::panel_marginals(density, density.y_max, density.v_max).moments;
+  s.mass = 1;
+  s.energy_residual = -1.5e-3;
+  return s;
+}
+
+/// A histogram of `samples` independent samples of the density on the axes, with intervals.
+inline transform::Solution simulation(const compare::ComparisonAxes& axes,
+                                      const transform::SmoothDensity& density, double samples) {
+  auto s = solution(identity("mcs", "mcs", problem::Equation::kf, problem::Impact::exact), density);
+  s.density.reset();
+  std::mt19937_64 random(1);
+  for (const auto variable : transform::kVariables) {
+    auto m = transform::marginal(density, variable, compare::edges(axes, variable));
+    for (std::size_t k = 0; k < m.size(); ++k) {
+      const double weight = samples * m.width(k);
+      std::poisson_distribution<long> count(weight * m.density[k]);
+      m.density[k] = static_cast<double>(count(random)) / weight;
+      const double half = 1.96 * std::sqrt(m.density[k] / weight);
+      m.lower.push_back(m.density[k] - half);
+      m.upper.push_back(m.density[k] + half);
+    }
+    s.estimated_marginals.emplace_back(variable, m);
+  }
+  s.sampling = {.y = 0.0011, .ydot = 0.0015};
+  s.standard_errors = {.moments = {.y2 = 1e-4, .v2 = 1e-4}};
+  s.observations =
+      transform::Observer().work("samples", samples).work("streams", std::int64_t{128}).take();
+  return s;
+}
+
+inline transform::Solution without_density(const transform::Identity& who,
+                                           transform::Status status) {
+  transform::Solution s{.identity = who};
+  s.status = status;
+  s.reason =
+      "the residual stopped falling at 0.013 after 60 Newton steps; the best of five starts is "
+      "reported";
+  s.seconds = 12.3;
+  return s;
+}
+
+/// The eight solutions of one case, in the order of trust: four closures, three equations by finite
+/// differences, the simulation.
+inline std::vector<transform::Solution> made_up_solutions(const compare::ComparisonAxes& axes) {
+  const double y_max = axes.y_edges.back(), v_max = axes.v_edges.back();
+  const auto shape = [&](const Shape& s) { return smooth(s, y_max, v_max); };
+  using problem::Equation;
+  using problem::Impact;
+  const auto fd = [&](const std::string& id, Equation equation, const Shape& s) {
+    return solution(identity(id, "fd", equation, Impact::map), shape(s));
+  };
+  std::vector<transform::Solution> all;
+  all.push_back(solution(closure_identity("gaussian", 2), shape({2.54, 0, 2.27, 0})));
+  all.push_back(solution(closure_identity("gaussian", 4), shape({2.5, -0.02, 2.4, -0.035})));
+  all.back().status = transform::Status::inadmissible;
+  all.back().reason = "the leading form is positive along y: Q rises from y = 5.1 on";
+  all.push_back(
+      solution(closure_identity("gaussian", 6), shape({2.345, 0.061, 2.395, -0.0249, -0.0002})));
+  all.push_back(without_density(closure_identity("gaussian", 8), transform::Status::not_converged));
+  all.push_back(fd("fd-white", Equation::white, {2.33, 0.055, 2.27, 0}));
+  all.push_back(fd("fd-km4", Equation::km4, {2.3401, 0.06, 2.4, -0.0251}));
+  all.push_back(fd("fd-kf", Equation::kf, {2.34, 0.06, 2.4, -0.025}));
+  all.push_back(simulation(axes, shape({2.34, 0.06, 2.4, -0.025}), 1e7));
+  return all;
+}
+
+/// The paper's case 1 with these solutions, under another name.
+inline results::Case made_up_case(const std::string& name = "case1") {
+  auto problem = paper_case(1);
+  problem.name = name;
+  const auto axes = compare::comparison_axes(problem);
+  return results::make_case(problem, axes, made_up_solutions(axes));
+}
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,146 @@
+#include "mcs/impulses/impulse_source.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <string>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr int kDraws = 400000;
+
+// The mean of `draw()` against `exact`, in standard errors.
+void expect_mean(const std::function<double()>& draw, double exact, const char* what) {
+  double sum = 0, sum_of_squares = 0;
+  for (int n = 0; n < kDraws; ++n) {
+    const double x = draw();
+    sum += x;
+    sum_of_squares += x * x;
+  }
+  const double mean = sum / kDraws;
+  const double variance = std::max(sum_of_squares / kDraws - mean * mean, 0.0);
+  const double error = std::sqrt(variance / kDraws);
+  // An amplitude of one size (two points about 0) has even powers without spread.
+  EXPECT_NEAR(mean, exact, 4 * error + 1e-12) << what;
+}
+
+TEST(ImpulseSource, DrawsWaitingTimesOfThePoissonProcess) {
+  const auto problem = tests::make_problem({.rate = 2.5});
+  ImpulseSource source(problem.impulses, 1, 0);
+  const auto moment = [&](int order) {
+    return [&source, order] { return std::pow(source.next().waiting, order); };
+  };
+  expect_mean(moment(1), 1 / 2.5, "E[t]");
+  expect_mean(moment(2), 2 / (2.5 * 2.5), "E[t^2]");
+  expect_mean([&] { return source.next().waiting > 1 ? 1.0 : 0.0; }, std::exp(-2.5), "P(t > 1)");
+}
+
+TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
+  for (const std::string& law : problem::ImpulseLaw::known()) {
+    for (const double mean : {0.0, 0.2, -0.2}) {
+      SCOPED_TRACE(fmt::format("{} about {}", law, mean));
+      const auto problem = tests::make_problem({.mean = mean, .law = law});
+      ImpulseSource source(problem.impulses, 2, 0);
+      for (const int order : {1, 2, 3, 4, 6}) {
+        expect_mean([&] { return std::pow(source.next().amplitude, order); },
+                    problem.impulses.law().moment(order), "moment of Y");
+      }
+    }
+  }
+}
+
+// Where the moments say little: near the middle of the law, and where it ends.
+TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
+  for (const std::string& name : problem::ImpulseLaw::known()) {
+    SCOPED_TRACE(name);
+    const auto problem = tests::make_problem({.mean = 0.1, .law = name});
+    const auto& law = problem.impulses.law();
+    ImpulseSource source(problem.impulses, 3, 0);
+    for (const double wave : {1.0, 4.0, 20.0}) {
+      const double u = wave / law.deviation();
+      const std::complex<double> exact = law.characteristic_function(u);
+      expect_mean([&] { return std::cos(u * source.next().amplitude); }, exact.real(),
+                  "E[cos(u Y)]");
+      expect_mean([&] { return std::sin(u * source.next().amplitude); }, exact.imag(),
+                  "E[sin(u Y)]");
+    }
+  }
+}
+
+TEST(ImpulseSource, StreamsAndSeedsDoNotShareNumbers) {
+  const auto problem = tests::make_problem();
+  const auto first = [&](std::uint64_t seed, std::uint32_t stream) {
+    return ImpulseSource(problem.impulses, seed, stream).next().waiting;
+  };
+  EXPECT_EQ(first(1, 0), first(1, 0));
+  EXPECT_NE(first(1, 0), first(1, 1));
+  EXPECT_NE(first(1, 0), first(2, 0));
+  EXPECT_NE(first(1, 0), first(0, 1));
+  EXPECT_NE(first(1, 0), first(1 + (std::uint64_t{1} << 32), 0));
+}
+
+TEST(ImpulseSource, StreamsAndTheNumbersOfOneImpulseAreUncorrelated) {
+  const auto problem = tests::make_problem();
+  ImpulseSource a(problem.impulses, 1, 0), b(problem.impulses, 1, 1);
+  expect_mean([&] { return a.next().amplitude * b.next().amplitude; }, 0, "E[a b]");
+  expect_mean(
+      [&] {
+        const Impulse impulse = a.next();
+        return (impulse.waiting - 1) * impulse.amplitude * impulse.amplitude;
+      },
+      0, "E[(t - 1) Y^2]");
+}
+
+TEST(ImpulseSource, GoesOnFromAnyNumber) {
+  const auto problem = tests::make_problem({.law = "laplace"});
+  ImpulseSource whole(problem.impulses, 9, 4);
+  for (int n = 0; n < 50; ++n) {
+    ImpulseSource resumed(problem.impulses, 9, 4);
+    resumed.continue_from(whole.number());
+    EXPECT_EQ(resumed.number(), whole.number());
+    const Impulse expected = whole.next(), found = resumed.next();
+    EXPECT_EQ(found.waiting, expected.waiting) << n;
+    EXPECT_EQ(found.amplitude, expected.amplitude) << n;
+  }
+}
+
+TEST(ImpulseSource, StartsAreStandardNormal) {
+  const auto problem = tests::make_problem();
+  std::uint32_t stream = 0;
+  const auto moment = [&](std::size_t which, int order) {
+    return [&, which, order] {
+      return std::pow(ImpulseSource(problem.impulses, 4, stream++).standard_normals()[which],
+                      order);
+    };
+  };
+  for (const std::size_t which : {0u, 1u}) {
+    expect_mean(moment(which, 1), 0, "E[n]");
+    expect_mean(moment(which, 2), 1, "E[n^2]");
+    expect_mean(moment(which, 4), 3, "E[n^4]");
+  }
+}
+
+TEST(ImpulseSource, KicksThatStandForWhiteNoiseComeEvenlyWithItsMeanAndIntensity) {
+  const auto problem = tests::make_problem({.rate = 2, .intensity = 0.3, .mean = 0.1});
+  const double h = 0.05;
+  ImpulseSource source(white_excitation(problem.impulses, h), 1, 0);
+  const double first = source.next().waiting;
+  EXPECT_GT(first, 0);
+  EXPECT_LT(first, h);
+  EXPECT_EQ(source.next().waiting, h);
+  const double mean = 2 * 0.1 * h;
+  expect_mean([&] { return source.next().amplitude; }, mean, "E[Y]");
+  expect_mean([&] { return std::pow(source.next().amplitude - mean, 2); }, 0.3 * h, "Var Y");
+  expect_mean([&] { return std::pow(source.next().amplitude - mean, 4); }, 3 * 0.09 * h * h,
+              "fourth");
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,178 @@
+#include "mcs/motion/advance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+
+#include "mcs/motion/trajectory.hpp"
+#include "paper_cases.hpp"
+#include "uniform_edges.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kStep = 0.9;
+constexpr double kInterval = 0.25;
+
+struct Group {
+  Oscillator oscillator;
+  BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
+  std::deque<Stream> streams{};
+
+  explicit Group(const problem::Problem& problem, int count = 11) : oscillator(problem.system) {
+    for (int s = 0; s < count; ++s) {
+      ImpulseSource source(problem.impulses, 21, static_cast<std::uint32_t>(s));
+      const Impulse first = source.next();
+      streams.push_back({.branch = {.y = 0.1 * s,
+                                    .v = 1 - 0.2 * s,
+                                    .until_impulse = first.waiting,
+                                    .amplitude = first.amplitude,
+                                    .until_sample = kInterval / 2,
+                                    .remaining = 0},
+                         .source = source,
+                         .record = StreamRecord(y, v)});
+    }
+  }
+
+  void advance(double time, const LaneSet& lanes) {
+    std::vector<Stream*> pointers;
+    for (Stream& stream : streams) pointers.push_back(&stream);
+    mcs::advance({.oscillator = oscillator,
+                  .step = kStep,
+                  .sampling_interval = kInterval,
+                  .y_bins = &y,
+                  .v_bins = &v},
+                 pointers, time, lanes);
+  }
+};
+
+/// 11 streams: full packs and a rest, for every width.
+std::vector<Group> groups_of_all_kinds() {
+  std::vector<Group> groups;
+  for (const auto& problem :
+       {tests::paper_case(4), tests::make_problem({.restitution = 0.3, .law = "laplace"})}) {
+    groups.emplace_back(problem);
+  }
+  // A spring that has no formulas of its own.
+  groups.emplace_back(tests::make_problem({.law = "uniform"}));
+  groups.back().oscillator = Oscillator(0.1, 0.8, problem::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}));
+  return groups;
+}
+
+TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
+  for (const Group& start : groups_of_all_kinds()) {
+    Group reference(start);
+    reference.advance(300, {InstructionSet::baseline, 1});
+    for (const LaneSet& lanes : available_lanes()) {
+      SCOPED_TRACE(lanes.width);
+      Group group(start);
+      group.advance(300, lanes);
+      for (std::size_t s = 0; s < group.streams.size(); ++s) {
+        const Stream &a = reference.streams[s], &b = group.streams[s];
+        EXPECT_EQ(a.branch.y, b.branch.y);
+        EXPECT_EQ(a.branch.v, b.branch.v);
+        EXPECT_EQ(a.record.powers, b.record.powers);
+        EXPECT_EQ(a.record.histogram.weights(), b.record.histogram.weights());
+        EXPECT_EQ(a.record.peaks, b.record.peaks);
+        EXPECT_EQ(a.record.troughs, b.record.troughs);
+        EXPECT_EQ(a.record.work, b.record.work);
+        EXPECT_EQ(a.record.impacts, b.record.impacts);
+        EXPECT_EQ(a.record.impact_energy, b.record.impact_energy);
+        EXPECT_EQ(a.record.flights, b.record.flights);
+      }
+    }
+  }
+}
+
+/// Counts what the record of a stream holds, from the plain trajectory.
+struct Tally {
+  double until_sample = kInterval / 2;
+  double samples = 0, yyv = 0, impacts = 0, impact_energy = 0, work = 0;
+  void flight(const Flight& flight, double duration) {
+    for (; until_sample < duration; until_sample += kInterval) {
+      const State at = flight.at(until_sample);
+      yyv += at.y * at.y * at.v;
+      ++samples;
+    }
+    until_sample -= duration;
+  }
+  void impact(double v) {
+    ++impacts;
+    impact_energy += v * v;
+  }
+  void impulse(double v, double amplitude) { work += amplitude * (v + amplitude / 2); }
+};
+
+TEST(Advance, DoesWhatTheTrajectoryDoes) {
+  const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = 3});
+  for (const auto& oscillator :
+       {Oscillator(problem.system),
+        Oscillator(0.1, 0.6, problem::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}))}) {
+    Group group(problem);
+    group.oscillator = oscillator;
+    constexpr double kTime = 30;
+    group.advance(kTime, available_lanes().back());
+    for (std::size_t s = 0; s < group.streams.size(); ++s) {
+      const auto n = static_cast<double>(s);
+      Trajectory trajectory(oscillator,
+                            ImpulseSource(problem.impulses, 21, static_cast<std::uint32_t>(s)),
+                            {0.1 * n, 1 - 0.2 * n}, kStep);
+      Tally tally;
+      trajectory.advance(kTime, tally);
+      const Stream& stream = group.streams[s];
+      EXPECT_NEAR(stream.branch.y, trajectory.state().y, 1e-9);
+      EXPECT_NEAR(stream.branch.v, trajectory.state().v, 1e-9);
+      EXPECT_NEAR(stream.record.powers[6], tally.yyv, 1e-9);  // y^2 v
+      EXPECT_EQ(stream.record.samples, tally.samples);
+      EXPECT_EQ(stream.record.impacts, tally.impacts);
+      EXPECT_NEAR(stream.record.impact_energy, tally.impact_energy, 1e-9);
+      EXPECT_NEAR(stream.record.work, tally.work, 1e-9);
+    }
+  }
+}
+
+double total(const std::vector<double>& sums) {
+  double sum = 0;
+  for (const double x : sums) sum += x;
+  return sum;
+}
+
+// Between two impacts there is one maximum more than minima.
+TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
+  Group group(tests::paper_case(1));
+  group.advance(3000, available_lanes().back());
+  for (const Stream& stream : group.streams) {
+    EXPECT_GT(total(stream.record.troughs), 10);
+    EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts,
+                1);
+    EXPECT_EQ(total(stream.record.histogram.weights()), stream.record.samples);
+    EXPECT_EQ(stream.record.samples, 12000);
+  }
+}
+
+TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
+  for (const double r : {0.05, 1e-8}) {
+    for (const double mean : {-0.9, 0.0, 0.9}) {
+      for (const double rate : {50.0, 1.0, 1e-3}) {
+        // The mean is a share of the root of E[Y^2] = 0.1.
+        Group group(tests::make_problem({.restitution = r,
+                                         .rate = rate,
+                                         .intensity = 0.1 * rate,
+                                         .mean = mean * std::sqrt(0.1)}));
+        const double time = 200 / std::min(rate, 1.0);
+        group.advance(time, available_lanes().back());
+        for (const Stream& stream : group.streams) {
+          const auto impulses = static_cast<double>(stream.record.impulses);
+          EXPECT_LE(stream.record.impacts, time * 2 + impulses);
+          EXPECT_LT(static_cast<double>(stream.record.flights), 10 * time + 4 * impulses);
+          EXPECT_GE(stream.branch.y, 0);
+          EXPECT_TRUE(std::isfinite(stream.branch.v));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,162 @@
+#include "mcs/simulation/checkpoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "mcs/solve.hpp"
+#include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+class Checkpoint : public testing::Test {
+ protected:
+  Checkpoint() { std::filesystem::create_directories(directory_); }
+  ~Checkpoint() override { std::filesystem::remove_all(directory_); }
+
+  Options brief(bool tails) const {
+    return {.time = tails ? 3e3 : 2e4, .streams = 10, .tails = tails};
+  }
+  Result interrupted(Options options) const {
+    options.checkpoint = file_;
+    int rounds = 0;
+    options.stop = [&] { return ++rounds == 3; };
+    return solve(problem_, options);
+  }
+  void expect_refused(const Options& options, const std::string& why) const {
+    try {
+      solve(problem_, options);
+      FAIL() << "went on from a checkpoint: " << why;
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find(why), std::string::npos) << message;
+      EXPECT_NE(message.find(file_), std::string::npos) << message;
+      EXPECT_EQ(message.find('\n'), std::string::npos);
+    }
+  }
+
+  std::filesystem::path directory_ = std::filesystem::temp_directory_path() /
+                                     testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string file_ = directory_ / "state";
+  problem::Problem problem_ = tests::make_problem({.restitution = 0.7});
+};
+
+TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
+  for (const bool tails : {false, true}) {
+    SCOPED_TRACE(tails);
+    Options options = brief(tails);
+    const Result whole = solve(problem_, options);
+    EXPECT_EQ(interrupted(options).summary.rounds, 3u);
+    options.resume = file_;
+    options.threads = 3;
+    const Result resumed = solve(problem_, options);
+    EXPECT_EQ(resumed.summary.rounds, whole.summary.rounds);
+    EXPECT_EQ(std::get<transform::GridDensity>(*resumed.solution.density).averages,
+              std::get<transform::GridDensity>(*whole.solution.density).averages);
+    EXPECT_EQ(resumed.solution.moments.y4, whole.solution.moments.y4);
+    EXPECT_EQ(resumed.solution.standard_errors->moments.v2,
+              whole.solution.standard_errors->moments.v2);
+    EXPECT_EQ(resumed.summary.flights, whole.summary.flights);
+    EXPECT_FALSE(std::filesystem::exists(file_ + ".part"));
+  }
+}
+
+TEST_F(Checkpoint, OfAnotherSimulationIsRefused) {
+  interrupted(brief(false));
+  const auto refused = [&](auto change) {
+    Options options = brief(false);
+    options.resume = file_;
+    change(options);
+    expect_refused(options, "another simulation");
+  };
+  refused([](auto& o) { o.seed = 2; });
+  refused([](auto& o) { o.streams = 11; });
+  refused([](auto& o) { o.step = 0.5; });
+  refused([](auto& o) { o.tails = true; });
+  refused([](auto& o) { o.equation = Equation::white; });
+  refused([](auto& o) { o.v_edges = {-1, 0, 1}; });
+  problem_ = tests::make_problem({.restitution = 0.71});
+  refused([](auto&) {});
+}
+
+TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
+  interrupted(brief(false));
+  Options options = brief(false);
+  options.resume = file_;
+  const auto size = std::filesystem::file_size(file_);
+  {
+    std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(size / 2));
+    file.put('\x55').put('\xaa').put('\x33');
+  }
+  expect_refused(options, "damaged");
+  std::filesystem::resize_file(file_, size / 3);
+  expect_refused(options, "damaged");
+  std::filesystem::resize_file(file_, 5);
+  expect_refused(options, "no checkpoint");
+  std::filesystem::remove(file_);
+  expect_refused(options, "cannot read");
+}
+
+TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
+  Options options = brief(true);
+  options.progress = [](const Progress&) { FAIL() << "solved something"; };
+  const auto refused = [&](const std::string& path) {
+    file_ = path;
+    options.checkpoint = path;
+    expect_refused(options, "cannot write the checkpoint");
+  };
+  refused(directory_ / "nowhere" / "state");
+  refused(directory_);
+  EXPECT_TRUE(std::filesystem::is_empty(directory_));
+}
+
+TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {
+  Options options = brief(false);
+  const Result expected = solve(problem_, options);
+  std::vector<std::string> told;
+  options.checkpoint = file_;
+  options.progress = [&](const Progress&) { std::filesystem::remove_all(directory_); };
+  options.warn = [&](const std::string& warning) { told.push_back(warning); };
+  const Result result = solve(problem_, options);
+  EXPECT_EQ(result.solution.status, transform::Status::ok);
+  EXPECT_EQ(result.solution.moments.y4, expected.solution.moments.y4);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("cannot write the checkpoint " + file_), std::string::npos) << told[0];
+  EXPECT_EQ(told[0].find('\n'), std::string::npos);
+  EXPECT_EQ(result.summary.warnings, told);
+}
+
+// A directory of the file's name comes and goes: what is told is told once, and in the end all is
+// well.
+TEST_F(Checkpoint, IsWrittenAgainAsSoonAsThatIsPossible) {
+  std::vector<std::string> told;
+  CheckpointWriter writer(file_, [&](const std::string& warning) { told.push_back(warning); });
+  const Plan plan = make_plan(problem_, brief(false));
+  Simulation simulation(problem_, plan);
+  std::filesystem::create_directory(file_);
+  writer.write("same", simulation);
+  writer.write("same", simulation);
+  EXPECT_EQ(told.size(), 1u);
+  std::filesystem::remove(file_);
+  writer.write_last("same", simulation);
+  EXPECT_EQ(told.size(), 1u);
+  EXPECT_NO_THROW(read_checkpoint(file_, "same", simulation));
+  EXPECT_THROW(read_checkpoint(file_, "another", simulation), InputError);
+}
+
+TEST_F(Checkpoint, OfTheSameNameIsKeptUntilThereIsANewOne) {
+  interrupted(brief(false));
+  const auto size = std::filesystem::file_size(file_);
+  const CheckpointWriter writer(file_, {});
+  EXPECT_EQ(std::filesystem::file_size(file_), size);
+  EXPECT_FALSE(std::filesystem::exists(file_ + ".part"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,217 @@
+#include "mcs/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "exact/closed_forms.hpp"
+#include "paper_cases.hpp"
+#include "statistics.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using transform::Variable;
+
+const transform::GridDensity& joint(const Result& result) {
+  return std::get<transform::GridDensity>(*result.solution.density);
+}
+
+const transform::Marginal& estimated(const Result& result, Variable variable) {
+  for (const auto& [which, marginal] : result.solution.estimated_marginals) {
+    if (which == variable) return marginal;
+  }
+  throw std::logic_error("no such marginal");
+}
+
+double integral(const transform::Marginal& marginal) {
+  double sum = 0;
+  for (std::size_t b = 0; b < marginal.size(); ++b) sum += marginal.density[b] * marginal.width(b);
+  return sum;
+}
+
+TEST(Solve, GivesTheSameResultForAnyNumberOfThreads) {
+  Options options;
+  options.time = 2e4;
+  options.streams = 10;
+  options.seed = 0x123456789abcdefull;
+  options.threads = 1;
+  const Result one = solve(tests::paper_case(1), options);
+  for (const int threads : {2, 7}) {
+    options.threads = threads;
+    const Result many = solve(tests::paper_case(1), options);
+    EXPECT_EQ(joint(one).averages, joint(many).averages);
+    EXPECT_EQ(one.solution.moments.y4, many.solution.moments.y4);
+    EXPECT_EQ(one.solution.energy_residual, many.solution.energy_residual);
+    EXPECT_EQ(one.solution.standard_errors->moments.v2, many.solution.standard_errors->moments.v2);
+    EXPECT_EQ(many.summary.threads, threads);
+  }
+}
+
+TEST(Solve, DifferentSeedsGiveDifferentRunsInEitherHalfOfTheSeed) {
+  const auto v2 = [](std::uint64_t seed) {
+    return tests::simulate(tests::paper_case(1), 1e4, seed).solution.moments.v2;
+  };
+  EXPECT_NE(v2(1), v2(2));
+  EXPECT_NE(v2(1), v2(1 + (std::uint64_t{1} << 40)));
+  EXPECT_EQ(v2(1), v2(1));
+}
+
+TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
+  Options options;
+  options.time = 5e4;
+  for (int k = 0; k <= 20; ++k) {
+    options.y_edges.push_back(0.05 * k);  // case 1 reaches beyond 1 often
+    options.v_edges.push_back(0.04 * k * k / 20 - 0.4);
+  }
+  const Result result = solve(tests::paper_case(1), options);
+  const double mass = transform::mass(joint(result));
+  EXPECT_NEAR(result.solution.mass, mass, 1e-15);
+  EXPECT_NEAR(result.summary.outside, 1 - mass, 1e-15);
+  EXPECT_GT(result.summary.outside, 0.1);
+  // A marginal counts its variable's samples wherever the other one was.
+  const double inside_y = integral(estimated(result, Variable::y));
+  const double inside_v = integral(estimated(result, Variable::ydot));
+  EXPECT_GT(inside_y, mass + 0.02);
+  EXPECT_GT(inside_v, mass + 0.02);
+  EXPECT_LT(std::max(inside_y, inside_v), 1.0);
+  // The moments do not depend on the edges.
+  options.y_edges.clear();
+  options.v_edges.clear();
+  const Result automatic = solve(tests::paper_case(1), options);
+  EXPECT_EQ(automatic.solution.moments.y2, result.solution.moments.y2);
+  EXPECT_NEAR(automatic.solution.mass, 1.0, 1e-6);
+}
+
+TEST(Solve, HistogramMomentsAndMarginalsTellTheSame) {
+  const Result result = tests::simulate(tests::paper_case(4), 1e5);
+  const auto y = transform::marginal(*result.solution.density, Variable::y, joint(result).y_edges);
+  const auto v =
+      transform::marginal(*result.solution.density, Variable::ydot, joint(result).v_edges);
+  EXPECT_LT(transform::l1(y, estimated(result, Variable::y)), 1e-6);  // what lies outside
+  EXPECT_LT(transform::l1(v, estimated(result, Variable::ydot)), 1e-6);
+  double y1 = 0, v2 = 0;
+  for (std::size_t b = 0; b < y.size(); ++b) {
+    const double c = v.centre(b), w = v.width(b);
+    y1 += y.density[b] * y.width(b) * y.centre(b);
+    v2 += v.density[b] * w * (c * c + w * w / 12);
+  }
+  // Bins of 0.05 sigma_1: the midpoint rule errs by its square.
+  EXPECT_NEAR(y1, result.solution.moments.y1, 1e-3 * y1);
+  EXPECT_NEAR(v2, result.solution.moments.v2, 3e-3 * v2);
+}
+
+TEST(Solve, ElasticUnderFrequentSmallImpulsesApproachesTheWhiteNoiseDensity) {
+  // The excess kurtosis falls with 1/lambda; at lambda = 200 it is 2e-3.
+  const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .rate = 200});
+  const Result result = tests::simulate(problem, 3e4);
+  const exact::WhiteNoiseDensity exact(problem);
+  const auto& y = estimated(result, Variable::y);
+  const auto& v = estimated(result, Variable::ydot);
+  double y_distance = 0, v_distance = 0;
+  for (std::size_t b = 0; b < y.size(); ++b) {
+    y_distance += std::abs(y.density[b] - exact.displacement_marginal(y.centre(b))) * y.width(b);
+    v_distance += std::abs(v.density[b] - exact.velocity_marginal(v.centre(b))) * v.width(b);
+  }
+  EXPECT_LT(y_distance, 2 * *result.solution.sampling->y);
+  EXPECT_LT(v_distance, 2 * *result.solution.sampling->ydot);
+}
+
+TEST(Solve, SamplingErrorForetellsTheDistanceOfTwoRuns) {
+  const Result a = tests::simulate(tests::paper_case(1), 2e5, 11);
+  const Result b = tests::simulate(tests::paper_case(1), 2e5, 12);
+  // The distance of two runs is sqrt(2) of one run's; errors of neighbouring bins are correlated,
+  // so that it scatters by some tens of per cent.
+  const double y = transform::l1(estimated(a, Variable::y), estimated(b, Variable::y));
+  const double v = transform::l1(estimated(a, Variable::ydot), estimated(b, Variable::ydot));
+  EXPECT_NEAR(y / (std::sqrt(2) * *a.solution.sampling->y), 1.0, 0.4);
+  EXPECT_NEAR(v / (std::sqrt(2) * *a.solution.sampling->ydot), 1.0, 0.4);
+}
+
+TEST(Solve, AnEmptyBinHasAnUpperEnd) {
+  const Result result = tests::simulate(tests::paper_case(1), 1e4);
+  const auto& v = estimated(result, Variable::ydot);
+  EXPECT_EQ(v.density.front(), 0.0);
+  EXPECT_EQ(v.lower.front(), 0.0);
+  EXPECT_GT(v.upper.front(), 0.0);
+  EXPECT_LT(v.upper.front(), 0.1);
+}
+
+TEST(Solve, FillsInTheSolutionAndTheSummary) {
+  const Result result = tests::simulate(tests::paper_case(1), 1e4);
+  EXPECT_EQ(result.solution.identity, identity(Options{}));
+  EXPECT_EQ(result.solution.status, transform::Status::ok);
+  EXPECT_GT(result.solution.seconds, 0.0);
+  EXPECT_EQ(result.solution.observations, observations(result.summary));
+  EXPECT_GT(result.solution.standard_errors->moments.y2, 0);
+  EXPECT_GT(*result.solution.sampling->ydot_99, *result.solution.sampling->ydot);
+  EXPECT_TRUE(result.summary.warnings.empty());
+  // One impulse per unit time; two impacts per period of about 6.
+  EXPECT_NEAR(static_cast<double>(result.summary.impulses), 1e4, 4e2);
+  EXPECT_NEAR(result.summary.impact_rate.mean, 0.33, 0.02);
+  EXPECT_NEAR(result.summary.time, 1e4, 300);  // whole samples of each stream
+}
+
+TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
+  Options options;
+  options.time = 1e4;
+  options.streams = 12;
+  std::vector<double> fractions, errors;
+  options.progress = [&](const Progress& at) {
+    fractions.push_back(at.fraction);
+    errors.push_back(at.error);
+  };
+  const Result result = solve(tests::paper_case(1), options);
+  ASSERT_EQ(fractions.size(), result.summary.rounds);
+  EXPECT_TRUE(std::ranges::is_sorted(fractions));
+  EXPECT_EQ(fractions.back(), 1.0);
+  EXPECT_NEAR(errors.back(),
+              std::max(*result.solution.sampling->y, *result.solution.sampling->ydot), 1e-12);
+  EXPECT_GT(errors.front(), errors.back());
+
+  int calls = 0;
+  options.progress = [&](const Progress&) {
+    ++calls;
+    throw std::runtime_error("enough");
+  };
+  EXPECT_THROW(solve(tests::paper_case(1), options), std::runtime_error);
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Solve, EndsEarlyWhenAskedToAndReportsWhatWasReached) {
+  Options options;
+  options.time = 1e4;
+  int asked = 0;
+  options.stop = [&] { return ++asked == 3; };
+  const Result result = solve(tests::paper_case(1), options);
+  EXPECT_TRUE(result.summary.interrupted);
+  EXPECT_EQ(result.summary.rounds, 3u);
+  EXPECT_NEAR(result.summary.time, 3 * 1e4 / 8, 100);
+  EXPECT_EQ(result.solution.status, transform::Status::not_converged);  // less than was asked for
+  EXPECT_NE(result.solution.reason.find("interrupted"), std::string::npos);
+  EXPECT_NEAR(result.solution.mass, 1, 1e-3);
+}
+
+TEST(Solve, GoesOnUntilTheSamplesOrTheErrorAskedForAreReached) {
+  Options options;
+  options.samples = 3e4;
+  const Result by_samples = solve(tests::paper_case(1), options);
+  EXPECT_EQ(by_samples.solution.status, transform::Status::ok);
+  EXPECT_GE(by_samples.summary.effective_samples, 3e4);
+  options.samples.reset();
+  options.target_error = 4e-3;
+  const Result by_error = solve(tests::paper_case(1), options);
+  EXPECT_EQ(by_error.solution.status, transform::Status::ok);
+  EXPECT_LE(*by_error.solution.sampling->y, 4e-3);
+  EXPECT_LE(*by_error.solution.sampling->ydot, 4e-3);
+  options.time = 1e4;
+  const Result too_short = solve(tests::paper_case(1), options);
+  EXPECT_EQ(too_short.solution.status, transform::Status::not_converged);
+  EXPECT_FALSE(too_short.solution.reason.empty());
+  EXPECT_NEAR(too_short.summary.time, 1e4, 300);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,113 @@
+#include "mcs/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mcs/streams/stream.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using transform::Kind;
+using transform::Observation;
+using transform::Observations;
+
+Summary made_up() {
+  Summary summary;
+  summary.excess_power = 1e-3;
+  summary.excess_power_error = 2e-3;
+  summary.impact_rate = {0.3, 0.01};
+  summary.kick_interval = 0.05;
+  summary.joint_moments.assign(kPowers.size(), {1.5, 0.1});
+  summary.y_quantiles = {{.probability = 0.5, .value = 0.6, .lower = 0.59, .upper = 0.62}};
+  summary.crossings = {{.level = 0.5, .rate = {0.2, 0.02}}};
+  summary.peaks = {{.level = 0, .rate = {0.4, 0.02}}, {.level = 0.5, .rate = {0.3, 0.02}}};
+  summary.thresholds = {1.0, 2.0};
+  return summary;
+}
+
+const Observation& at(const Observations& all, const std::string& path) {
+  const Observation* found = transform::find(all, path);
+  if (found == nullptr) throw std::logic_error("no " + path);
+  return *found;
+}
+
+// Each of them: a number whose error stands where it says.
+TEST(Summary, WhatChanceEntersHasItsStandardError) {
+  const auto all = observations(made_up());
+  int with_error = 0;
+  for (const auto& observation : all) {
+    if (observation.error_at.empty()) continue;
+    ++with_error;
+    EXPECT_EQ(observation.kind, Kind::result) << observation.path;
+    EXPECT_EQ(at(all, observation.error_at).kind, Kind::error) << observation.path;
+    EXPECT_GT(transform::number(all, observation.error_at), 0) << observation.path;
+  }
+  EXPECT_EQ(with_error, 1 + 1 + static_cast<int>(kPowers.size()) + 1 + 1 + 2);
+  EXPECT_EQ(at(all, "excess_power.relative").error_at, "excess_power.standard_error");
+  EXPECT_EQ(at(all, "impact_rate").error_at, "impact_rate_error");
+  EXPECT_EQ(at(all, "joint_moments[13].mean").error_at, "joint_moments[13].standard_error");
+  EXPECT_EQ(at(all, "peaks[1].rate").error_at, "peaks[1].standard_error");
+  // A 95 % interval of a normal variable is 2 * 1.96 of them wide.
+  EXPECT_NEAR(*transform::number(all, "quantiles.y[0].standard_error"), 0.03 / (2 * 1.959964),
+              1e-15);
+}
+
+TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
+  std::vector<std::string> fields;
+  for (const auto& observation : observations(made_up())) {
+    const std::string field = observation.path.substr(0, observation.path.find_first_of(".["));
+    if (fields.empty() || fields.back() != field) fields.push_back(field);
+  }
+  EXPECT_EQ(fields, (std::vector<std::string>{"time",
+                                              "samples",
+                                              "effective_samples",
+                                              "effective_samples_y2",
+                                              "excess_power",
+                                              "variance_reduction",
+                                              "outside",
+                                              "seed",
+                                              "threads",
+                                              "streams",
+                                              "step",
+                                              "sampling_interval",
+                                              "burn_in",
+                                              "impact_rate",
+                                              "impact_rate_error",
+                                              "impulses",
+                                              "flights",
+                                              "rounds",
+                                              "interrupted",
+                                              "kick_interval",
+                                              "joint_moments",
+                                              "quantiles",
+                                              "upcrossings",
+                                              "peaks",
+                                              "splitting_thresholds"}));
+  EXPECT_EQ(at(observations(made_up()), "quantiles.ydot[]").kind, Kind::result);
+  EXPECT_EQ(at(observations(made_up()), "joint_moments[7].y").value, transform::counted(1));
+  EXPECT_EQ(at(observations(made_up()), "joint_moments[7].v").value, transform::counted(2));
+}
+
+TEST(Summary, TellsResultsFromWorkAndYardsticks) {
+  const auto all = observations(made_up());
+  for (const char* path : {"time", "samples", "threads", "seed", "impulses", "flights", "rounds",
+                           "outside", "variance_reduction.y2", "variance_reduction.v2",
+                           "splitting_thresholds[1]", "quantiles.y[0].lower"}) {
+    EXPECT_EQ(at(all, path).kind, Kind::work) << path;
+  }
+  for (const char* path : {"effective_samples", "effective_samples_y2", "impact_rate_error"}) {
+    EXPECT_EQ(at(all, path).kind, Kind::error) << path;
+  }
+  for (const char* path : {"streams", "step", "sampling_interval", "burn_in", "interrupted",
+                           "kick_interval", "peaks[0].level", "quantiles.y[0].probability"}) {
+    EXPECT_EQ(at(all, path).kind, Kind::result) << path;
+  }
+  const auto without = observations({});
+  EXPECT_TRUE(parameters::is_nothing(at(without, "kick_interval").value));
+  EXPECT_EQ(at(without, "splitting_thresholds[]").kind, Kind::work);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

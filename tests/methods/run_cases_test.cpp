@@ -1,0 +1,85 @@
+#include "methods/run_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+// A solver whose result names its problem, and that counts how many run at once.
+struct Probe {
+  std::atomic<int> running = 0;
+  std::atomic<int> most_at_once = 0;
+
+  Method method(const std::string& id, bool parallel = false) {
+    return {.identity = {.id = id, .method = "probe"},
+            .parallel = parallel,
+            .solve = [this, parallel](const problem::Problem& problem, const Setting& setting) {
+              const int now = ++running;
+              if (parallel && now > 1) throw std::logic_error("a parallel method is not alone");
+              for (int seen = most_at_once;
+                   now > seen && !most_at_once.compare_exchange_weak(seen, now);) {
+              }
+              std::this_thread::sleep_for(std::chrono::milliseconds(20));
+              if (setting.progress) setting.progress(0.5, "");
+              --running;
+              transform::Solution solution;
+              solution.reason = problem.name;
+              return solution;
+            }};
+  }
+};
+
+std::vector<problem::Problem> two_problems() {
+  auto a = tests::paper_case(1), b = tests::paper_case(2);
+  a.name = "a";
+  b.name = "b";
+  return {a, b};
+}
+
+TEST(RunCases, FillsTheTableOfProblemsAndMethodsInOrder) {
+  Probe probe;
+  const std::vector<Method> methods{probe.method("one"), probe.method("two"),
+                                    probe.method("three", true)};
+  const auto cases = run_cases(two_problems(), methods, 2, {});
+  ASSERT_EQ(cases.size(), 2u);
+  for (const auto& one : cases) {
+    ASSERT_EQ(one.solutions.size(), 3u);
+    EXPECT_EQ(one.solutions[0].id(), "one");
+    EXPECT_EQ(one.solutions[2].id(), "three");
+    for (const auto& solution : one.solutions) EXPECT_EQ(solution.reason, one.name());
+  }
+  EXPECT_EQ(probe.most_at_once, 2);
+}
+
+TEST(RunCases, TellsOfEverySolutionUntilAllAreDone) {
+  Probe probe;
+  std::size_t finished = 0;
+  RunProgress last{};
+  run_cases(two_problems(), {probe.method("one"), probe.method("two", true)}, 2,
+            [&](const RunProgress& at) {
+              finished += at.fraction == 1;
+              last = at;
+            });
+  EXPECT_EQ(finished, 4u);
+  EXPECT_EQ(last.done, 4u);
+  EXPECT_EQ(last.total, 4u);
+  EXPECT_EQ(last.method, "two");
+}
+
+TEST(RunCases, PassesOnWhatASolverThrows) {
+  const Method broken{.identity = {.id = "broken", .method = "probe"},
+                      .solve = [](const problem::Problem&, const Setting&) -> transform::Solution {
+                        throw std::runtime_error("no memory");
+                      }};
+  EXPECT_THROW(run_cases(two_problems(), {broken}, 2, {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace fpkcheck::methods

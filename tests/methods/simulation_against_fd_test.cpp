@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "fd_fpk/solve.hpp"
+#include "mcs/solve.hpp"
+#include "paper_cases.hpp"
+
+// The simulation and the finite differences share the problem alone.
+namespace fpkcheck {
+namespace {
+
+using transform::Variable;
+
+/// L1 distance of the simulated marginals to those of another solution, in units of what chance
+/// explains; it varies by some tens of per cent.
+void expect_within_chance(const mcs::Result& simulated, const transform::Solution& other) {
+  for (const auto& [variable, estimate] : simulated.solution.estimated_marginals) {
+    const auto reference = transform::marginal(other, variable, estimate.edges);
+    const double l1 = transform::l1(estimate, reference);
+    const auto& sampling = simulated.solution.sampling;
+    const double chance = (variable == Variable::y ? sampling->y : sampling->ydot).value();
+    EXPECT_LT(l1, 1.6 * chance) << transform::name(variable);
+    EXPECT_GT(l1, 0.5 * chance) << transform::name(variable);
+  }
+}
+
+/// p(0, v) on the cells of v: the slope at y = 0 of the polynomial through the cumulative over y.
+std::vector<double> at_the_wall(const transform::GridDensity& grid) {
+  constexpr std::size_t kPoints = 6;
+  std::vector<double> wall;
+  for (std::size_t j = 0; j < grid.nv(); ++j) {
+    double slope = 0, cumulative = 0;
+    for (std::size_t a = 1; a < kPoints; ++a) {
+      cumulative += grid.average(a - 1, j) * (grid.y_edges[a] - grid.y_edges[a - 1]);
+      double weight = 1 / grid.y_edges[a];
+      for (std::size_t b = 1; b < kPoints; ++b) {
+        if (b != a) weight *= -grid.y_edges[b] / (grid.y_edges[a] - grid.y_edges[b]);
+      }
+      slope += weight * cumulative;
+    }
+    wall.push_back(slope);
+  }
+  return wall;
+}
+
+/// int |v| p(0, v) dv over v < 0 = int F(v) dv, F the cumulative from below: the trapezoidal rule
+/// with the correction at the end.
+double impact_rate(const transform::GridDensity& grid) {
+  const auto wall = at_the_wall(grid);
+  double below = 0, rate = 0, width = 0, last = 0;
+  for (std::size_t j = 0; grid.v_edges[j + 1] <= 1e-12; ++j) {
+    width = grid.v_edges[j + 1] - grid.v_edges[j];
+    last = wall[j];
+    rate += width * (below + wall[j] * width / 2);
+    below += wall[j] * width;
+  }
+  return rate - width * width / 12 * last;
+}
+
+TEST(SimulationAgainstFiniteDifferences, DensitiesDifferByWhatChanceExplains) {
+  for (const auto& problem : {tests::paper_case(4), tests::make_problem({.restitution = 0.7}),
+                              tests::make_problem({.rate = 0.3})}) {
+    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct});
+    ASSERT_EQ(fd.solution.status, transform::Status::ok) << fd.solution.reason;
+    expect_within_chance(mcs::solve(problem, {.time = 4e5}), fd.solution);
+  }
+}
+
+TEST(SimulationAgainstFiniteDifferences, ImpactsComeAtTheRateOfTheFluxAtTheWall) {
+  for (const auto& problem : {tests::paper_case(1), tests::paper_case(4)}) {
+    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct});
+    const auto [rate, error] = mcs::solve(problem, {.time = 4e5}).summary.impact_rate;
+    const double flux = impact_rate(std::get<transform::GridDensity>(*fd.solution.density));
+    EXPECT_NEAR(rate, flux, 4 * error) << (rate - flux) / error;
+    EXPECT_LT(error, 2e-3 * rate);
+  }
+}
+
+TEST(SimulationAgainstFiniteDifferences, WhiteNoiseHasTheDensityOfItsEquation) {
+  const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9});
+  const auto fd = fd_fpk::solve(
+      problem, {.equation = problem::Equation::white, .stepper = fd_fpk::Stepper::direct});
+  expect_within_chance(mcs::solve(problem, {.equation = problem::Equation::white, .time = 2e5}),
+                       fd.solution);
+}
+
+TEST(SimulationAgainstFiniteDifferences, TailsAgreeDownTo1eMinus8OfThePeak) {
+  const auto problem = tests::paper_case(1);
+  const auto fd = fd_fpk::solve(
+      problem, {.stepper = fd_fpk::Stepper::direct, .nx = 90, .nv = 200, .wall_density = 1e-11});
+  ASSERT_EQ(fd.solution.status, transform::Status::ok) << fd.solution.reason;
+  const auto simulated = mcs::solve(problem, {.time = 2e5, .tails = true});
+  for (const auto& [variable, estimate] : simulated.solution.estimated_marginals) {
+    const auto reference = transform::marginal(fd.solution, variable, estimate.edges);
+    const double peak = *std::max_element(reference.density.begin(), reference.density.end());
+    double least = peak;
+    for (std::size_t b = 0; b < estimate.size(); ++b) {
+      if (reference.density[b] < 1e-8 * peak) continue;
+      const double half = (estimate.upper[b] - estimate.lower[b]) / 2;
+      // The finite differences err by a per cent or two that far out.
+      const double own = reference.density[b] < 1e-5 * peak ? 0.03 * reference.density[b] : 0;
+      EXPECT_NEAR(estimate.density[b], reference.density[b], 2.5 * half + own)
+          << transform::name(variable) << " " << estimate.centre(b) << ": "
+          << (estimate.density[b] / reference.density[b] - 1) << " half "
+          << half / reference.density[b];
+      least = std::min(least, estimate.density[b]);
+    }
+    EXPECT_LT(least, 5e-8 * peak);
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck

@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "check/baseline.hpp"
+#include "check/check.hpp"
+#include "methods/builtin.hpp"
+#include "methods/run_cases.hpp"
+#include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "report/report.hpp"
+#include "report/table.hpp"
+#include "results/saved_run.hpp"
+#include "study/order.hpp"
+#include "temporary_directory.hpp"
+#include "transform/panel_marginals.hpp"
+
+/// A method from outside the tree: by its entry in the registry alone it stands in every table,
+/// picture and file, in the error budget, the study of orders and the regression test.
+namespace fpkcheck {
+namespace {
+
+struct Bell {
+  int order = 2;
+  double stretch = 1;
+};
+
+const parameters::Description<Bell>& bell_description() {
+  static const auto description =
+      parameters::Description<Bell>("bell ")
+          .add("order", &Bell::order, {"N", "the higher, the narrower"},
+               parameters::even_between(2, 8))
+          .add("stretch", &Bell::stretch, {"S", "in y"}, parameters::positive());
+  return description;
+}
+
+transform::Identity bell_identity(const Bell& bell) {
+  return {.id = "toy-bell-n" + std::to_string(bell.order),
+          .method = "toy",
+          .formulation = "bell",
+          .order = bell.order,
+          .equation = problem::Equation::kf,
+          .impact = problem::Impact::map};
+}
+
+std::optional<Bell> bell_of(std::string_view id) {
+  for (const int order : {2, 4, 6, 8}) {
+    if (id == bell_identity({.order = order}).id) return Bell{.order = order};
+  }
+  return std::nullopt;
+}
+
+// The Gaussian of equivalent linearisation, a little narrower with each order.
+transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double shrink = 1 - 0.005 * bell.order;
+  const double a = linear.displacement_deviation * shrink * bell.stretch,
+               b = linear.velocity_deviation * shrink;
+  transform::SmoothDensity density{[=](double y, double v) {
+                                     return std::exp(-y * y / (2 * a * a) - v * v / (2 * b * b)) /
+                                            (M_PI * a * b);
+                                   },
+                                   8 * a, 8 * b};
+  transform::Solution solution{.identity = bell_identity(bell)};
+  solution.status = transform::Status::ok;
+  const auto marginals = transform::panel_marginals(density, density.y_max, density.v_max);
+  solution.moments = marginals.moments;
+  solution.mass = marginals.mass;
+  solution.density = density;
+  solution.observations = transform::Observer()
+                              .result("width.y", a)
+                              .result("width.ydot", b)
+                              .work("strokes", std::int64_t{1})
+                              .take();
+  return solution;
+}
+
+methods::Solver toy_solver() {
+  methods::Solver entry{.name = "toy",
+                        .summary = "a bell",
+                        .usage = "usage: fpkcheck toy CASE",
+                        .families = {{.name = "toy-bell",
+                                      .role = transform::Role::closure,
+                                      .meaning = "A bell of about the right width.",
+                                      .usual = {"toy-bell-n2", "toy-bell-n4"},
+                                      .look =
+                                          [](const transform::Identity&) {
+                                            return transform::Look{.colour = "#12AB34",
+                                                                   .dash = "(1,1)"};
+                                          }}},
+                        .parameters = nullptr,
+                        .usual_options = {},
+                        .options_of = {},
+                        .method = {}};
+  return methods::with_front<Bell>(
+      std::move(entry),
+      {.description = bell_description(),
+       .validate = [](const Bell& bell) { bell_description().validate(bell); },
+       .identity = bell_identity,
+       .options_of = bell_of,
+       .solve = [](const problem::Problem& problem, const Bell& bell,
+                   const methods::Setting&) { return solve_bell(problem, bell); }});
+}
+
+methods::Registry with_toy() {
+  methods::Registry registry = methods::builtin();
+  registry.add(toy_solver());
+  return registry;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class ToyClosure : public testing::Test {
+ protected:
+  const methods::Registry registry_ = with_toy();
+  const results::Run run_{
+      results::this_program("fpkcheck run"),
+      methods::run_cases({tests::paper_case(1)}, registry_.select("toy,epc-gaussian-n2,fd-kf", {}),
+                         1, {})};
+  const results::Case& case_ = run_.cases.front();
+};
+
+TEST_F(ToyClosure, StandsAmongTheClosuresInTheOrderOfTrust) {
+  std::string ids;
+  for (const auto& solution : case_.solutions) ids += solution.id() + ' ';
+  EXPECT_EQ(ids, "epc-gaussian-n2 toy-bell-n2 toy-bell-n4 fd-kf ");
+}
+
+TEST_F(ToyClosure, IsInTheTableTheFindingsAndTheErrorBudget) {
+  const std::string table = report::table(run_);
+  EXPECT_TRUE(contains(table, "toy-bell-n2")) << table;
+  EXPECT_TRUE(contains(table, "kf/map")) << table;
+  ASSERT_EQ(case_.budget.size(), 6u);
+  EXPECT_EQ(case_.budget[2].solution, "toy-bell-n2");
+  EXPECT_EQ(case_.budget[2].parts.front().name(), "closure");
+  EXPECT_TRUE(contains(case_.limits, "toy-bell-n2 and -n4")) << case_.limits;
+}
+
+TEST_F(ToyClosure, IsInFilesPicturesAndThePageInItsOwnLook) {
+  const tests::TemporaryDirectory directory;
+  report::write_report(directory.path(), run_);
+  const auto read = [&](const char* file) { return tests::contents(directory.path() / file); };
+  EXPECT_TRUE(contains(read("summary.json"), "\"width\": {"));
+  EXPECT_TRUE(contains(read("marginals.csv"), "test,toy-bell-n4,ydot,"));
+  EXPECT_TRUE(contains(read("figures/test.gp"), "#12AB34"));
+  const std::string page = read("report.html");
+  EXPECT_TRUE(contains(page, "toy-bell-n2"));
+  EXPECT_TRUE(contains(page, "#12AB34"));
+  EXPECT_TRUE(contains(page, "A bell of about the right width."));
+}
+
+TEST_F(ToyClosure, IsStudiedOverItsOrder) {
+  const auto names = study::formulations(registry_);
+  EXPECT_NE(std::ranges::find(names, "toy-bell"), names.end());
+  const auto found =
+      study::study_orders(tests::paper_case(1), {{"toy-bell"}, {2, 4, 6}}, registry_, {});
+  const auto output = study::output(found, "fpkcheck study", {});
+  EXPECT_TRUE(contains(output.csv, "\ntoy-bell,6,ok,")) << output.csv;
+}
+
+TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
+  const tests::TemporaryDirectory directory;
+  results::PendingFiles files;
+  results::add_run(files, directory.path(), run_);
+  files.commit();
+  const auto baseline = check::load_baseline(directory.path(), registry_, {});
+  auto again = check::run_again(baseline, "fpkcheck check", 1, {});
+  EXPECT_TRUE(check::check(baseline.run, again, {}).agrees());
+  auto& width = again.cases[0].solutions[1].observations[0];
+  ASSERT_EQ(width.path, "width.y");
+  width.value = std::get<double>(width.value) * (1 + 1e-6);
+  const auto moved = check::check(baseline.run, again, {}).moved();
+  ASSERT_EQ(moved.size(), 1u);
+  EXPECT_EQ(moved[0].solution, "toy-bell-n2");
+  // Without its entry nobody knows how to solve it again.
+  EXPECT_THROW(check::load_baseline(directory.path(), methods::builtin(), {}), InputError);
+}
+
+TEST_F(ToyClosure, HasACommandWithTheOptionsThatItDescribes) {
+  const auto* solver = registry_.find("toy");
+  ASSERT_NE(solver, nullptr);
+  auto options = solver->usual_options;
+  options[0].value = std::int64_t{3};
+  EXPECT_THROW(registry_.method(*solver, options), InputError);
+  options[0].value = std::int64_t{8};
+  EXPECT_EQ(registry_.method(*solver, options).id(), "toy-bell-n8");
+}
+
+}  // namespace
+}  // namespace fpkcheck

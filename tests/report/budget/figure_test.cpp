@@ -1,0 +1,56 @@
+#include "report/budget/figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "changed_case.hpp"
+#include "report/budget/part_look.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::made_up_case;
+
+TEST(BudgetFigure, HasABarForEachPartAndALineForTheTotal) {
+  auto one = made_up_case();
+  one.budget[0].parts[0].l1 = 0.04321;
+  one.budget[0].total = 0.01234;
+  const std::string script = budget_script(one, "stem");
+  // epc-gaussian-n2 is the first of the groups; its bars share 0.8 of the unit.
+  EXPECT_TRUE(contains(script, "$y_l1_0 << EOD\n0.7333 0.04321 0.2667\n")) << script;
+  EXPECT_TRUE(contains(script, "$y_l1_total << EOD\n0.6000 0.01234 0.8000\n")) << script;
+  EXPECT_TRUE(contains(script, part_colour("closure + impact")));
+}
+
+TEST(BudgetFigure, DrawsClosuresThatAreNotOkPaleAndMarked) {
+  auto one = made_up_case();
+  EXPECT_TRUE(contains(budget_script(one, "stem"), "'gaussian-n4 *' 2"));
+  EXPECT_TRUE(contains(budget_script(one, "stem"), "no admissible density"));
+  tests::solution_of(one, "epc-gaussian-n4").status = transform::Status::ok;
+  EXPECT_FALSE(contains(budget_script(one, "stem"), "*'"));
+}
+
+TEST(BudgetFigure, LeavesOutWhatIsNoNumber) {
+  auto one = made_up_case();
+  for (auto& row : one.budget) {
+    row.total_tail = std::numeric_limits<double>::quiet_NaN();
+    for (auto& part : row.parts) part.tail = std::numeric_limits<double>::quiet_NaN();
+  }
+  const std::string script = budget_script(one, "stem");
+  EXPECT_TRUE(contains(script, "$y_tail_0 << EOD\nEOD\n")) << script;
+  EXPECT_TRUE(contains(script, "$y_tail_total << EOD\nEOD\n")) << script;
+  EXPECT_FALSE(contains(script, "nan"));
+}
+
+TEST(BudgetFigure, IsThereWhereThereIsABudget) {
+  auto one = made_up_case();
+  EXPECT_TRUE(has_budget(one));
+  one.budget.clear();
+  EXPECT_FALSE(has_budget(one));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

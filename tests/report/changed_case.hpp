@@ -1,0 +1,51 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "made_up_solutions.hpp"
+
+/// A made-up case in which something is otherwise.
+namespace fpkcheck::tests {
+
+inline transform::Solution& solution_of(results::Case& one, const std::string& id) {
+  for (auto& solution : one.solutions) {
+    if (solution.id() == id) return solution;
+  }
+  throw std::logic_error("no " + id);
+}
+
+/// Sets the L1 distances of one pair.
+inline void set_l1(results::Case& one, const std::string& a, const std::string& b, double y,
+                   double ydot) {
+  for (auto& pair : one.pairs) {
+    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) {
+      pair.distances.l1 = pair.variable == transform::Variable::y ? y : ydot;
+    }
+  }
+}
+
+/// The case with the first of its solutions alone, and what follows of them.
+inline results::Case with_first(std::size_t count) {
+  auto problem = paper_case(1);
+  const auto axes = compare::comparison_axes(problem);
+  auto solutions = made_up_solutions(axes);
+  solutions.resize(count);
+  return results::make_case(problem, axes, std::move(solutions));
+}
+
+/// The text with every run of blanks and line ends as one blank: lines break anywhere.
+inline std::string words(const std::string& text) {
+  std::string joined;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\n';
+    if (!blank) {
+      joined += c;
+    } else if (!joined.ends_with(' ')) {
+      joined += ' ';
+    }
+  }
+  return joined;
+}
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,80 @@
+#include "report/figure/content.hpp"
+
+#include <gtest/gtest.h>
+
+#include "changed_case.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::made_up_case;
+using tests::solution_of;
+using transform::Status;
+using transform::Variable;
+
+TEST(FigureContent, SubtractsTheReference) {
+  auto one = made_up_case();
+  EXPECT_EQ(figure_content(one).reference, "mcs");
+  solution_of(one, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
+  EXPECT_EQ(figure_content(one).reference, "fd-kf");
+  const auto content = figure_content(one);
+  const auto& kf = *one.curve("fd-kf", Variable::ydot);
+  for (const auto& drawn : content.sides[1].curves) {
+    EXPECT_EQ(drawn.difference[70], drawn.curve->density[70] - kf.density[70]);
+  }
+  solution_of(one, "fd-kf").status = Status::not_converged;
+  EXPECT_EQ(figure_content(one).reference, "mcs");
+  solution_of(one, "mcs").status = Status::failed;
+  EXPECT_EQ(figure_content(one).reference, "");
+  EXPECT_TRUE(figure_content(one).sides[0].curves[0].difference.empty());
+}
+
+TEST(FigureContent, SubtractsNothingWhereTheReferenceLacksACurve) {
+  auto one = made_up_case();
+  std::erase_if(one.curves, [](const auto& curve) {
+    return curve.solution == "mcs" && curve.variable == Variable::y;
+  });
+  EXPECT_EQ(figure_content(one).reference, "");
+}
+
+TEST(FigureContent, ComparesOnlyCurvesOnTheSameBins) {
+  auto one = made_up_case();
+  for (auto& curve : one.curves) {
+    if (curve.solution == "fd-km4") curve.abscissa[0] += 1e-3;
+  }
+  const auto content = figure_content(one);
+  for (const auto& drawn : content.sides[0].curves) {
+    EXPECT_EQ(drawn.difference.empty(), drawn.curve->solution == "fd-km4");
+  }
+}
+
+TEST(FigureContent, RangesFollowOnlySolutionsThatAreOk) {
+  auto one = made_up_case();
+  const double before = figure_content(one).sides[0].ranges.largest_density;
+  for (auto& curve : one.curves) {
+    if (curve.solution == "epc-gaussian-n4") curve.density.assign(curve.density.size(), 50);
+  }
+  EXPECT_EQ(figure_content(one).sides[0].ranges.largest_density, before);
+  for (auto& solution : one.solutions) solution.status = Status::failed;
+  EXPECT_EQ(figure_content(one).sides[0].ranges.largest_density, 50);
+}
+
+TEST(FigureContent, DrawsLowerLayersFirst) {
+  auto one = made_up_case();
+  solution_of(one, "fd-km4").identity.look.layer = 9;
+  solution_of(one, "mcs").identity.look.layer = -1;
+  const auto content = figure_content(one);
+  EXPECT_EQ(content.sides[0].curves.front().curve->solution, "mcs");
+  EXPECT_EQ(content.sides[0].curves.back().curve->solution, "fd-km4");
+}
+
+TEST(FigureContent, HasNoSideWithoutACurve) {
+  auto one = made_up_case();
+  std::erase_if(one.curves, [](const auto& curve) { return curve.variable == Variable::y; });
+  const auto content = figure_content(one);
+  ASSERT_EQ(content.sides.size(), 1u);
+  EXPECT_EQ(content.sides[0].variable, Variable::ydot);
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

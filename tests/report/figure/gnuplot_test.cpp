@@ -1,0 +1,74 @@
+#include "report/figure/gnuplot.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <fstream>
+
+#include "report/figure/frame.hpp"
+#include "saved_run.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::contains;
+using tests::contents;
+using tests::gnuplot_exists;
+
+TEST(GnuplotString, QuotesAndEscapes) {
+  EXPECT_EQ(gnuplot_string("it's"), "'it''s'");
+  // A string ends with its line: what came after would be a command.
+  EXPECT_EQ(gnuplot_string("x'\nsystem(\"rm\")\r#\x1b"), "'x'' system(\"rm\") # '");
+  EXPECT_EQ(gnuplot_literal("a_b^{c}"), "'a\\_b\\^\\{c\\}'");
+}
+
+/// A directory with a program that writes down its arguments and its environment.
+class Gnuplot : public testing::Test {
+ protected:
+  Gnuplot() {
+    std::ofstream(program_) << "#!/bin/sh\nfor a; do echo \"$a\"; done\nenv\n";
+    fs::permissions(program_, fs::perms::owner_all);
+  }
+  tests::TemporaryDirectory directory_;
+  fs::path program_ = directory_.path() / "says";
+};
+
+TEST_F(Gnuplot, IsGivenAnAbsolutePathAndNothingOfItsUsers) {
+  setenv("GNUTERM", "dumb", 1);
+  const auto outcome = run_gnuplot(program_, {"format='png'"}, "<touch PWNED;#");
+  unsetenv("GNUTERM");
+  EXPECT_TRUE(outcome.message.starts_with("-d\n-e\nformat='png'; \n/")) << outcome.message;
+  EXPECT_TRUE(contains(outcome.message, "/<touch PWNED;#\n"));
+  EXPECT_FALSE(contains(outcome.message, "GNUTERM")) << outcome.message;
+  EXPECT_TRUE(contains(outcome.message, "PATH="));
+}
+
+TEST_F(Gnuplot, ThatIsNotThereWasNotFound) {
+  EXPECT_FALSE(run_gnuplot("no-such-gnuplot", {}, "script").found);
+  EXPECT_TRUE(run_gnuplot("false", {}, "script").found);
+  EXPECT_EQ(run_gnuplot("false", {}, "script").exit_code, 1);
+}
+
+TEST_F(Gnuplot, RefusesAFormatThatAScriptDoesNotDraw) {
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const fs::path script = directory_.path() / "stem.gp", target = directory_.path() / "picture";
+  std::ofstream(script) << figure_output("stem", {.width = 300, .height = 200}) << "plot x\n";
+  const auto drawn_as = [&](const std::string& format) {
+    return run_gnuplot(
+        "gnuplot",
+        {"format=" + gnuplot_string(format), "target=" + gnuplot_string(target.string())}, script);
+  };
+  const auto refused = drawn_as("pdf");
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_TRUE(contains(refused.message, "format = 'pdf' (must be png or svg)")) << refused.message;
+  EXPECT_FALSE(fs::exists(target));
+  EXPECT_EQ(drawn_as("png").exit_code, 0);
+  EXPECT_TRUE(contents(target).starts_with("\x89PNG"));
+  EXPECT_EQ(drawn_as("svg").exit_code, 0);
+  EXPECT_TRUE(contains(contents(target), "<svg"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

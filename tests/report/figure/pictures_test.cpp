@@ -1,0 +1,185 @@
+#include "report/figure/pictures.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "changed_case.hpp"
+#include "saved_run.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::contains;
+using tests::contents;
+using tests::gnuplot_exists;
+using tests::made_up_case;
+using tests::made_up_run;
+
+TEST(Pictures, AreAPngAndAnSvg) {
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  const auto warnings = draw_pictures(directory.path(), made_up_run("it's a_{case}"));
+  ASSERT_TRUE(warnings.empty()) << warnings.front();
+  const std::string png = contents(directory.path() / "figures" / "it_s_a__case_.png");
+  const std::string svg = contents(directory.path() / "figures" / "it_s_a__case_.svg");
+  EXPECT_TRUE(png.starts_with("\x89PNG\r\n\x1a\n"));
+  EXPECT_TRUE(contains(png, "IEND"));
+  EXPECT_GT(png.size(), 20000u);
+  boost::property_tree::ptree parsed;
+  std::istringstream xml(svg);
+  ASSERT_NO_THROW(boost::property_tree::read_xml(xml, parsed));
+  EXPECT_EQ(parsed.count("svg"), 1u);
+  for (const char* text : {"it's a_{case}: c = 0.1", "(a) displacement",
+                           "(d) velocity, logarithmic", "(f) velocity, difference from mcs"}) {
+    EXPECT_TRUE(contains(svg, text)) << text;
+  }
+}
+
+/// The made-up case with this many closures more.
+results::Case with_closures(int count) {
+  auto problem = tests::paper_case(1);
+  problem.name = "case1";
+  const auto axes = compare::comparison_axes(problem);
+  auto solutions = tests::made_up_solutions(axes);
+  for (int k = 0; k < count; ++k) {
+    auto more = solutions[0];
+    more.identity = tests::closure_identity("moment-with-a-long-name", 10 + 2 * k);
+    solutions.insert(solutions.begin() + 4, more);
+  }
+  return results::make_case(problem, axes, std::move(solutions));
+}
+
+class PictureLegend : public testing::TestWithParam<int> {};
+
+TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  const auto one = with_closures(GetParam());
+  ASSERT_TRUE(draw_pictures(directory.path(), {results::this_program(""), {one}}).empty());
+  const std::string svg = contents(directory.path() / "figures" / "case1.svg");
+  for (const auto& solution : one.solutions) {
+    std::string label = solution.id();
+    if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
+    if (solution.identity.look.as_points) label += ", with 95 % intervals";
+    // Titles that are not shown are there too, as comments.
+    const bool shown = contains(svg, " >" + label + "</tspan></text>");
+    EXPECT_EQ(shown, one.curve(solution.id(), transform::Variable::y) != nullptr) << label;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, PictureLegend, testing::Values(0, 5, 18));
+
+TEST(Pictures, TheScriptDrawsTheSameAgainByHand) {
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  draw_pictures(directory.path(), made_up_run());
+  const fs::path figures = directory.path() / "figures";
+  const std::string first = contents(figures / "case1.svg");
+  fs::remove(figures / "case1.svg");
+  const std::string command =
+      "cd '" + figures.string() + "' && gnuplot -e \"format='svg'\" case1.gp";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(contents(figures / "case1.svg"), first);
+}
+
+TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  auto run = made_up_run();
+  ASSERT_TRUE(draw_pictures(directory.path(), run).empty());
+  const fs::path figures = directory.path() / "figures";
+  EXPECT_TRUE(contents(figures / "case1-budget.png").starts_with("\x89PNG\r\n\x1a\n"));
+  const std::string svg = contents(figures / "case1-budget.svg");
+  for (const char* text :
+       {"gaussian-n4 *", "closure + impact", "truncation", "discretisation + sampling", "total",
+        "* no admissible density", "case1: c = 0.1"}) {
+    EXPECT_TRUE(contains(svg, text)) << text;
+  }
+  run.cases[0].budget.clear();
+  draw_pictures(directory.path(), run);
+  EXPECT_FALSE(fs::exists(figures / "case1-budget.png"));  // of the run before
+  EXPECT_TRUE(fs::exists(figures / "case1.png"));
+}
+
+/// Makes a directory the current one.
+class WorkingIn {
+ public:
+  explicit WorkingIn(const fs::path& directory) { fs::current_path(directory); }
+  ~WorkingIn() { fs::current_path(before_); }
+
+ private:
+  fs::path before_ = fs::current_path();
+};
+
+// gnuplot takes what begins with '<' or '|' for a command.
+TEST(Pictures, TheNameOfADirectoryRunsNothing) {
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  const WorkingIn working(directory.path());
+  for (const std::string name : {"<touch PWNED;#", "|touch PWNED;#", "it's; system 'touch PWNED'",
+                                 "`touch PWNED`", "$(touch PWNED)"}) {
+    const auto warnings = draw_pictures(name, made_up_run());
+    EXPECT_TRUE(warnings.empty()) << warnings.front();
+    EXPECT_TRUE(fs::exists(fs::path(name) / "figures" / "case1.svg")) << name;
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(directory.path())) {
+    EXPECT_NE(entry.path().filename(), "PWNED") << entry.path();
+  }
+}
+
+TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
+  const tests::TemporaryDirectory directory;
+  const auto warnings = draw_pictures(directory.path(), made_up_run(), "no-such-gnuplot");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings.front(), "'no-such-gnuplot' was not found")) << warnings.front();
+  EXPECT_TRUE(fs::exists(directory.path() / "figures" / "case1.gp"));
+  EXPECT_TRUE(fs::exists(directory.path() / "figures" / "case1-budget.gp"));
+  EXPECT_FALSE(fs::exists(directory.path() / "figures" / "case1.png"));
+}
+
+TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
+  const tests::TemporaryDirectory directory;
+  for (const char* broken : {"false", "true"}) {  // an exit code; no picture in spite of success
+    const auto warnings = draw_pictures(directory.path(), made_up_run(), broken);
+    ASSERT_EQ(warnings.size(), 4u);
+    EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
+    std::size_t files = 0;
+    for ([[maybe_unused]] const auto& file : fs::directory_iterator(directory.path() / "figures")) {
+      ++files;
+    }
+    EXPECT_EQ(files, 2u);  // the scripts
+  }
+}
+
+TEST(Pictures, ACaseWithoutADensityIsAWarning) {
+  const tests::TemporaryDirectory directory;
+  auto run = made_up_run();
+  run.cases[0].curves.clear();
+  const auto warnings = draw_pictures(directory.path(), run);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings.front(), "no picture of case1"));
+}
+
+TEST(Pictures, OfARunAreRemovedAndNoOther) {
+  const tests::TemporaryDirectory directory;
+  const fs::path figures = directory.path() / "figures";
+  fs::create_directories(figures);
+  for (const char* name : {"case1.png", "case1-budget.svg", "case1.gp", "case2.png"}) {
+    std::ofstream(figures / name) << name;
+  }
+  remove_pictures(directory.path(), made_up_run());
+  ASSERT_EQ(std::distance(fs::directory_iterator(figures), {}), 1);
+  EXPECT_TRUE(fs::exists(figures / "case2.png"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,54 @@
+#include "report/figure/ranges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "changed_case.hpp"
+#include "report/figure/content.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using transform::Variable;
+
+TEST(FigureRanges, HoldWhatTheLogarithmShows) {
+  const auto one = tests::made_up_case();
+  for (const auto& side : figure_content(one).sides) {
+    for (const auto& drawn : side.curves) {
+      if (!drawn.solution->is_ok()) continue;
+      for (std::size_t k = 0; k < drawn.curve->density.size(); ++k) {
+        if (drawn.curve->density[k] <= kSmallestDrawnDensity) continue;
+        EXPECT_GE(drawn.curve->abscissa[k], side.ranges.logarithmic_from);
+        EXPECT_LE(drawn.curve->abscissa[k], side.ranges.logarithmic_to);
+      }
+    }
+  }
+}
+
+TEST(FigureRanges, AreThoseOfWhatIsVisible) {
+  const transform::Solution solution;
+  const results::Curve curve{"toy", Variable::ydot, {-3, -2, -1, 1, 2}, {1e-7, 1e-5, 4, 1, 0}, {},
+                             {}};
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const DrawnCurve drawn{&solution, &curve, {0, 0, -0.5, 0.25, nothing}};
+  const auto ranges = figure_ranges(std::vector{drawn});
+  EXPECT_EQ(ranges.linear_from, -1);
+  EXPECT_EQ(ranges.linear_to, 1);
+  EXPECT_EQ(ranges.logarithmic_from, -2);
+  EXPECT_EQ(ranges.logarithmic_to, 1);
+  EXPECT_EQ(ranges.largest_density, 4);
+  EXPECT_EQ(ranges.largest_difference, 0.5);
+}
+
+TEST(FigureRanges, OfADisplacementBeginAtTheWall) {
+  const transform::Solution solution;
+  const results::Curve curve{"toy", Variable::y, {0.5, 1.5}, {1, 1}, {}, {}};
+  const auto ranges = figure_ranges(std::vector{DrawnCurve{&solution, &curve, {}}});
+  EXPECT_EQ(ranges.linear_from, 0);
+  EXPECT_EQ(ranges.logarithmic_from, 0);
+  EXPECT_EQ(ranges.largest_difference, 0);
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

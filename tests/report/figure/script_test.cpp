@@ -1,0 +1,52 @@
+#include "report/figure/script.hpp"
+
+#include <gtest/gtest.h>
+
+#include "changed_case.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::made_up_case;
+using tests::solution_of;
+
+std::string script_of(const results::Case& one) {
+  return figure_script(one.problem, figure_content(one), "stem");
+}
+
+TEST(FigureScript, HoldsItsDataAndAnEntryForEveryCurve) {
+  const auto one = made_up_case();
+  const std::string script = script_of(one);
+  EXPECT_TRUE(script.starts_with("# Drawn by: gnuplot stem.gp"));
+  for (const auto& solution : one.solutions) {
+    const bool drawn = one.curve(solution.id(), transform::Variable::y) != nullptr;
+    EXPECT_EQ(contains(script, " title '" + solution.id()), drawn) << solution.id();
+  }
+  EXPECT_TRUE(contains(script, " title 'epc-gaussian-n4 (inadmissible)'"));
+  EXPECT_TRUE(contains(script, " title 'mcs, with 95 % intervals'"));
+}
+
+TEST(FigureScript, HasDifferencesWhereThereIsAReference) {
+  auto one = made_up_case();
+  EXPECT_TRUE(contains(script_of(one), "difference from mcs"));
+  solution_of(one, "fd-kf").status = transform::Status::failed;
+  solution_of(one, "mcs").status = transform::Status::failed;
+  EXPECT_FALSE(contains(script_of(one), "difference from"));
+}
+
+// A summary may come from anybody: an id is text, and never ends its line.
+TEST(FigureScript, AnIdRunsNothing) {
+  auto one = made_up_case();
+  const std::string id = "x\nsystem 'touch PWNED'\n#";
+  for (auto& curve : one.curves) {
+    if (curve.solution == "mcs") curve.solution = id;
+  }
+  solution_of(one, "mcs").identity.id = id;
+  EXPECT_TRUE(contains(script_of(one), "difference from x system ''touch PWNED'' #"));
+  EXPECT_FALSE(contains(script_of(one), "\nsystem"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

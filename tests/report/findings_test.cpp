@@ -1,0 +1,207 @@
+#include "report/findings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "changed_case.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using problem::Equation;
+using problem::Impact;
+using tests::contains;
+using tests::made_up_case;
+using tests::set_l1;
+using tests::solution_of;
+using transform::Status;
+
+/// The one sentence with these words, or "".
+std::string sentence_with(const results::Case& one, const std::string& words) {
+  std::string found;
+  for (const auto& sentence : findings(one)) {
+    if (!contains(sentence, words)) continue;
+    EXPECT_TRUE(found.empty()) << found << "\n" << sentence;
+    found = sentence;
+  }
+  return found;
+}
+
+TEST(Findings, SayWhichApproximationCostsWhat) {
+  auto one = made_up_case();
+  set_l1(one, "fd-white", "fd-kf", 0.011, 0.031);
+  set_l1(one, "fd-km4", "fd-kf", 1e-4, 4e-4);
+  set_l1(one, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.015, 0.0046);
+  set_l1(one, "epc-gaussian-n4", "mcs", 0.0001, 0.0001);  // the closest, but inadmissible
+  set_l1(one, "fd-kf", "mcs", 0.0012, 0.0016);
+  const std::vector<std::string> expected{
+      "Reference: mcs, which is known best by its own account (L1 0.001 in p(y), 0.002 in p(y')).",
+      "What approximations cost in L1: white noise in place of the full jump integral (fd-white) "
+      "0.011 in p(y) and 0.031 in p(y'); Kramers-Moyal series to the fourth derivative in place of "
+      "the full jump integral (fd-km4) 0.0001 in p(y) and 0.0004 in p(y').",
+      "The admissible closure closest to mcs: epc-gaussian-n6 with L1 0.0024 in p(y) and 0.0047 in "
+      "p(y').",
+      "The simulation (mcs) and the full jump equation (fd-kf) differ by 0.0012 in p(y) and 0.0016 "
+      "in p(y'); the sampling error of the simulation (mcs) is 0.0011 in p(y) and 0.0015 in p(y') "
+      "(99 runs of 100 stay below 0.0022 and 0.003), which explains that."};
+  EXPECT_EQ(findings(one), expected);
+  set_l1(one, "fd-kf", "mcs", 0.0012, 0.016);
+  EXPECT_TRUE(contains(findings(one)[3], "which does not explain that")) << findings(one)[3];
+}
+
+TEST(Findings, ComparesEquationsOfOneMethodThatDifferInOneRespectAlone) {
+  auto one = made_up_case();
+  auto& white = solution_of(one, "fd-white").identity;
+  white.equation = Equation::km4;
+  white.impact = Impact::delta;
+  set_l1(one, "fd-white", "fd-km4", 0.021, 0.022);
+  const auto text = sentence_with(one, "approximations cost");
+  EXPECT_TRUE(contains(text,
+                       "; the impact to first order in 1-r in place of exact (fd-white) "
+                       "0.021 in p(y) and 0.022 in p(y')."))
+      << text;
+  EXPECT_FALSE(contains(text, "white noise")) << text;
+  white.method = "another";
+  EXPECT_FALSE(contains(sentence_with(one, "approximations cost"), "the impact"));
+}
+
+TEST(Findings, RankClosuresByTheReferenceThatTheyState) {
+  auto one = made_up_case();
+  solution_of(one, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
+  set_l1(one, "epc-gaussian-n2", "fd-kf", 0.001, 0.001);
+  set_l1(one, "epc-gaussian-n6", "fd-kf", 0.002, 0.001);
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.002, 0.001);
+  set_l1(one, "epc-gaussian-n6", "mcs", 0.001, 0.001);
+  EXPECT_TRUE(findings(one)[0].starts_with("Reference: fd-kf,")) << findings(one)[0];
+  EXPECT_EQ(sentence_with(one, "closest to"),
+            "The admissible closure closest to fd-kf: epc-gaussian-n2 with L1 0.001 in p(y) and "
+            "0.001 in p(y').");
+}
+
+TEST(Findings, RankNothingWithinTheErrorOfTheReference) {
+  auto one = made_up_case();
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.005, 0.0046);
+  set_l1(one, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);  // mcs: 0.0011 and 0.0015
+  EXPECT_EQ(sentence_with(one, "closest to"),
+            "The admissible closure closest to mcs: epc-gaussian-n6, epc-gaussian-n2 "
+            "(indistinguishable) with L1 at most 0.005 in p(y) and 0.0047 in p(y'). "
+            "Indistinguishable: their distances differ by no more than the reference's own error.");
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.0052, 0.0046);
+  EXPECT_FALSE(contains(sentence_with(one, "closest to"), "epc-gaussian-n2"));
+}
+
+TEST(Findings, NameTheClosestClosureOfEachFamilyAndFormulation) {
+  auto one = made_up_case();
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.5, 0.5);
+  EXPECT_FALSE(contains(sentence_with(one, "closest to"), "epc-gaussian-n2"));
+  auto& identity = solution_of(one, "epc-gaussian-n2").identity;
+  identity.formulation = "moment";
+  EXPECT_TRUE(contains(sentence_with(one, "closest to"), "; epc-gaussian-n2 with"));
+  EXPECT_TRUE(contains(sentence_with(one, "closest to"), "epc-gaussian-n6 with"));
+  identity.formulation = "gaussian";
+  identity.family = "toy";
+  EXPECT_TRUE(contains(sentence_with(one, "closest to"), "; epc-gaussian-n2 with"));
+}
+
+TEST(Findings, SayWhatIsKnownOfADiscretisationError) {
+  auto one = made_up_case();
+  solution_of(one, "fd-kf").error = {2.8e-5, 2.5e-5, {.y2 = 1.3e-6, .v2 = 2.4e-6}};
+  EXPECT_EQ(sentence_with(one, "discretisation error"), "");  // the budget has them
+  one.budget.clear();
+  EXPECT_EQ(sentence_with(one, "discretisation error"),
+            "The discretisation error of fd-kf, by its own estimate: L1 2.8e-05 in p(y) and "
+            "2.5e-05 in p(y'), 1e-06 in E[y^2] and 2e-06 in E[y'^2].");
+  solution_of(one, "fd-km4").error = {3e-5, 1e-5, {.y2 = 4e-6, .v2 = 1e-6}};
+  EXPECT_EQ(sentence_with(one, "discretisation error"),
+            "The discretisation errors of fd-km4, fd-kf, by their own estimate: at most L1 3e-05 "
+            "in p(y) and 2.5e-05 in p(y'), 4e-06 in E[y^2] and 2e-06 in E[y'^2].");
+}
+
+TEST(Findings, UseOnlySolutionsThatAreThereAndOk) {
+  auto one = made_up_case();
+  for (auto& solution : one.solutions) {
+    if (solution.identity.role == transform::Role::closure) solution.status = Status::failed;
+  }
+  solution_of(one, "fd-white").status = Status::failed;
+  solution_of(one, "mcs").sampling.reset();
+  const auto sentences = findings(one);
+  ASSERT_EQ(sentences.size(), 4u);
+  EXPECT_EQ(sentences[0], "Reference: mcs.");
+  EXPECT_FALSE(contains(sentences[1], "white noise")) << sentences[1];
+  EXPECT_EQ(sentences[2], "No closure gave an admissible density.");
+  EXPECT_FALSE(contains(sentences[3], "sampling")) << sentences[3];
+
+  one.solutions.erase(one.solutions.begin() + 4, one.solutions.end());
+  ASSERT_EQ(findings(one).size(), 1u);
+  EXPECT_TRUE(findings(one)[0].starts_with("There is no reference")) << findings(one)[0];
+  one.solutions.resize(1);
+  EXPECT_TRUE(findings(one).empty());
+}
+
+/// The case with epc-gaussian-n2 as if it were from a file.
+results::Case with_a_file() {
+  auto one = made_up_case();
+  auto& file = solution_of(one, "epc-gaussian-n2");
+  file.identity.role = transform::Role::given;
+  set_l1(one, file.id(), "mcs", 0.003, 0.004);
+  set_l1(one, file.id(), "fd-kf", 0.005, 0.006);
+  return one;
+}
+
+TEST(Findings, SayHowFarAFileIsFromEverySolutionOfTheProblemItself) {
+  auto one = with_a_file();
+  const std::string to_mcs =
+      "epc-gaussian-n2 differs from the simulation (mcs) by L1 0.003 in "
+      "p(y) and 0.004 in p(y')";
+  const std::string to_kf =
+      "epc-gaussian-n2 differs from the full jump equation (fd-kf) by L1 "
+      "0.005 in p(y) and 0.006 in p(y')";
+  EXPECT_EQ(sentence_with(one, "from the simulation"), to_mcs + ".");
+  EXPECT_EQ(sentence_with(one, "from the full jump equation"), to_kf + ".");
+
+  // Chance of the file and of the simulation (0.0011, 0.0015) together, and twice that in 99 of
+  // 100.
+  solution_of(one, "epc-gaussian-n2").sampling = {.y = 0.0011, .ydot = 0.002};
+  EXPECT_EQ(sentence_with(one, "from the simulation"),
+            to_mcs +
+                "; its standard errors and those of mcs account for about 0.0016 in p(y) and "
+                "0.0025 in p(y') (99 runs of 100 stay below 0.0031 and 0.005), which explains "
+                "that.");
+  EXPECT_EQ(sentence_with(one, "from the full jump equation"),
+            to_kf +
+                "; its standard errors account for about 0.0011 in p(y) and 0.002 in p(y') (99 "
+                "runs of 100 stay below 0.0022 and 0.004), which does not explain that.");
+}
+
+TEST(Findings, JudgeAFileInTheVariablesThatItGave) {
+  auto one = with_a_file();
+  std::erase_if(one.pairs, [](const auto& pair) {
+    return pair.a == "epc-gaussian-n2" && pair.variable == transform::Variable::ydot;
+  });
+  solution_of(one, "epc-gaussian-n2").sampling = {.y = 0.0011};
+  EXPECT_EQ(sentence_with(one, "from the simulation"),
+            "epc-gaussian-n2 differs from the simulation (mcs) by L1 0.003 in p(y); its standard "
+            "errors and those of mcs account for about 0.0016 in p(y) (99 runs of 100 stay below "
+            "0.0031), which explains that.");
+}
+
+TEST(Findings, SayWhatSolversNote) {
+  auto one = made_up_case();
+  auto& observations = solution_of(one, "epc-gaussian-n2").observations;
+  observations = transform::Observer()
+                     .text("files[0].file", std::string("/data/lab.csv"))
+                     .text("files[0].notes[0]", std::string("sorted"))
+                     .text("files[0].notes[1]", std::string("2 rows were left out"))
+                     .empty_list("files[1].notes")
+                     .text("keynotes[0]", std::string("no note"))
+                     .take();
+  EXPECT_EQ(findings(one).back(), "Of lab.csv: sorted; 2 rows were left out.");
+  observations = transform::Observer().text("notes[0]", std::string("by hand")).take();
+  EXPECT_EQ(findings(one).back(), "Of epc-gaussian-n2: by hand.");
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,79 @@
+#include "report/legend.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "changed_case.hpp"
+#include "report/budget/table.hpp"
+#include "report/table.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::made_up_case;
+using tests::words;
+
+std::string legend_of(const results::Case& one, std::size_t width) {
+  const std::string text = table({results::this_program(""), {one}}, width);
+  return words(text.substr(text.find("\n\n")));
+}
+
+// Every name of an equation or impact that a table can show is explained below it.
+TEST(Legend, ExplainsEveryEquationAndImpact) {
+  auto one = made_up_case();
+  for (const auto& equation : problem::kEquationNames) {
+    for (const auto& impact : problem::kImpactNames) {
+      for (auto& solution : one.solutions) {
+        solution.identity.equation = equation.value;
+        solution.identity.impact = impact.value;
+      }
+      EXPECT_TRUE(
+          contains(legend_of(one, 100),
+                   fmt::format("solves: the excitation term ({}: {}) / the impact ({}: {}).",
+                               equation.name, equation.meaning, impact.name, impact.meaning)))
+          << legend_of(one, 100);
+    }
+  }
+  one.solutions[0].identity.equation.reset();
+  one.solutions[0].identity.impact.reset();
+  EXPECT_TRUE(contains(legend_of(one, 100), " / given: from a file."));
+}
+
+TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
+  const std::string wide = legend_of(made_up_case(), 140), narrow = legend_of(made_up_case(), 80);
+  for (const char* part :
+       {"L1: integral", "white: white noise", "energy: residual", "sec: wall-clock",
+        "its parts and of the row discretisation + sampling;",
+        "closure: the closure itself, against", "impact: the impact to first order",
+        "trunc.: the cut of the Kramers-Moyal series", "tail: mean",
+        "*: the closure found no admissible density"}) {
+    EXPECT_TRUE(contains(wide, part)) << part << "\n" << wide;
+  }
+  EXPECT_FALSE(contains(narrow, "energy: residual")) << narrow;
+  EXPECT_FALSE(contains(narrow, "tail: mean")) << narrow;
+
+  const std::string single = legend_of(tests::with_first(1), 100);
+  EXPECT_TRUE(contains(single, "km4: Kramers-Moyal")) << single;
+  for (const char* absent : {"L1", "reference", "error budget", "white noise", "kf:", "*"}) {
+    EXPECT_FALSE(contains(single, absent)) << absent << "\n" << single;
+  }
+}
+
+TEST(Legend, OfABudgetExplainsEveryLinkOfTheChain) {
+  Column names{"", "error budget", true, kAlwaysShown, {"toy"}};
+  for (const auto& [link, name, meaning] : compare::kLinkNames) {
+    const Column part{"L1 of p(y)", part_header(std::string(name)), false, 1, {"0.1"}};
+    const std::string text = budget_legend({names, part});
+    EXPECT_TRUE(contains(text, fmt::format("; {}: {}", part.header, meaning))) << text;
+  }
+  // Of several links that share a column, each.
+  const Column shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
+  const std::string text = budget_legend({names, shared});
+  EXPECT_TRUE(contains(text, "; closure: ") && contains(text, "; trunc.: ")) << text;
+  EXPECT_EQ(budget_legend({}), "");
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,113 @@
+#include "report/page/budget_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "made_up_page.hpp"
+#include "report/budget/part_look.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using compare::Link;
+
+/// The budget of two closures in both variables; the second of them is not ok.
+results::Case budgeted() {
+  auto one = tests::whole_case();
+  one.budget.clear();
+  for (const auto variable : transform::kVariables) {
+    compare::BudgetRow row{.solution = "epc-gaussian-n6",
+                           .variable = variable,
+                           .reference = "mcs",
+                           .total = 0.0024,
+                           .total_tail = 0.23,
+                           .tail_from = 1e-5,
+                           .tail_to = 1e-3,
+                           .tail_bins = 17,
+                           .parts = {}};
+    row.parts = {{.links = {Link::closure},
+                  .from = "epc-gaussian-n6",
+                  .to = "fd-km4-delta",
+                  .l1 = 0.00231,
+                  .tail = 0.21,
+                  .uncertainty = 0.00004},
+                 {.links = {Link::impact},
+                  .from = "fd-km4-delta",
+                  .to = "fd-km4",
+                  .l1 = std::numeric_limits<double>::quiet_NaN(),
+                  .tail = std::numeric_limits<double>::quiet_NaN()},
+                 {.links = {Link::sampling},
+                  .from = "fd-kf limit",
+                  .to = "mcs",
+                  .l1 = 0.00047,
+                  .tail = 0.02,
+                  .expected = 0.00059,
+                  .in_99 = 0.00081}};
+    one.budget.push_back(row);
+    row.solution = "epc-gaussian-n4";
+    row.parts.erase(row.parts.begin() + 1);
+    one.budget.push_back(row);
+  }
+  return one;
+}
+
+TEST(BudgetView, DrawsABarForEachPartThatIsKnown) {
+  const auto plots = budget_plots(budgeted(), "case-1");
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_EQ(plots[1].id, "case-1-budget-ydot");
+  EXPECT_EQ(plots[1].caption, "Error budget of p(y\u2032); *: not admissible");
+  EXPECT_EQ(tests::names_in(plots[0]),
+            (std::vector<std::string>{"closure", "impact", "sampling", "total"}));
+  const auto closure = tests::trace_of(plots[0], "closure");
+  EXPECT_EQ(closure.at("y"), nlohmann::json({"epc-gaussian-n6", "epc-gaussian-n4 *"}));
+  EXPECT_EQ(closure.at("x"), nlohmann::json({0.00231, 0.00231}));
+  EXPECT_EQ(closure.at("error_x").at("array")[0], 0.00004);
+  EXPECT_EQ(closure.at("customdata")[0], "epc-gaussian-n6 \u2192 fd-km4-delta");
+  EXPECT_EQ(closure.at("marker").at("color"), part_colour("closure"));
+  EXPECT_TRUE(tests::trace_of(plots[0], "impact").at("x").empty());
+}
+
+TEST(BudgetView, ItsAxisHoldsEveryBar) {
+  const auto layout = tests::figure_of(budget_plots(budgeted(), "case-1")[0]).at("layout");
+  EXPECT_LT(layout.at("xaxis").at("range")[0], std::log10(0.00047));
+  EXPECT_GT(layout.at("xaxis").at("range")[1], std::log10(0.0024));
+}
+
+TEST(BudgetView, TablesHaveTheNumbersOfEveryPart) {
+  const std::string html = budget_tables(budgeted());
+  const std::string l1 = "Error budget of p(y): L1";
+  EXPECT_EQ(tests::headers_in(html, l1),
+            "solution|total|closure|sampling|L1 that chance alone makes: mean|exceeded in 1 run of "
+            "100");
+  EXPECT_EQ(tests::row_in(html, l1, "epc-gaussian-n6"),
+            "0.00240|0.00231 \u00b1 0.00004|0.00047|0.00059|0.00081");
+  EXPECT_EQ(tests::row_in(html, "Error budget of the tail of p(y\u2032): mean |\u0394 log10 p|",
+                          "epc-gaussian-n4 *"),
+            "0.230|0.210|0.020");
+}
+
+TEST(BudgetView, SaysWhereTheChainEnds) {
+  EXPECT_TRUE(tests::contains(budget_introduction(budgeted()), "from a closure to mcs: L1"));
+  auto one = budgeted();
+  one.budget.clear();
+  EXPECT_EQ(budget_introduction(one), "");
+  EXPECT_TRUE(budget_plots(one, "case-1").empty());
+  EXPECT_EQ(budget_tables(one), "");
+}
+
+TEST(BudgetView, ShowsNamesLetterByLetter) {
+  auto one = budgeted();
+  for (auto& row : one.budget) row.solution = "<b>" + row.solution;
+  one.budget[0].parts[0].from = "a<b";
+  const auto plots = budget_plots(one, "case-1");
+  const auto closure = tests::trace_of(plots[0], "closure");
+  EXPECT_EQ(closure.at("y")[0], "&lt;b>epc-gaussian-n6");
+  EXPECT_EQ(closure.at("customdata")[0], "a&lt;b \u2192 fd-km4-delta");
+  EXPECT_EQ(tests::figure_of(plots[0]).at("layout").at("yaxis").at("categoryarray")[0],
+            "&lt;b>epc-gaussian-n6");
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

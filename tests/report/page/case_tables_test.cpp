@@ -1,0 +1,72 @@
+#include "report/page/case_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include "made_up_page.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::headers_in;
+using tests::row_in;
+using tests::solution_of;
+using tests::whole_case;
+
+TEST(ResultsTable, MeasuresAgainstTheReferenceThenAgainstItsLike) {
+  const auto one = whole_case();
+  const std::string html = results_table(one);
+  EXPECT_EQ(headers_in(html, "All solutions"),
+            "solution|solves|status|E[y]|E[y\u00b2]|E[y\u2032\u00b2]|E[y\u2074]|E[y\u2032\u2074]|"
+            "L1 to fd-kf, p(y)|L1 to fd-kf, p(y\u2032)|L1 to mcs, p(y)|L1 to mcs, p(y\u2032)|"
+            "mass \u2212 1|energy residual|seconds");
+  EXPECT_TRUE(row_in(html, "All solutions", "fd-white").starts_with("white/map|ok|0."));
+  EXPECT_TRUE(row_in(html, "All solutions", "mcs").ends_with("|\u2013|\u2013|0|-2e-3|0.42"));
+}
+
+TEST(ResultsTable, FollowsTheRuleForTheReference) {
+  auto one = whole_case();
+  solution_of(one, "fd-kf").error.reset();
+  EXPECT_TRUE(tests::contains(headers_in(results_table(one), "All solutions"),
+                              "|L1 to mcs, p(y)|L1 to mcs, p(y\u2032)|L1 to fd-kf, p(y)|"));
+  for (const char* id : {"fd-kf", "mcs"}) solution_of(one, id).status = transform::Status::failed;
+  EXPECT_FALSE(tests::contains(results_table(one), "L1 to"));
+}
+
+TEST(Reasons, AreOfThoseThatAreNotOk) {
+  auto one = whole_case();
+  solution_of(one, "epc-gaussian-n4").reason = "because 1 < 2";
+  const std::string html = reasons_html(one);
+  EXPECT_EQ(tests::occurrences(html, "<li>"), 2u);
+  EXPECT_TRUE(tests::contains(
+      html, "<li><strong>epc-gaussian-n4 inadmissible</strong>: because 1 &lt; 2.</li>"));
+  for (auto& solution : one.solutions) solution.status = transform::Status::ok;
+  EXPECT_EQ(reasons_html(one), "");
+}
+
+TEST(Diagnostics, SayOfAllSolutionsHowWellTheyKnowThemselves) {
+  auto one = whole_case();
+  solution_of(one, "fd-kf").min_density = -3e-11;
+  const std::string html = diagnostics_tables(one);
+  const std::string caption = "Mass, energy, errors by their own account";
+  EXPECT_EQ(headers_in(html, caption),
+            "solution|status|least density / peak|mass \u2212 1|energy residual|its standard error|"
+            "stated error of p(y), L1|of p(y\u2032)|sampling error of p(y), L1|of p(y\u2032)|"
+            "standard error of E[y\u00b2]|of E[y\u2032\u00b2]");
+  const auto row = [&](const std::string& id) {
+    std::string text = row_in(html, caption, id);
+    for (auto at = text.find("\u2013"); at != std::string::npos; at = text.find("\u2013")) {
+      text.replace(at, std::string("\u2013").size(), "-");
+    }
+    return text;
+  };
+  EXPECT_EQ(row("fd-kf"), "ok|-3e-11|0|-2e-3|-|0.00002|0.00003|-|-|-|-");
+  EXPECT_EQ(row("mcs"), "ok|0|0|-2e-3|0|-|-|0.00110|0.00150|0.00010|0.00010");
+  EXPECT_EQ(row("epc-gaussian-n8"), "not_converged|-|-|-|-|-|-|-|-|-|-");
+}
+
+TEST(Diagnostics, HoldWhatTheFamiliesSay) {
+  EXPECT_TRUE(tests::contains(diagnostics_tables(whole_case()), "What mcs says of itself"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

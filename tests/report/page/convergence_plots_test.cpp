@@ -1,0 +1,85 @@
+#include "report/page/convergence_plots.hpp"
+
+#include <gtest/gtest.h>
+
+#include "made_up_page.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using Json = nlohmann::json;
+using tests::names_in;
+using tests::trace_of;
+using tests::whole_case;
+using Names = std::vector<std::string>;
+
+TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
+  const auto one = whole_case();
+  const auto plots = order_plots(one, "case-1");
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_EQ(plots[0].id, "case-1-order-y");
+  EXPECT_EQ(names_in(plots[0]),
+            (Names{"epc-gaussian", "mcs to fd-kf", "error of fd-kf, by its own account"}));
+  const Json curve = trace_of(plots[0], "epc-gaussian");
+  EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
+  EXPECT_EQ(curve.at("y")[2], *one.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y));
+  EXPECT_EQ(curve.at("marker").at("symbol"), Json({"circle", "circle-open", "circle"}));
+  EXPECT_EQ(curve.at("customdata")[1], "epc-gaussian-n4 (inadmissible)");
+  EXPECT_EQ(trace_of(plots[1], "error of fd-kf, by its own account").at("y")[0], 3e-5);
+}
+
+TEST(OrderPlots, SayHowWellASimulationIsKnownToo) {
+  auto one = whole_case();
+  tests::solution_of(one, "fd-kf").error.reset();
+  EXPECT_EQ(names_in(order_plots(one, "case-1")[0]),
+            (Names{"epc-gaussian", "fd-kf to mcs", "error of mcs, by its own account"}));
+}
+
+TEST(OrderPlots, NeedTwoClosuresOfOneFamilyAndAReference) {
+  auto one = whole_case();
+  for (const char* id : {"epc-gaussian-n2", "epc-gaussian-n4"}) {
+    tests::solution_of(one, id).identity.family = id;
+  }
+  EXPECT_TRUE(order_plots(one, "case-1").empty());
+  one = whole_case();
+  for (const char* id : {"fd-kf", "mcs"}) {
+    tests::solution_of(one, id).status = transform::Status::failed;
+  }
+  EXPECT_TRUE(order_plots(one, "case-1").empty());
+  EXPECT_TRUE(cost_plots(one, "case-1").empty());
+}
+
+TEST(OrderPlots, LeaveOutAFamilyWithoutOrders) {
+  auto one = whole_case();
+  tests::solution_of(one, "fd-white").identity.role = transform::Role::closure;
+  tests::solution_of(one, "fd-white").identity.family = "toy";
+  const auto plots = order_plots(one, "case-1");
+  EXPECT_TRUE(trace_of(plots[0], "toy").is_null());
+  EXPECT_FALSE(trace_of(cost_plots(one, "case-1")[0], "toy").is_null());
+}
+
+TEST(CostPlots, ShowEverySolutionThatIsAwayFromTheReference) {
+  auto one = whole_case();
+  auto& white = tests::solution_of(one, "fd-white");
+  white.identity.look.colour = "#123456";
+  white.seconds = 7;
+  const auto plots = cost_plots(one, "case-1");
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_EQ(names_in(plots[1]), (Names{"epc-gaussian", "fd", "mcs"}));
+  const Json fd = trace_of(plots[0], "fd");
+  EXPECT_EQ(fd.at("text"), Json({"white", "km4"}));
+  EXPECT_EQ(fd.at("x"), Json({7.0, 0.42}));
+  EXPECT_EQ(fd.at("marker").at("color")[0], "#123456");
+  EXPECT_NE(fd.at("textposition")[0], fd.at("textposition")[1]);
+}
+
+TEST(CostPlots, ShowNamesLetterByLetter) {
+  auto one = whole_case();
+  for (auto& solution : one.solutions) solution.identity.family = "<&>";
+  tests::solution_of(one, "fd-white").identity.order = 3;
+  const auto plots = cost_plots(one, "case-1");
+  EXPECT_EQ(names_in(plots[0]), (Names{"&lt;&amp;>"}));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,114 @@
+#include "report/page/density_plots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "made_up_page.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using Json = nlohmann::json;
+
+Json traces(const Plot& plot) { return tests::figure_of(plot).at("data"); }
+
+bool is_band(const Json& trace) { return trace.value("hoverinfo", "") == "skip"; }
+
+TEST(DensityPlots, DrawEverySolutionThatHasADensityInThreeRows) {
+  const auto one = tests::whole_case();
+  const auto plots = density_plots(one, "case-1");
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_EQ(plots[0].id, "case-1-density-y");
+  EXPECT_EQ(plots[1].id, "case-1-density-ydot");
+  EXPECT_EQ(plots[0].caption, "Displacement y: density, its logarithm, difference from fd-kf");
+  for (const auto& plot : plots) {
+    std::map<std::string, int> rows;  // curves, by solution
+    std::set<std::string> shown;
+    for (const auto& trace : traces(plot)) {
+      const auto id = trace.at("legendgroup").get<std::string>();
+      if (!is_band(trace)) ++rows[id];
+      if (trace.value("visible", "") != "legendonly") shown.insert(id);
+    }
+    const std::map<std::string, int> expected{{"epc-gaussian-n2", 3},
+                                              {"epc-gaussian-n4", 3},
+                                              {"epc-gaussian-n6", 3},
+                                              {"fd-white", 3},
+                                              {"fd-km4", 3},
+                                              {"fd-kf", 3},
+                                              {"mcs", 3}};
+    EXPECT_EQ(rows, expected) << plot.id;
+    EXPECT_EQ(shown, (std::set<std::string>{"epc-gaussian-n6", "fd-kf", "mcs"})) << plot.id;
+  }
+}
+
+TEST(DensityPlots, LookAsTheirIdentitiesSay) {
+  auto one = tests::whole_case();
+  auto& look = tests::solution_of(one, "epc-gaussian-n6").identity.look;
+  look = {.colour = "#123456", .dash = "(3,4)", .width = 7};
+  const auto plots = density_plots(one, "case-1");
+  const Json line = tests::trace_of(plots[0], "epc-gaussian-n6").at("line");
+  EXPECT_EQ(line, Json({{"color", "#123456"}, {"width", 7.0}, {"dash", "3px,4px"}}));
+  for (const auto& trace : traces(plots[0])) {
+    if (trace.at("legendgroup") != "mcs" || is_band(trace)) continue;
+    EXPECT_EQ(trace.at("mode"), "markers");
+  }
+}
+
+TEST(DensityPlots, LegendsHaveTheOrderOfTheTables) {
+  const auto one = tests::whole_case();
+  const auto plots = density_plots(one, "case-1");
+  int entries = 0;
+  for (const auto& trace : traces(plots[0])) {
+    const auto rank = trace.at("legendrank").get<std::size_t>();
+    EXPECT_EQ(one.solutions.at(rank).id(), trace.at("legendgroup"));
+    entries += trace.at("showlegend").get<bool>() ? 1 : 0;
+  }
+  EXPECT_EQ(entries, 7);
+}
+
+TEST(DensityPlots, EveryArrayThatATraceNamesIsThere) {
+  auto one = tests::whole_case();
+  one.curves.front().abscissa.back() += 1;  // another one than the reference's
+  const auto plots = density_plots(one, "case-1");
+  const Json figure = tests::figure_of(plots[0]), &arrays = figure.at("arrays");
+  int curves = 0;
+  for (const auto& trace : figure.at("data")) {
+    for (const char* letter : {"x", "y"}) {
+      const auto name = trace.at(letter).get<std::string>();
+      ASSERT_EQ(name.front(), '@');
+      EXPECT_TRUE(arrays.contains(name.substr(1))) << name;
+    }
+    curves += trace.at("legendgroup") == one.curves.front().solution ? 1 : 0;
+  }
+  EXPECT_EQ(curves, 2);  // no difference where the bins are others
+}
+
+TEST(DensityPlots, BandsOfASimulationAreInAllRows) {
+  const auto plots = density_plots(tests::whole_case(), "case-1");
+  std::map<std::string, int> edges;
+  for (const auto& trace : traces(plots[1])) {
+    if (is_band(trace)) ++edges[trace.at("yaxis")];
+  }
+  EXPECT_EQ(edges, (std::map<std::string, int>{{"y", 2}, {"y2", 2}, {"y3", 2}}));
+}
+
+TEST(DensityPlots, WithoutAReferenceHaveTwoRows) {
+  auto one = tests::whole_case();
+  for (const char* id : {"fd-kf", "mcs"}) {
+    tests::solution_of(one, id).status = transform::Status::failed;
+  }
+  const auto plots = density_plots(one, "case-1");
+  EXPECT_EQ(plots[0].caption, "Displacement y: density, its logarithm");
+  EXPECT_FALSE(tests::figure_of(plots[0]).at("layout").contains("yaxis3"));
+}
+
+TEST(DensityPlots, AreNoneWithoutCurves) {
+  auto one = tests::whole_case();
+  one.curves.clear();
+  EXPECT_TRUE(density_plots(one, "case-1").empty());
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,76 @@
+#include "report/page/family_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include "made_up_page.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::row_in;
+using transform::Observer;
+
+const std::string kCaption = "What epc-gaussian says of itself";
+
+/// A case of two closures with these observations.
+results::Case observed(transform::Observations first, transform::Observations second) {
+  auto one = tests::whole_case();
+  one.solutions.resize(2);
+  one.solutions[0].observations = std::move(first);
+  one.solutions[1].observations = std::move(second);
+  return one;
+}
+
+TEST(FamilyTables, ShowWhateverASolverObserved) {
+  const std::string html = family_tables(observed(Observer()
+                                                      .result("steps_taken", std::int64_t{12})
+                                                      .text("far.end", std::string("a<b"))
+                                                      .work("far.edge_density", 1.23456e-9)
+                                                      .take(),
+                                                  Observer().result("steps_taken", 0.5).take()));
+  EXPECT_EQ(tests::headers_in(html, kCaption), "quantity|n2|n4");
+  EXPECT_EQ(row_in(html, kCaption, "steps taken"), "12|0.5");
+  EXPECT_EQ(row_in(html, kCaption, "far: end"), "a&lt;b|\u2013");
+  EXPECT_EQ(row_in(html, kCaption, "far: edge density"), "1.235e-9|\u2013");
+}
+
+TEST(FamilyTables, LeaveOutListsAndWhatNobodyHas) {
+  const std::string html = family_tables(
+      observed(Observer().result("kept", true).result("support", {}).result("a[0].x", 1.0).take(),
+               Observer().result("support", {}).empty_list("a").take()));
+  EXPECT_EQ(row_in(html, kCaption, "kept"), "yes");
+  EXPECT_EQ(tests::occurrences(html, "<th scope=\"row\">"), 1u);
+}
+
+TEST(FamilyTables, LeaveOutWhatOnlyRepeatsAnOption) {
+  auto one = observed(Observer().result("order", std::int64_t{2}).result("nodes", 3.0).take(),
+                      Observer().result("order", std::int64_t{4}).result("nodes", 5.0).take());
+  one.solutions[0].options = {{"order", std::int64_t{2}}, {"nodes", {}}};
+  one.solutions[1].options = {{"order", std::int64_t{4}}, {"nodes", 5.0}};
+  const std::string html = family_tables(one);
+  EXPECT_EQ(row_in(html, kCaption, "order"), "no row");
+  EXPECT_EQ(row_in(html, kCaption, "nodes"), "3|5");  // chosen by the first
+}
+
+TEST(FamilyTables, KeepTheirOrderWithGroupsBehind) {
+  const std::string html =
+      family_tables(observed(Observer().work("tail.b", 1.0).work("z", 1.0).take(),
+                             Observer().work("tail.a", 1.0).work("c", 1.0).work("z", 1.0).take()));
+  const auto place = [&](const std::string& name) { return html.find('>' + name + "</th>"); };
+  EXPECT_LT(place("c"), place("z"));
+  EXPECT_LT(place("z"), place("tail: a"));
+  EXPECT_LT(place("tail: a"), place("tail: b"));
+}
+
+TEST(FamilyTables, AreOneForEachFamily) {
+  auto one = observed(Observer().work("a", 1.0).take(), Observer().work("b", 1.0).take());
+  one.solutions[1].identity.family = "<toy>";
+  const std::string html = family_tables(one);
+  EXPECT_TRUE(contains(html, kCaption));
+  EXPECT_TRUE(contains(html, "What &lt;toy&gt; says of itself"));
+  EXPECT_EQ(family_tables(observed({}, {})), "");
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,104 @@
+#include "report/page/joint_maps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "made_up_page.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::whole_case;
+
+TEST(JointMaps, OfferTheClosestClosureFirstAndNothingThatIsNotOk) {
+  const auto one = whole_case();
+  const auto maps = joint_maps(one);
+  ASSERT_TRUE(maps);
+  EXPECT_EQ(maps->reference, "fd-kf");
+  std::vector<std::string> offered;
+  for (const auto& each : maps->differences) offered.push_back(each.solution);
+  EXPECT_EQ(offered, (std::vector<std::string>{"epc-gaussian-n6", "epc-gaussian-n2", "fd-white",
+                                               "fd-km4", "mcs"}));
+}
+
+TEST(JointMaps, HoldRowsOfConstantVelocityWhereTheReferenceIsSeen) {
+  const auto one = whole_case();
+  const auto maps = joint_maps(one);
+  ASSERT_EQ(one.joints[one.joints.size() - 2].solution, "fd-kf");
+  const auto& whole = one.joints[one.joints.size() - 2].density;
+  const std::size_t ny = maps->y_edges.size() - 1, nv = maps->v_edges.size() - 1;
+  ASSERT_EQ(maps->reference_density.size(), ny * nv);
+  EXPECT_EQ(maps->y_edges.front(), 0);
+  EXPECT_LT(ny, whole.ny());
+  EXPECT_LT(nv, whole.nv());
+  const auto first = static_cast<std::size_t>(
+      std::ranges::find(whole.v_edges, maps->v_edges.front()) - whole.v_edges.begin());
+  EXPECT_EQ(maps->reference_density[3 * ny + 2], whole.average(2, first + 3));
+  double seen = 0;
+  for (std::size_t j = 0; j < nv; ++j) {
+    for (std::size_t i = 0; i < ny; ++i) {
+      seen += maps->reference_density[j * ny + i] * (maps->y_edges[i + 1] - maps->y_edges[i]) *
+              (maps->v_edges[j + 1] - maps->v_edges[j]);
+    }
+  }
+  EXPECT_NEAR(seen, transform::mass(whole), 1e-4);
+}
+
+TEST(JointMaps, GiveTheDifferenceBackFromTwoBytes) {
+  const auto one = whole_case();
+  const auto maps = joint_maps(one);
+  const auto& simulated = maps->differences.back();
+  ASSERT_EQ(simulated.solution, "mcs");  // 2 % more on y' > 0
+  EXPECT_NEAR(simulated.l1, 0.02 / 2, 1e-4);
+  const std::size_t ny = maps->y_edges.size() - 1;
+  for (std::size_t k = 0; k < simulated.roots.size(); ++k) {
+    const double q = simulated.roots[k] / 32767.0;
+    const double back = std::copysign(q * q, q) * simulated.largest;
+    const double expected = maps->v_edges[k / ny] > -1e-9 ? 0.02 * maps->reference_density[k] : 0;
+    // The root is rounded by half a unit: d((q/32767)^2) = 2 q/32767 dq.
+    const double rounding = std::sqrt(expected * simulated.largest) / 32767 +
+                            simulated.largest / (4 * 32767.0 * 32767.0);
+    EXPECT_NEAR(back, expected, 1.001 * rounding) << k;
+  }
+}
+
+TEST(JointMaps, NeedAReferenceAndSomethingBesideIt) {
+  auto one = whole_case();
+  const auto joints = std::exchange(one.joints, {});
+  EXPECT_FALSE(joint_maps(one));
+  one.joints = joints;
+  std::erase_if(one.joints, [](const auto& joint) { return joint.solution != "fd-kf"; });
+  EXPECT_FALSE(joint_maps(one));
+  one.joints = joints;
+  for (const char* id : {"fd-kf", "mcs"}) {
+    tests::solution_of(one, id).status = transform::Status::failed;
+  }
+  EXPECT_FALSE(joint_maps(one));
+}
+
+TEST(JointMaps, LeaveOutOtherCells) {
+  auto one = whole_case();
+  one.joints.back().density.y_edges.back() += 0.1;
+  const auto maps = joint_maps(one);
+  ASSERT_TRUE(maps);
+  for (const auto& difference : maps->differences) EXPECT_NE(difference.solution, "mcs");
+}
+
+TEST(JointMaps, AreToldInHtmlAndJson) {
+  auto maps = *joint_maps(whole_case());
+  maps.differences.back().solution = "<b>";
+  const std::string html = joint_maps_html(maps, "case-1");
+  EXPECT_TRUE(tests::contains(html, "Compared with fd-kf: <select id=\"case-1-joint-choice\">"));
+  EXPECT_TRUE(tests::contains(html, "<option value=\"&lt;b&gt;\">&lt;b&gt; (L1 0.01"));
+  const auto json = nlohmann::json::parse(joint_maps_json(maps, "case-1"));
+  EXPECT_EQ(json.at("id"), "case-1-joint");
+  EXPECT_EQ(json.at("reference"), "fd-kf");
+  EXPECT_EQ(json.at("differences").size(), maps.differences.size());
+  EXPECT_EQ(json.at("density").at("dtype"), "f4");
+  EXPECT_EQ(json.at("differences").at(0).at("roots").at("dtype"), "i2");
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,197 @@
+#include "report/page/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "made_up_page.hpp"
+#include "results/saved_run.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::made_up_run;
+using tests::occurrences;
+using tests::plots_in;
+using tests::solution_of;
+using tests::whole_run;
+
+TEST(Page, HasTheSectionsOfAWholeRun) {
+  const auto run = whole_run();
+  const std::string html = page(run);
+  for (const char* heading :
+       {"<h2>The problem</h2>", "<h2>case1</h2>", "<h3>Results</h3>", "<h3>Densities</h3>",
+        "<h3>Joint densities</h3>", "<h3>Error budget</h3>", "<h3>Convergence</h3>",
+        "<h3>Distance against cost</h3>", "<h3>Diagnostics</h3>",
+        "<h2>Timings, and how to repeat this</h2>"}) {
+    EXPECT_EQ(occurrences(html, heading), 1u) << heading;
+  }
+  EXPECT_TRUE(contains(html, "<code>fpkcheck run</code>"));
+  EXPECT_TRUE(contains(html, "<p>c = 0.1, k = 1, \u03bc = 0.1, r = 0.98; gaussian impulses"));
+  EXPECT_TRUE(contains(html, "epc-gaussian-n8 not_converged</strong>: the residual stopped"));
+  EXPECT_TRUE(contains(html, "<li>" + run.cases[0].limits.substr(0, 30)));
+  EXPECT_TRUE(contains(html, "The total is at most the sum of the parts"));
+  EXPECT_TRUE(html.starts_with("<!doctype html>"));
+  EXPECT_FALSE(contains(html, "{{body"));
+}
+
+TEST(Page, StatesTheReferenceOnce) {
+  const std::string html = page(whole_run());
+  EXPECT_EQ(occurrences(html, "Reference: fd-kf, which is known best"), 1u);
+}
+
+TEST(Page, IsSelfContained) {
+  const std::string html = page(whole_run());
+  for (const char* fetched : {"src=", "<link", "@import", "url(http", "href=\"http"}) {
+    // Of the page's own parts; the library's script says such words without doing them.
+    const auto script = html.find("* plotly.js");
+    ASSERT_NE(script, std::string::npos);
+    EXPECT_FALSE(contains(html.substr(0, script), fetched)) << fetched;
+  }
+  EXPECT_TRUE(contains(html, "default-src 'none'"));
+}
+
+TEST(Page, ShowsNamesLetterByLetter) {
+  const std::string hostile = "</script><script>alert(1)</script>&amp;\"'";
+  auto run = whole_run(hostile);
+  run.program.command = "fpkcheck run '" + hostile + "'";
+  auto& one = run.cases[0];
+  for (auto& solution : one.solutions) {
+    solution.identity.family += hostile;
+    solution.identity.meaning = hostile;
+    solution.reason = "because 1 < 2 " + hostile;
+    solution.observations = transform::Observer().text(hostile, hostile).take();
+  }
+  // A solution under another name, wherever it is named.
+  const std::string old = "epc-gaussian-n6", renamed = "n6" + hostile;
+  const auto rename = [&](std::string& id) { id = id == old ? renamed : id; };
+  rename(solution_of(one, old).identity.id);
+  for (auto& pair : one.pairs) rename(pair.a);
+  for (auto& row : one.budget) rename(row.solution);
+  for (auto& curve : one.curves) rename(curve.solution);
+  for (auto& joint : one.joints) rename(joint.solution);
+  one.limits = hostile;
+  const std::string html = page(run);
+  EXPECT_EQ(occurrences(html, "<script"), 3u);
+  EXPECT_EQ(occurrences(html, "</script>"), 3u);
+  EXPECT_FALSE(contains(html, "alert(1)</"));
+  EXPECT_TRUE(contains(html,
+                       "<h2>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;&amp;amp;"
+                       "&quot;&#39;</h2>"));
+  // plotly.js takes names for a kind of HTML.
+  bool found = false;
+  const auto plots = plots_in(html);
+  for (const auto& trace : plots.at(0).at("plots").at(0).at("figure").at("data")) {
+    if (trace.at("legendgroup") != renamed) continue;
+    found = true;
+    EXPECT_EQ(trace.at("name"), "n6&lt;/script>&lt;script>alert(1)&lt;/script>&amp;amp;\"'");
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Page, OfAnOlderRunLeavesOutWhatWasNotSaved) {
+  auto run = made_up_run();
+  run.cases[0].joints.clear();
+  run.cases[0].budget.clear();
+  const std::string html = page(run);
+  EXPECT_FALSE(contains(html, "Joint densities"));
+  EXPECT_FALSE(contains(html, "<h3>Error budget"));
+  EXPECT_TRUE(plots_in(html).at(0).at("maps").is_null());
+  EXPECT_TRUE(contains(html, "<h3>Densities</h3>"));
+}
+
+TEST(Page, SaysADashForNoNumberAndIsMadeWithoutAnyDensity) {
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+  auto run = made_up_run();
+  auto& one = run.cases[0];
+  one.curves.clear();
+  one.joints.clear();
+  one.pairs.clear();
+  one.budget.clear();
+  one.limits.clear();
+  for (auto& solution : one.solutions) {
+    solution.status = transform::Status::failed;
+    solution.density.reset();
+    solution.estimated_marginals.clear();
+    solution.seconds = kNotANumber;
+    solution.moments.y2 = kNotANumber;
+  }
+  const std::string html = page(run);
+  EXPECT_FALSE(contains(html, "<h3>Densities</h3>"));
+  EXPECT_FALSE(contains(html, "<h3>Convergence</h3>"));
+  EXPECT_TRUE(contains(html, "fd-kf failed</strong>"));
+  EXPECT_FALSE(contains(html, ">nan<"));
+  EXPECT_TRUE(plots_in(html).at(0).at("plots").empty());
+}
+
+TEST(Page, NamesNoClosestClosureWithoutAReference) {
+  auto run = made_up_run();
+  EXPECT_TRUE(contains(page(run), "closest closure"));
+  for (auto& solution : run.cases[0].solutions) {
+    if (solution.identity.role == transform::Role::closure) continue;
+    solution.status = transform::Status::failed;
+  }
+  const std::string html = page(run);
+  EXPECT_FALSE(contains(html, "closest closure"));
+  EXPECT_TRUE(contains(html, "<p>There is no reference"));
+}
+
+TEST(Page, SpeaksOfCirclesOnlyWithASimulation) {
+  auto run = made_up_run();
+  EXPECT_TRUE(contains(page(run), "Circles in a grey band"));
+  solution_of(run.cases[0], "mcs").status = transform::Status::failed;
+  EXPECT_FALSE(contains(page(run), "Circles in a grey band"));
+}
+
+TEST(Page, OfASavedRunIsThatOfTheRun) {
+  auto run = whole_run();
+  for (auto& solution : run.cases[0].solutions) {
+    solution.observations = transform::Observer()
+                                .work("steps", std::int64_t{3})
+                                .result("tail.kind", std::string("confined"))
+                                .result("last", 1e7)
+                                .take();
+    solution.options = {{"order", std::int64_t{6}}};
+  }
+  // Files have this one beside the stated error, before all others.
+  solution_of(run.cases[0], "fd-kf")
+      .observations.push_back({.path = "error.observed_order", .value = 5.25});
+  // Of single precision, as a run has them.
+  for (double& p : run.cases[0].joints.back().density.averages) p = static_cast<float>(p);
+  const tests::TemporaryDirectory directory;
+  results::PendingFiles files;
+  results::add_run(files, directory.path(), run);
+  files.commit();
+  EXPECT_TRUE(page(results::load_run(directory.path())) == page(run));
+}
+
+TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderThreeMegabytes) {
+  // More closures, up to fifteen solutions.
+  auto one = whole_run().cases[0];
+  for (int n = 10; n < 24; n += 2) {
+    const std::string id = "epc-moment-n" + std::to_string(n);
+    auto closure = solution_of(one, "epc-gaussian-n6");
+    closure.identity.id = id;
+    one.solutions.insert(one.solutions.begin(), closure);
+    auto joint = one.joints.front();
+    joint.solution = id;
+    one.joints.push_back(joint);
+    for (const auto variable : transform::kVariables) {
+      auto curve = *one.curve("epc-gaussian-n6", variable);
+      curve.solution = id;
+      one.curves.push_back(curve);
+    }
+  }
+  ASSERT_EQ(one.solutions.size(), 15u);
+  results::Run run{results::this_program("fpkcheck run"), {}};
+  for (int c = 0; c < 4; ++c) {
+    run.cases.push_back(one);
+    run.cases.back().problem.name = "case" + std::to_string(c);
+  }
+  EXPECT_LT(page(run).size(), 3'000'000u);
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

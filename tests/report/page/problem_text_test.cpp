@@ -1,0 +1,105 @@
+#include "report/page/problem_text.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "made_up_page.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::headers_in;
+using tests::occurrences;
+using tests::row_in;
+using tests::solution_of;
+using tests::whole_run;
+
+TEST(ProblemText, HasAllParametersOfAllCases) {
+  auto run = whole_run();
+  run.cases.push_back(run.cases[0]);
+  run.cases[1].problem = tests::make_problem({.cubic = 0.25, .mean = 0.125, .law = "laplace"});
+  run.cases[1].problem.name = "<other>";
+  const std::string html = problem_html(run);
+  EXPECT_EQ(headers_in(html, "The numbers"), "parameter|case1|&lt;other&gt;");
+  EXPECT_EQ(row_in(html, "The numbers", "\u03bc, cubic stiffness"), "0.1|0.25");
+  EXPECT_EQ(row_in(html, "The numbers", "law of the amplitudes"), "gaussian|laplace");
+  EXPECT_EQ(row_in(html, "The numbers", "E[Y], mean amplitude"), "0|0.125");
+  EXPECT_EQ(occurrences(html, "<th scope=\"row\">"),
+            problem::shown_parameters(run.cases[0].problem).size());
+}
+
+TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
+  auto run = whole_run();
+  solution_of(run.cases[0], "fd-white").identity.family = "toy";
+  solution_of(run.cases[0], "fd-white").identity.meaning = "What 1 < 2 toys make.";
+  const std::string html = glossary_html(run);
+  EXPECT_TRUE(contains(html, "<dt>fd-white</dt><dd>What 1 &lt; 2 toys make.</dd>"));
+  EXPECT_TRUE(contains(html, "<dt>fd-km4, fd-kf</dt><dd>What fd makes.</dd>"));
+  EXPECT_TRUE(contains(html, "<dt>solves white/\u2026</dt><dd>Excitation: white noise.</dd>"));
+  EXPECT_TRUE(contains(html, "<dt>solves \u2026/delta</dt>"));
+  EXPECT_FALSE(contains(html, "km4-pade"));  // of no solution here
+  EXPECT_FALSE(contains(html, "given/-"));
+  for (const auto& status : transform::kStatusNames) {
+    EXPECT_TRUE(contains(html, fmt::format("<b>{}</b>", status.name)));
+  }
+  for (const auto& link : compare::kLinkNames) {
+    EXPECT_EQ(occurrences(html, fmt::format("<dt>{}</dt>", link.name)), 1u) << link.name;
+  }
+}
+
+TEST(Glossary, SaysWhatAFileDoesNotTell) {
+  auto run = whole_run();
+  auto& identity = solution_of(run.cases[0], "fd-white").identity;
+  identity.equation.reset();
+  identity.impact.reset();
+  EXPECT_TRUE(contains(glossary_html(run), "<dt>solves given/-</dt>"));
+}
+
+TEST(Overview, NamesTheReferenceItsCheckAndTheClosestClosure) {
+  const auto run = whole_run();
+  const auto& one = run.cases[0];
+  const std::string row = row_in(overview_table(run), "What came out", "case1");
+  EXPECT_TRUE(row.starts_with("fd-kf|0."));
+  EXPECT_TRUE(contains(row, "|mcs|0."));
+  EXPECT_TRUE(
+      contains(row, fmt::format("|epc-gaussian-n6|{:.5f}|{:.5f}",
+                                *one.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y),
+                                *one.l1("epc-gaussian-n6", "fd-kf", transform::Variable::ydot))));
+}
+
+TEST(Overview, RanksNothingWithinTheReferencesOwnError) {
+  auto run = whole_run();
+  auto& one = run.cases[0];
+  tests::set_l1(one, "epc-gaussian-n2", "fd-kf", 0.0031, 0.002);
+  tests::set_l1(one, "epc-gaussian-n6", "fd-kf", 0.003, 0.002);
+  EXPECT_TRUE(row_in(overview_table(run), "What came out", "case1")
+                  .ends_with("|epc-gaussian-n6|0.00300|0.00200"));
+  solution_of(one, "fd-kf").error->y_l1 = 2e-4;
+  EXPECT_TRUE(row_in(overview_table(run), "What came out", "case1")
+                  .ends_with("|indistinguishable: epc-gaussian-n6, epc-gaussian-n2|0.00300 to "
+                             "0.00310|0.00200"));
+}
+
+TEST(Overview, NamesNothingWithoutAReference) {
+  auto run = whole_run();
+  run.cases.push_back(run.cases[0]);
+  run.cases[1].problem.name = "without";
+  for (auto& solution : run.cases[1].solutions) solution.status = transform::Status::failed;
+  const std::string row = row_in(overview_table(run), "What came out", "without");
+  EXPECT_EQ(occurrences(row, "\u2013"), 9u);
+}
+
+TEST(Timings, AreThoseOfEachSolutionAndAllTogether) {
+  auto run = whole_run();
+  run.cases.push_back(run.cases[0]);
+  run.cases[1].problem.name = "other";
+  run.cases[1].solutions.erase(run.cases[1].solutions.begin() + 1, run.cases[1].solutions.end());
+  const std::string html = timings_table(run);
+  EXPECT_EQ(headers_in(html, "Seconds per solution"), "solution|case1|other");
+  EXPECT_EQ(row_in(html, "Seconds per solution", "epc-gaussian-n8"), "12.3|\u2013");
+  EXPECT_EQ(row_in(html, "Seconds per solution", "all"), "15.2|0.42");
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

@@ -1,0 +1,111 @@
+#include "report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "report/table.hpp"
+#include "results/directory.hpp"
+#include "results/saved_run.hpp"
+#include "saved_run.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::contents;
+using tests::gnuplot_exists;
+using tests::made_up_run;
+
+std::map<std::string, std::string> files_of(const fs::path& directory) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.is_regular_file()) files[entry.path().string()] = contents(entry.path());
+  }
+  return files;
+}
+
+TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
+  const tests::TemporaryDirectory directory;
+  const auto warnings = write_report(directory.path(), made_up_run());
+  EXPECT_EQ(directory.entries().size(), 5u);
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "summary.json"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "marginals.csv"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "joint.nc"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "report.html"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));
+  if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_TRUE(warnings.empty()) << warnings.front();
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory.path() / "figures"), {}),
+            6);  // the densities and the error budget
+}
+
+TEST(Report, AgainIsTheSameReport) {
+  const tests::TemporaryDirectory directory;
+  const auto run = made_up_run();
+  write_report(directory.path(), run);
+  const auto before = files_of(directory.path());
+  fs::remove_all(directory.path() / "figures");
+  fs::remove(directory.path() / "report.html");
+  const auto again = report_again(directory.path(), results::load_run(directory.path()), 80);
+  EXPECT_EQ(again.table, table(run, 80));
+  for (const auto& [file, text] : files_of(directory.path())) {
+    EXPECT_TRUE(before.contains(file) && before.at(file) == text) << file;
+  }
+  EXPECT_EQ(files_of(directory.path()).size(), before.size());
+}
+
+TEST(Report, OfAnotherRunLeavesNothingOfTheEarlierOne) {
+  const tests::TemporaryDirectory directory;
+  write_report(directory.path(), made_up_run("earlier"));
+  write_report(directory.path(), made_up_run("later"));
+  for (const auto& [file, text] : files_of(directory.path() / "figures")) {
+    EXPECT_TRUE(fs::path(file).filename().string().starts_with("later")) << file;
+  }
+  EXPECT_FALSE(files_of(directory.path() / "figures").empty());
+}
+
+TEST(Report, ThatCannotBeWrittenLeavesTheEarlierRunWholeAndNothingHalf) {
+  const tests::TemporaryDirectory directory;
+  write_report(directory.path(), made_up_run("earlier"));
+  const auto before = files_of(directory.path());
+  auto damaged = made_up_run("later");
+  // Two under one path: known when the summary is made, after the curves.
+  damaged.cases[0].solutions[0].observations.assign(2, {.path = "same", .value = 1.0});
+  EXPECT_THROW(write_report(directory.path(), damaged), std::logic_error);
+  EXPECT_TRUE(files_of(directory.path()) == before);
+
+  // The page's place is taken: known only when the files are renamed.
+  fs::remove(directory.path() / "report.html");
+  fs::create_directories(directory.path() / "report.html" / "inside");
+  auto without_page = before;
+  without_page.erase((directory.path() / "report.html").string());
+  EXPECT_THROW(write_report(directory.path(), made_up_run("later")), std::runtime_error);
+  EXPECT_TRUE(files_of(directory.path()) == without_page);
+}
+
+// A figure that an observation or a distance cannot give is a dash, and no crash, everywhere.
+TEST(Report, OfAnOlderRunWithoutBudgetIdentityOrJointDensitiesIsMade) {
+  const tests::TemporaryDirectory directory;
+  auto run = made_up_run();
+  auto& one = run.cases[0];
+  one.budget.clear();
+  one.limits.clear();
+  one.joints.clear();
+  for (auto& solution : one.solutions) {
+    auto& identity = solution.identity;
+    identity = {.id = identity.id,
+                .method = identity.method,
+                .equation = identity.equation,
+                .impact = identity.impact};
+  }
+  const auto again = report_again(directory.path(), run);
+  EXPECT_TRUE(tests::contains(again.table, "There is no reference")) << again.table;
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "report.html"));
+  EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));
+  EXPECT_FALSE(fs::exists(directory.path() / "figures" / "case1-budget.gp"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report

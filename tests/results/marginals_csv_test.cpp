@@ -1,0 +1,102 @@
+#include "results/marginals_csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "made_up_solutions.hpp"
+#include "parameters/input_error.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+using transform::Variable;
+
+/// The curves of a run of one made-up case, and of cases with such curves alone.
+std::vector<Case> cases_with(std::vector<std::pair<std::string, std::vector<Curve>>> curves) {
+  std::vector<Case> cases;
+  for (auto& [name, own] : curves) {
+    auto problem = tests::paper_case(1);
+    problem.name = name;
+    cases.push_back({problem, {}, {}, {}, {}, std::move(own), {}});
+  }
+  return cases;
+}
+
+std::string written(const std::vector<Case>& cases) {
+  std::ostringstream csv;
+  write_marginals_csv(csv, cases);
+  return csv.str();
+}
+
+void expect_read_back(const std::string& csv, const std::vector<Case>& cases) {
+  std::istringstream in(csv);
+  const auto read = read_marginals_csv(in, "m.csv");
+  std::size_t k = 0;
+  for (const auto& one : cases) {
+    for (const auto& curve : one.curves) {
+      ASSERT_LT(k, read.size());
+      EXPECT_EQ(read[k].case_name, one.name());
+      EXPECT_EQ(read[k].curve, curve);
+      ++k;
+    }
+  }
+  EXPECT_EQ(k, read.size());
+}
+
+TEST(MarginalsCsv, ReadsBackExactlyWhatItWrote) {
+  const std::vector<Case> cases{tests::made_up_case("a \"b\", c")};
+  const std::string csv = written(cases);
+  EXPECT_TRUE(csv.starts_with("case,solution,variable,abscissa,density,lower,upper\n"));
+  expect_read_back(csv, cases);
+}
+
+TEST(MarginalsCsv, IsReadWithTheLineEndsOfOtherSystems) {
+  const std::vector<Case> cases{tests::made_up_case()};
+  std::string crlf;
+  for (const char c : written(cases)) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  expect_read_back(crlf, cases);
+}
+
+TEST(MarginalsCsv, TellsNeighbouringCurvesApart) {
+  const auto cases = cases_with({{"a",
+                                  {{"s", Variable::y, {0.5}, {1}, {}, {}},
+                                   {"s", Variable::ydot, {0.5}, {2}, {}, {}},
+                                   {"t", Variable::ydot, {0.5}, {3}, {}, {}}}},
+                                 {"b", {{"t", Variable::ydot, {0.5}, {4}, {}, {}}}}});
+  expect_read_back(written(cases), cases);
+}
+
+TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
+  EXPECT_EQ(written(cases_with({{"c",
+                                 {{"s", Variable::y, {0.5}, {0.25}, {}, {}},
+                                  {"t", Variable::y, {0.5}, {0.25}, {0.125}, {1}}}}})),
+            "case,solution,variable,abscissa,density,lower,upper\n"
+            "c,s,y,0.5,0.25,,\n"
+            "c,t,y,0.5,0.25,0.125,1\n");
+}
+
+TEST(MarginalsCsv, NamesTheLineThatIsWrong) {
+  const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
+  const auto message = [](const std::string& text) -> std::string {
+    std::istringstream csv(text);
+    try {
+      read_marginals_csv(csv, "m.csv");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_TRUE(tests::contains(message("a,b\n"), "m.csv:1: not a file of marginals"));
+  EXPECT_TRUE(tests::contains(message(""), "m.csv:1: not a file of marginals"));
+  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,,\nc,s,y,0\n"), "m.csv:3: 4 fields"));
+  EXPECT_TRUE(
+      tests::contains(message(header + "c,s,y,0,one,,\n"), "m.csv:2: 'one' is not a number"));
+  EXPECT_TRUE(tests::contains(message(header + "c,s,z,0,1,,\n"), "variable 'z'"));
+  EXPECT_TRUE(
+      tests::contains(message(header + "c,s,y,0,1,0,2\nc,s,y,1,1,,\n"), "m.csv:3: intervals"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::results

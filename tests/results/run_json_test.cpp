@@ -1,0 +1,225 @@
+#include "results/run_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "parameters/input_error.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using tests::contains;
+using transform::Kind;
+using transform::Observer;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Json summary_of(const results::Run& run) { return Json::parse(summary_text(run)); }
+
+results::Run read(const std::string& text) {
+  std::istringstream in(text);
+  return read_summary(in, "summary.json");
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// With something in every field.
+results::Run full_run() {
+  results::Run run = tests::made_up_run();
+  auto& solutions = run.cases[0].solutions;
+  solutions[0].options = {{"order", std::int64_t{2}}, {"tail", std::string("cut")}, {"nx", {}}};
+  solutions[0].observations = Observer()
+                                  .result("order", std::int64_t{2})
+                                  .work("iterations", std::int64_t{7})
+                                  .result("coefficients[0].x1", std::int64_t{2})
+                                  .result("coefficients[0].a", -0.25)
+                                  .result("coefficients[1].x1", std::int64_t{0})
+                                  .result("support.edge_density", 1e-9)
+                                  .result("branch", {})
+                                  .text("leading_form", std::string("negative"))
+                                  .result("falls", true)
+                                  .empty_list("branches")
+                                  .take();
+  solutions[6].error = {.y_l1 = 1e-5, .ydot_l1 = 2e-5, .moments = {1, 2, 3, 4, 5, 6}};
+  solutions[6].observations = Observer().result("error.observed_order", 4.9).take();
+  solutions[7].sampling = {.y = 1e-4, .ydot = {}, .y_99 = 2e-4, .ydot_99 = {}};
+  return run;
+}
+
+TEST(Summary, HasEveryFieldOfTheContract) {
+  const Json json = summary_of(full_run());
+  EXPECT_EQ(json.at("schema"), 1);
+  EXPECT_EQ(json.at("program").at("name"), "fpkcheck");
+  EXPECT_EQ(json.at("program").at("command"), "fpkcheck run");
+  EXPECT_EQ(json.at("program").at("version"), this_program("").version);
+  EXPECT_NE(this_program("").version.find('.'), std::string::npos);
+  const Json& c = json.at("cases").at(0);
+  EXPECT_EQ(c.at("name"), "case1");
+  EXPECT_EQ(c.at("system").dump(),
+            R"({"damping":0.1,"stiffness":1.0,"cubic":0.1,"restitution":0.98})");
+  EXPECT_EQ(c.at("impulse").at("rate"), 1.0);
+  EXPECT_EQ(c.at("impulse").at("law"), "gaussian");
+  EXPECT_NEAR(c.at("impulse").at("intensity").get<double>(), 0.1, 1e-15);
+  EXPECT_EQ(c.at("impulse").at("mean"), 0.0);
+  ASSERT_EQ(c.at("impulse").at("moments").size(), 7u);
+  EXPECT_NEAR(c.at("impulse").at("moments").at(4).get<double>(), 0.03, 1e-15);
+
+  const Json& s = c.at("solutions").at(0);
+  EXPECT_EQ(s.at("id"), "epc-gaussian-n2");
+  EXPECT_EQ(s.at("method"), "epc");
+  EXPECT_EQ(s.at("equation"), "km4");
+  EXPECT_EQ(s.at("impact"), "delta");
+  EXPECT_EQ(s.at("status"), "ok");
+  EXPECT_EQ(s.at("reason"), "");
+  EXPECT_EQ(s.at("seconds"), 0.42);
+  EXPECT_EQ(s.at("options").dump(), R"({"order":2,"tail":"cut","nx":null})");
+  for (const char* key : {"y1", "y2", "y4", "v1", "v2", "v4"}) {
+    EXPECT_TRUE(s.at("moments").at(key).is_number()) << key;
+  }
+  for (const char* key : {"mass", "min_density", "energy_residual"}) {
+    EXPECT_TRUE(s.at(key).is_number()) << key;
+  }
+  EXPECT_EQ(s.at("order"), 2);  // what its solver alone knows
+  EXPECT_EQ(s.at("coefficients").dump(), R"([{"x1":2,"a":-0.25},{"x1":0}])");
+  EXPECT_EQ(s.at("support").dump(), R"({"edge_density":1e-09})");
+  EXPECT_EQ(s.at("branches").dump(), "[]");
+  EXPECT_EQ(s.at("identity").at("role"), "closure");
+  EXPECT_EQ(s.at("identity").at("order"), 2);
+  const Json& fd = c.at("solutions").at(6);
+  EXPECT_EQ(fd.at("error").at("y_l1"), 1e-5);
+  EXPECT_EQ(fd.at("error").at("moments").at("v4"), 6.0);
+  EXPECT_EQ(fd.at("error").at("observed_order"), 4.9);
+  const Json& mcs = c.at("solutions").at(7);
+  EXPECT_EQ(mcs.at("standard_errors").at("y2"), 1e-4);
+  EXPECT_EQ(mcs.at("sampling_l1").dump(), R"({"y":0.0001,"y_99":0.0002})");
+
+  const Json& d = c.at("comparisons").at(0);
+  EXPECT_EQ(d.at("a"), "epc-gaussian-n2");
+  EXPECT_EQ(d.at("b"), "epc-gaussian-n4");
+  EXPECT_EQ(d.at("variable"), "y");
+  for (const char* key : {"l1", "l2", "sup", "hellinger", "kl"}) {
+    EXPECT_TRUE(d.at(key).is_number()) << key;
+  }
+  for (const char* key : {"from", "to", "mean_abs"}) {
+    EXPECT_TRUE(d.at("log10_tail").at(0).contains(key)) << key;
+  }
+  const Json& row = c.at("budget").at(0);
+  EXPECT_EQ(row.at("tail").dump().substr(0, 25), R"({"from":1e-05,"to":0.001,)");
+  EXPECT_EQ(row.at("parts").back().contains("expected"), true);
+  EXPECT_EQ(c.at("reference"), "fd-kf");
+}
+
+TEST(Summary, IsReadBackAsItWas) {
+  const std::string text = summary_text(full_run());
+  const results::Run run = read(text);
+  EXPECT_EQ(summary_text(run), text);
+  const auto& solution = run.cases[0].solutions[0];
+  EXPECT_TRUE(solution.has_density());
+  EXPECT_FALSE(solution.density);
+  EXPECT_FALSE(run.cases[0].solutions[3].has_density());
+  EXPECT_EQ(transform::number(solution.observations, "coefficients[0].a"), -0.25);
+  EXPECT_EQ(transform::word(solution.observations, "leading_form"), "negative");
+  EXPECT_EQ(run.cases[0].budget[0].parts[0].links.front(), compare::Link::closure);
+}
+
+TEST(Summary, WhatIsNotFiniteOrNotKnownIsNull) {
+  results::Run run = full_run();
+  auto& one = run.cases[0];
+  one.solutions[0].energy_residual = std::nan("");
+  one.solutions[0].observations =
+      Observer().result("residuals[0]", 1.0).result("residuals[1]", kInfinity).take();
+  one.pairs[0].distances.kl = kInfinity;
+  one.budget[0].total_tail = std::nan("");
+  const Json json = summary_of(run);
+  const Json& c = json["cases"][0];
+  EXPECT_TRUE(c["solutions"][0]["energy_residual"].is_null());
+  EXPECT_EQ(c["solutions"][0]["residuals"].dump(), "[1.0,null]");
+  EXPECT_TRUE(c["comparisons"][0]["kl"].is_null());
+  EXPECT_TRUE(c["budget"][0]["total_tail"].is_null());
+  ASSERT_EQ(c["solutions"][3]["id"], "epc-gaussian-n8");
+  EXPECT_TRUE(c["solutions"][3]["moments"].is_null());
+  EXPECT_TRUE(c["solutions"][3]["mass"].is_null());
+  const results::Run again = read(summary_text(run));
+  EXPECT_TRUE(std::isnan(again.cases[0].solutions[0].energy_residual));
+  EXPECT_EQ(again.cases[0].pairs[0].distances.kl, kInfinity);
+  EXPECT_TRUE(std::isnan(again.cases[0].budget[0].total_tail));
+}
+
+TEST(Summary, ObservationsMustNotClaimACommonFieldOrEachOther) {
+  for (const char* path : {"status", "moments.y2", "sampling_l1.y"}) {
+    results::Run run = full_run();
+    run.cases[0].solutions[0].observations = Observer().result(path, 1.0).take();
+    EXPECT_THROW(summary_text(run), std::logic_error) << path;
+  }
+  results::Run run = full_run();
+  run.cases[0].solutions[0].observations = Observer().result("nx", 1.0).result("nx", 2.0).take();
+  EXPECT_THROW(summary_text(run), std::logic_error);
+  run.cases[0].solutions[0].observations =
+      Observer().result("nx", 1.0).result("nx.more", 2.0).take();
+  EXPECT_THROW(summary_text(run), std::logic_error);
+}
+
+TEST(Summary, OfAnOlderProgramHasSolutionsWithoutAFamily) {
+  Json json = summary_of(full_run());
+  for (auto& solution : json["cases"][0]["solutions"]) solution.erase("identity");
+  json["cases"][0].erase("reference");
+  const results::Run run = read(json.dump());
+  EXPECT_EQ(run.cases[0].solutions[0].identity.family, "");
+  EXPECT_EQ(run.cases[0].solutions[0].id(), "epc-gaussian-n2");
+}
+
+TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
+  const std::string text = summary_text(full_run());
+  EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON (at byte"));
+  EXPECT_TRUE(contains(refusal("[]"), "it has no schema"));
+  EXPECT_TRUE(contains(refusal(R"({"schema": 7})"), "has schema 7 (this program reads schema 1"));
+  EXPECT_TRUE(contains(refusal(R"({"schema": 1e999})"), "is not JSON"));
+  Json json = Json::parse(text);
+  json["cases"][0]["solutions"][0].erase("status");
+  EXPECT_TRUE(contains(refusal(json.dump()), "key 'status' not found")) << refusal(json.dump());
+  json = Json::parse(text);
+  json["cases"].push_back(json["cases"][0]);
+  EXPECT_TRUE(contains(refusal(json.dump()), "case1 is there twice"));
+  json = Json::parse(text);
+  json["cases"][0]["solutions"][1]["id"] = "epc-gaussian-n2";
+  EXPECT_TRUE(contains(refusal(json.dump()), "epc-gaussian-n2 is there twice"));
+  json = Json::parse(text);
+  json["cases"][0]["system"]["restitution"] = 1.5;
+  EXPECT_TRUE(contains(refusal(json.dump()), "system.restitution = 1.5"));
+  json["cases"][0]["system"]["restitution"] = "much";
+  EXPECT_TRUE(contains(refusal(json.dump()), "system.restitution = 'much'"));
+  json = Json::parse(text);
+  json["cases"][0]["system"]["colour"] = 1;
+  EXPECT_TRUE(contains(refusal(json.dump()), "system.colour is unknown"));
+  for (const auto& broken : {refusal(json.dump()), refusal(text.substr(0, 1000))}) {
+    EXPECT_TRUE(contains(broken, "summary.json"));
+    EXPECT_FALSE(contains(broken, "\n"));
+  }
+}
+
+// Deeper JSON than any stack holds must not be descended into.
+TEST(Summary, ThatIsNestedWithoutEndIsRefused) {
+  const std::string opening(100000, '[');
+  EXPECT_TRUE(contains(refusal(opening + std::string(100000, ']')), "nested more than"));
+  EXPECT_TRUE(contains(refusal(opening), "nested more than"));
+  std::string objects;
+  for (int k = 0; k < 100000; ++k) objects += R"({"a":)";
+  EXPECT_TRUE(contains(refusal(objects), "nested more than"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::results

@@ -1,0 +1,81 @@
+#include "results/saved_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "parameters/input_error.hpp"
+#include "results/run_json.hpp"
+#include "saved_run.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::contains;
+
+void save(const fs::path& directory, const results::Run& run) {
+  PendingFiles files;
+  add_run(files, directory, run);
+  files.commit();
+}
+
+std::string refusal_to_load(const fs::path& directory) {
+  try {
+    load_run(directory);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(SavedRun, IsReadBackWhole) {
+  const tests::TemporaryDirectory directory;
+  const results::Run run = tests::made_up_run();
+  save(directory.path(), run);
+  const results::Run read = load_run(directory.path());
+  EXPECT_EQ(summary_text(read), summary_text(run));
+  EXPECT_EQ(read.cases[0].curves, run.cases[0].curves);
+  ASSERT_EQ(read.cases[0].joints.size(), run.cases[0].joints.size());
+  EXPECT_EQ(read.cases[0].joints[2].solution, run.cases[0].joints[2].solution);
+}
+
+TEST(SavedRun, OfAnOlderVersionHasNoJointDensities) {
+  const tests::TemporaryDirectory directory;
+  save(directory.path(), tests::made_up_run());
+  fs::remove(directory.path() / kJointFile);
+  EXPECT_TRUE(load_run(directory.path()).cases[0].joints.empty());
+}
+
+TEST(SavedRun, WithoutJointDensitiesLeavesNoneOfAnEarlierOne) {
+  const tests::TemporaryDirectory directory;
+  results::Run run = tests::made_up_run();
+  save(directory.path(), run);
+  run.cases[0].joints.clear();
+  save(directory.path(), run);
+  EXPECT_FALSE(fs::exists(directory.path() / kJointFile));
+}
+
+TEST(SavedRun, WhoseFilesAreOfSeveralRunsIsRefused) {
+  const tests::TemporaryDirectory one, other;
+  save(one.path(), tests::made_up_run("case1"));
+  save(other.path(), tests::made_up_run("case2"));
+  for (const char* file : {kMarginalsFile, kJointFile}) {
+    fs::copy_file(one.path() / file, one.path() / "kept");
+    fs::copy_file(other.path() / file, one.path() / file, fs::copy_options::overwrite_existing);
+    EXPECT_TRUE(contains(refusal_to_load(one.path()), "are not of the same run")) << file;
+    fs::rename(one.path() / "kept", one.path() / file);
+  }
+  results::Run fewer = tests::made_up_run("case1");
+  std::erase_if(fewer.cases[0].curves, [](const Curve& c) { return c.solution == "fd-kf"; });
+  save(one.path(), fewer);
+  EXPECT_TRUE(contains(refusal_to_load(one.path()), "are not of the same run"));
+}
+
+TEST(SavedRun, ThatIsNotThereIsRefusedInOneLine) {
+  const tests::TemporaryDirectory directory;
+  EXPECT_TRUE(contains(refusal_to_load(directory.path()), "summary.json is not a readable file"));
+  EXPECT_THROW(load_summary("nowhere.json"), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::results

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include "made_up_solutions.hpp"
+#include "results/run.hpp"
+
+/// A run to be saved and reported on, for the tests of what is made from saved runs.
+namespace fpkcheck::tests {
+
+inline results::Run made_up_run(const std::string& name = "case1") {
+  return {results::this_program("fpkcheck run"), {made_up_case(name)}};
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+inline bool gnuplot_exists() { return std::system("command -v gnuplot >/dev/null 2>&1") == 0; }
+
+}  // namespace fpkcheck::tests

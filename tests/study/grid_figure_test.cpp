@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include "made_up.hpp"
+#include "report/figure/drawing.hpp"
+#include "saved_run.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using tests::contains;
+
+TEST(GridFigure, HasALineForEachSchemeEachFormulationAndTheSimulation) {
+  const std::string script = figure(tests::made_up_grid_study(), "study-grid");
+  EXPECT_TRUE(contains(script, "'finite differences, order 3'"));
+  EXPECT_TRUE(contains(script, "'finite differences, order 5'"));
+  EXPECT_TRUE(contains(script, "'closure, gaussian, n = 2, 4, ..'"));
+  EXPECT_TRUE(contains(script, "'closure, moment, n = 2, 4, ..'"));
+  EXPECT_TRUE(contains(script, "'simulation'"));
+  // What is not ok is not drawn: of the first formulation there is one point.
+  EXPECT_TRUE(contains(script, "$other_0 << EOD\n0 6.7 0.0044 0.03\nEOD\n")) << script;
+  // Lines have the colours that the methods have everywhere.
+  EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#D55E00'"));
+  EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#CC79A7'"));
+}
+
+TEST(GridFigure, CanBeDrawn) {
+  if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  const auto warnings = report::write_pictures(
+      directory.path(), "study-grid", figure(tests::made_up_grid_study(), "study-grid"), "gnuplot");
+  ASSERT_TRUE(warnings.empty()) << warnings.front();
+  const std::string svg = tests::contents(directory.path() / "study-grid.svg");
+  for (const char* text : {"(a) grids: displacement", "(d) error against cost", "simulation"}) {
+    EXPECT_TRUE(contains(svg, text)) << text;
+  }
+}
+
+TEST(GridFigure, IsEmptyWhereThereIsNothingToDraw) {
+  auto study = tests::made_up_grid_study();
+  for (auto& row : study.rows) row.l1.reset();
+  study.others.clear();
+  EXPECT_EQ(figure(study, "study-grid"), "");
+}
+
+}  // namespace
+}  // namespace fpkcheck::study

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "made_up.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+TEST(GridFiles, JsonHasTheTruthTheLimitsTheGridsAndTheOthers) {
+  const auto found =
+      nlohmann::json::parse(json(tests::made_up_grid_study(), "fpkcheck study grid"));
+  EXPECT_EQ(found.at("study"), "grid");
+  EXPECT_EQ(found.at("equation"), "kf");
+  EXPECT_EQ(found.at("impact"), "map");
+  EXPECT_EQ(found.at("truth").at("order"), 5);
+  EXPECT_EQ(found.at("truth").at("known_to").at("y"), 1.2e-4);
+  EXPECT_EQ(found.at("limits").at(1).at("y2"), 0.39451776);
+  EXPECT_EQ(found.at("limits").at(1).at("v2_error"), 2e-6);
+  ASSERT_EQ(found.at("rows").size(), 6u);
+  const auto& finest = found.at("rows").at(2);
+  EXPECT_EQ(finest.at("order"), 3);
+  EXPECT_EQ(finest.at("nv"), 60);
+  EXPECT_EQ(finest.at("observed_order").at("l1"), 2.75);
+  EXPECT_TRUE(finest.at("observed_order").at("v2").is_null());  // not finite
+  EXPECT_TRUE(found.at("rows").at(1).at("observed_order").at("l1").is_null());
+  EXPECT_EQ(finest.at("v2"), 0.5);
+  const auto& others = found.at("others");
+  EXPECT_EQ(others.at(0).at("formulation"), "gaussian");
+  EXPECT_EQ(others.at(1).at("reason"), "it is made up");
+  EXPECT_TRUE(others.at(1).at("l1_y").is_null());
+  EXPECT_TRUE(others.at(1).at("sampling_l1").is_null());
+  EXPECT_TRUE(others.at(3).at("formulation").is_null());
+  EXPECT_EQ(others.at(3).at("sampling_l1").at("ydot"), 0.0015);
+}
+
+TEST(GridFiles, JsonSaysWhyThereIsNoTruth) {
+  auto study = tests::made_up_grid_study();
+  study.limits.back() = {.order = 5, .none = "nothing converges"};
+  const auto found = nlohmann::json::parse(json(study, ""));
+  EXPECT_TRUE(found.at("truth").at("order").is_null());
+  EXPECT_EQ(found.at("truth").at("reason"), "nothing converges");
+  EXPECT_TRUE(found.at("limits").at(1).at("y2").is_null());
+  EXPECT_TRUE(found.at("limits").at(1).at("y2_error").is_null());
+}
+
+TEST(GridFiles, CsvHasGridsAndOthersUnderOneHeader) {
+  const std::string text = csv(tests::made_up_grid_study());
+  EXPECT_TRUE(
+      text.starts_with("id,order,level,nx,nv,status,l1_y,l1_ydot,observed_order,seconds\n"
+                       "fd-kf,3,1,10,20,inadmissible,"))
+      << text;
+  EXPECT_NE(text.find("\nfd-kf,3,3,30,60,ok,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nepc-gaussian-n4,4,,,,inadmissible,,,,0.002\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nmcs,,,,,ok,0.001,0.002,,2\n"), std::string::npos) << text;
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 6 + 4);
+}
+
+}  // namespace
+}  // namespace fpkcheck::study

@@ -1,0 +1,110 @@
+#include "transform/richardson.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace fpkcheck::transform {
+namespace {
+
+// u(h) = limit + error h^order, with an error that changes its sign over the bins.
+Level at(double h, double order, double error = 0.1) {
+  const double scale = error * std::pow(h, order);
+  const auto marginal = [&](double level) {
+    return Marginal{{0, 1, 2, 3}, {level + scale, level - 2 * scale, level + 0.5 * scale}, {}, {}};
+  };
+  return {marginal(0.3),
+          marginal(0.2),
+          {.y1 = 1 + scale,
+           .y2 = 2 - scale,
+           .y4 = 3 + 4 * scale,
+           .v1 = 0,
+           .v2 = 5 + scale,
+           .v4 = 6 + scale}};
+}
+
+struct Sequence {
+  Level coarse, middle, fine;
+
+  Change before() const { return change(coarse, middle); }
+  Change last() const { return change(middle, fine); }
+  Richardson richardson(int order_of_scheme) const {
+    return transform::richardson(before(), last(), kLevelRatio, order_of_scheme);
+  }
+};
+
+Sequence of_order(double order) {
+  return {at(1, order), at(1 / kLevelRatio, order), at(0.5, order)};
+}
+
+TEST(Richardson, FindsTheLimitOfASequenceOfItsOrder) {
+  const Sequence levels = of_order(3);
+  const Richardson known = levels.richardson(5);
+  const Level found = limit(levels.middle, levels.fine, known.factor);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(found.y.density[k], 0.3, 1e-13);
+    EXPECT_NEAR(found.ydot.density[k], 0.2, 1e-13);
+  }
+  EXPECT_NEAR(found.moments.y2, 2, 1e-13);
+  EXPECT_NEAR(found.moments.y4, 3, 1e-13);
+  EXPECT_NEAR(found.moments.v4, 6, 1e-13);
+  // The errors of the finest level.
+  EXPECT_NEAR(known.error.moments.y4, 4 * 0.1 / 8, 1e-13);
+  EXPECT_NEAR(known.error.y_l1, l1(levels.fine.y, found.y), 1e-13);
+  EXPECT_NEAR(known.error.ydot_l1, 3.5 * 0.1 / 8, 1e-13);
+}
+
+TEST(Richardson, SeesTheOrderOfASequence) {
+  for (const double order : {1.0, 2.0, 3.5, 7.0}) {
+    const Sequence levels = of_order(order);
+    const auto orders = observed_orders(levels.before(), levels.last(), kLevelRatio);
+    EXPECT_NEAR(orders.l1, order, 1e-9);
+    EXPECT_NEAR(orders.y2, order, 1e-9);
+    EXPECT_NEAR(orders.v2, order, 1e-9);
+    EXPECT_EQ(levels.richardson(9).orders.l1, orders.l1);
+  }
+}
+
+// A moment that happens to be the same on the last two levels is not known exactly.
+TEST(Richardson, DoesNotTakeAChanceAgreementOfMomentsForAccuracy) {
+  Sequence levels = of_order(3);
+  levels.fine.moments.y2 = levels.middle.moments.y2;
+  // What a sequence of this order would have.
+  EXPECT_NEAR(levels.richardson(5).error.moments.y2, 0.1 / 8, 1e-12);
+}
+
+// Differences that fall faster than the scheme can are chance: the limit must not be overrated.
+TEST(Richardson, DoesNotExtrapolateByMoreThanTheSchemeHas) {
+  EXPECT_NEAR(of_order(7).richardson(2).factor, 1, 1e-13);  // 1 / (sqrt(2)^2 - 1)
+}
+
+TEST(Richardson, DoesNotExtrapolateASequenceThatDoesNotConvergeBeyondFirstOrder) {
+  const Sequence diverging{at(0.5, 3), at(1 / kLevelRatio, 3), at(1, 3)};
+  EXPECT_NEAR(diverging.richardson(5).factor, 1 / (kLevelRatio - 1), 1e-12);
+  EXPECT_LT(diverging.richardson(5).orders.l1, 0);
+}
+
+// Two levels are compared on common bins; those of another pair may differ.
+TEST(Richardson, ComparesNeighboursOnTheirOwnBins) {
+  Level coarse = at(1, 3);
+  coarse.y.edges = {0, 2, 4, 6};
+  EXPECT_THROW(change(coarse, at(0.5, 3)), std::invalid_argument);
+  Level middle = at(1 / kLevelRatio, 3);
+  middle.y.edges = coarse.y.edges;
+  EXPECT_NEAR(change(coarse, middle).y_l1, 2 * change(at(1, 3), at(1 / kLevelRatio, 3)).y_l1,
+              1e-14);
+}
+
+TEST(Richardson, ALevelIsWhatASolutionHasOfIt) {
+  Solution solution;
+  solution.density = GridDensity{{0, 1, 2}, {-1, 0, 1}, {0.1, 0.2, 0.3, 0.4}};
+  solution.moments.y2 = 7;
+  const Level of = level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
+  EXPECT_NEAR(of.y.density[1], 0.7, 1e-15);
+  EXPECT_NEAR(of.ydot.density[0], 0.4, 1e-15);
+  EXPECT_EQ(of.moments.y2, 7);
+}
+
+}  // namespace
+}  // namespace fpkcheck::transform

@@ -1,0 +1,18 @@
+#include "transform/identity.hpp"
+
+#include <fmt/format.h>
+
+namespace fpkcheck::transform {
+
+std::string solves_text(const Identity& identity) {
+  return fmt::format("{}/{}", identity.equation ? name(*identity.equation) : "given",
+                     identity.impact ? name(*identity.impact) : "-");
+}
+
+std::string short_name(const Identity& identity) {
+  if (identity.order) return fmt::format("n{}", *identity.order);
+  const std::string prefix = identity.method + "-";
+  return identity.id.starts_with(prefix) ? identity.id.substr(prefix.size()) : identity.id;
+}
+
+}  // namespace fpkcheck::transform
