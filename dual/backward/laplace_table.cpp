@@ -1,0 +1,134 @@
+// Density exp(-|y - m|/s) / (2s) (s the scale). K B(v) = L(v + m) + R(v + m) with
+//
+//     L(z) = int_{-inf}^z B(x) exp(-(z - x)/s) dx/(2s),   s L' = -L + B/2,
+//
+// and R the same from above. Along the axis L is carried from piece to piece. Within a piece of
+// length e, theta = (z - begin)/e, it is L(begin) exp(-e theta/s) and a solution that starts at 0,
+// each as a power series,
+//
+//     q_{n+1} = (e/s) (-q_n + b_n/2) / (n + 1),
+//
+// which for n > p are the terms of an exponential: what follows the last term kept, n = N - 1, is
+// at most |q_N| exp(e/s).
+#include <algorithm>
+
+#include "dual/backward/impulse_table.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+constexpr int kOrder = 16;  // N
+
+// Bernstein coefficients of the two solutions on a piece, t in [0, 1].
+struct OneSided {
+  Coefficients decay;                 ///< exp(-e theta/s)
+  std::vector<Coefficients> forced;   ///< of each function of the piece, 0 at theta = 0
+  Interval final_decay;               ///< exp(-e/s)
+};
+
+Coefficients enclosed_series(Coefficients powers, const Interval& next, const Interval& ratio) {
+  const Interval growth = 1.0 / exponential(-ratio);
+  const double rest = (magnitude(next) * growth).upper();
+  Coefficients b = from_powers(powers);
+  for (Interval& c : b) c += plus_minus(rest);
+  return b;
+}
+
+OneSided one_sided(const std::vector<Coefficients>& functions, const Interval& length, double s) {
+  const Interval ratio = length / s;
+  OneSided solution;
+  solution.final_decay = exponential(-ratio);
+  const auto series = [&](const Coefficients& forcing, const Interval& start) {
+    Coefficients q(kOrder);
+    Interval next = start;
+    for (int n = 0; n < kOrder; ++n) {
+      q[n] = next;
+      const Interval b =
+          n < static_cast<int>(forcing.size()) ? forcing[n] : Interval(0);
+      next = ratio * (b / 2.0 - q[n]) / static_cast<double>(n + 1);
+    }
+    return enclosed_series(std::move(q), next, ratio);
+  };
+  solution.decay = series({}, Interval(1));
+  for (const Coefficients& b : functions) {
+    solution.forced.push_back(series(to_powers(b), Interval(0)));
+  }
+  return solution;
+}
+
+// The shifted images of the pieces, in order, and what lies between them and the ends of the basis.
+struct Axis {
+  std::vector<VelocityPiece> pieces;
+  std::size_t first = 0;  ///< image of the first piece
+};
+
+Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces, double shift,
+                  double longest) {
+  Axis axis;
+  const Interval begin = pieces.front().from + shift, end = pieces.back().to + shift;
+  const auto add_between = [&](const Interval& from, const Interval& to) {
+    for (const VelocityPiece& p : pieces_of(basis, {}, longest)) {
+      if (p.to.upper() <= from.lower() || p.from.lower() >= to.upper()) continue;
+      const Interval a = p.from.lower() < from.lower() ? from : p.from;
+      const Interval b = p.to.upper() > to.upper() ? to : p.to;
+      axis.pieces.push_back(located(basis, a, b));
+    }
+  };
+  if (shift > 0) add_between(pieces.front().from, begin);
+  axis.first = axis.pieces.size();
+  for (const VelocityPiece& p : pieces) {
+    axis.pieces.push_back(located(basis, p.from + shift, p.to + shift));
+  }
+  if (shift < 0) add_between(end, pieces.back().to);
+  return axis;
+}
+
+}  // namespace
+
+ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
+                      const std::vector<VelocityPiece>& pieces) {
+  const double s = law.scale;
+  ImpulseTable table = empty_table(basis, pieces, kOrder);
+  double longest = 0, overhang = 0;
+  for (const VelocityPiece& piece : pieces) longest = std::max(longest, piece.length().upper());
+  const Axis axis = shifted_axis(basis, pieces, law.mean, longest);
+  const int count = static_cast<int>(axis.pieces.size());
+
+  for (const bool forward : {true, false}) {
+    // L or R of all functions at the end of the axis: half of the constant beyond it.
+    std::vector<Interval> carried(basis.size(), Interval(0));
+    carried[forward ? 0 : basis.size() - 1] = 0.5;
+    for (int step = 0; step < count; ++step) {
+      const int i = forward ? step : count - 1 - step;
+      const VelocityPiece& piece = axis.pieces[i];
+      PieceFunctions functions = functions_on(basis, piece);
+      overhang = std::max(overhang, functions.overhang_error);
+      if (!forward) {
+        for (Coefficients& b : functions.value) std::reverse(b.begin(), b.end());
+      }
+      const OneSided solution = one_sided(functions.value, piece.length(), s);
+      const int target = i - static_cast<int>(axis.first);
+      if (target >= 0 && target < static_cast<int>(pieces.size())) {
+        const auto add = [&](int b, const Interval& factor, const Coefficients& c) {
+          const std::span<Interval> out = table.of(target, b);
+          for (int j = 0; j < kOrder; ++j) {
+            out[j] += factor * c[forward ? j : kOrder - 1 - j];
+          }
+        };
+        for (int b = 0; b < basis.size(); ++b) add(b, carried[b], solution.decay);
+        for (std::size_t l = 0; l < functions.index.size(); ++l) {
+          add(functions.index[l], Interval(1), solution.forced[l]);
+        }
+      }
+      for (Interval& c : carried) c *= solution.final_decay;
+      for (std::size_t l = 0; l < functions.index.size(); ++l) {
+        carried[functions.index[l]] += solution.forced[l].back();
+      }
+    }
+  }
+  // A function misrepresented by an amount everywhere changes K B by no more.
+  table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * Interval(overhang)).upper();
+  return table;
+}
+
+}  // namespace fpkcheck::dual

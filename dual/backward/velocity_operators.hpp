@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "dual/backward/impulse_table.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::dual {
+
+/// The generator on A(y) B(v), a product of splines, is
+///
+///     L (A B) = A(y) (lambda (K B - B) - c v B') + A'(y) v B + (k y + mu y^3) A(y) (-B').
+///
+/// Here are the three factors in v, on every piece, with enclosed Bernstein coefficients.
+struct VelocityOperators {
+  std::vector<VelocityPiece> pieces;
+  std::vector<std::vector<int>> index;  ///< the functions that do not vanish on a piece
+  ImpulseTable jump;                    ///< lambda (K B - B) - c v B', with lambda remainder
+  std::vector<std::vector<Coefficients>> drift;  ///< v B, shape (pieces, functions of the piece)
+  std::vector<std::vector<Coefficients>> force;  ///< -B', likewise
+
+  int order() const { return jump.order; }
+};
+
+/// @param cuts further points, increasing, at which pieces are to end
+/// @pre inside rounded_upward
+VelocityOperators velocity_operators(const problem::Problem& problem, const ImpactBasis& basis,
+                                     std::span<const double> cuts);
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dual/interval/bernstein.hpp"
+#include "dual/spline/impact_basis.hpp"
+
+namespace fpkcheck::dual {
+
+/// Which polynomials a velocity sees.
+enum class Side {
+  below,     ///< v < -u_max: the first function is 1
+  incoming,  ///< v = -u
+  outgoing,  ///< v = r u
+  above      ///< v > r u_max: the last function is 1
+};
+
+/// A segment of the velocity axis within one span of an ImpactBasis, or beyond all of them.
+struct VelocityPiece {
+  Side side;
+  int span;          ///< of the speeds; 0 beyond them
+  Interval from, to; ///< the ends of the segment in v, increasing
+  /// How far the segment may reach out of its span, by the rounding of its ends.
+  double overhang;
+
+  /// Length of the segment.
+  Interval length() const { return to - from; }
+};
+
+/// The functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
+struct PieceFunctions {
+  std::vector<int> index;           ///< functions that do not vanish there
+  std::vector<Coefficients> value;  ///< Bernstein coefficients of each
+  /// |function - polynomial| on the segment is at most this, for every function: 0 without overhang.
+  double overhang_error;
+};
+
+/// The span that holds a segment, decided by its middle.
+VelocityPiece located(const ImpactBasis& basis, const Interval& from, const Interval& to);
+PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece);
+
+/// Cuts the range of the basis at the ends of all spans and at `cuts`, and into parts no longer than
+/// `longest`.
+std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,
+                                     double longest);
+/// The points of the velocity axis where the basis is not smooth: ends of spans, increasing.
+std::vector<double> velocity_breaks(const ImpactBasis& basis);
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dual/bounds/functional.hpp"
+#include "dual/bounds/grid.hpp"
+#include "dual/interval/enclosure.hpp"
+#include "parameters/names.hpp"
+
+namespace fpkcheck::dual {
+
+struct Options {
+  std::vector<Functional> functionals = standard_functionals();
+  /// Grids are refined until every half-width is below `half_width` or below `relative_half_width`
+  /// of the value, whichever is larger; with both 0 until the time is used up.
+  double half_width = 0;
+  double relative_half_width = 0;
+  /// No grid is begun that is likely to end later than this many seconds (wall clock). The first
+  /// one always is.
+  double seconds = 10;
+  int threads = 2;  ///< bounds do not depend on it
+};
+
+enum class BoundsStatus {
+  ok,             ///< as narrow as asked for
+  width_not_met,  ///< guaranteed, but wider than asked for
+  not_offered,    ///< there are no bounds of such a problem; see the reason
+};
+inline constexpr parameters::Named<BoundsStatus> kBoundsStatusNames[] = {
+    {BoundsStatus::ok, "ok", "guaranteed"},
+    {BoundsStatus::width_not_met, "width_not_met", "guaranteed, but wider than asked for"},
+    {BoundsStatus::not_offered, "not_offered", "not offered"}};
+constexpr std::span<const parameters::Named<BoundsStatus>> names(BoundsStatus) {
+  return kBoundsStatusNames;
+}
+constexpr std::string_view name(BoundsStatus status) { return parameters::name_of(status); }
+
+/// value.lower <= E[functional] <= value.upper, guaranteed.
+struct Bound {
+  Functional functional;
+  Enclosure value;
+};
+
+/// What one grid took.
+struct GridRecord {
+  Grid grid;
+  int unknowns;
+  double seconds;                  ///< wall clock
+  std::vector<Enclosure> values;   ///< of the functionals on this grid alone
+};
+
+struct Bounds {
+  BoundsStatus status = BoundsStatus::ok;
+  std::string reason;  ///< in one line, empty when ok
+  std::vector<Bound> each;
+  std::vector<GridRecord> grids;
+};
+
+/// Guaranteed bounds of stationary expectations of the oscillator with the exact impact under the
+/// impulses themselves (equation `kf`, impact `map`), by the backward equation; docs/bounds.md has
+/// the theorem and its proof. They hold for the problem whose parameters are the stored doubles.
+/// @throws InputError when the options cannot be used
+Bounds bounds(const problem::Problem& problem, const Options& options = {});
+
+}  // namespace fpkcheck::dual

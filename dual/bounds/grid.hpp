@@ -1,0 +1,24 @@
+#pragma once
+
+#include "dual/spline/impact_basis.hpp"
+#include "dual/bounds/weight.hpp"
+
+namespace fpkcheck::dual {
+
+/// Cells of the splines on which the backward equation is solved.
+struct Grid {
+  int y_cells, speed_cells;
+  double y_grading, speed_grading;  ///< as of graded_breaks
+  double edge;                      ///< G at the edges of the box, in units of the weight's h0
+};
+
+SplineBasis displacement_basis(const Grid& grid, const Weight& weight);
+ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution);
+
+/// Grid `level` of the ladder, from 0 on.
+Grid grid_of_level(int level);
+inline constexpr int kLevels = 9;
+/// A grid takes less than this many times the time of the one before.
+inline constexpr double kCostRatio = 4;
+
+}  // namespace fpkcheck::dual

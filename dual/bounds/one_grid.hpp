@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "dual/bounds/functional.hpp"
+#include "dual/bounds/grid.hpp"
+#include "dual/interval/enclosure.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::dual {
+
+/// How the time was spent, and what limits the width.
+struct OneGridReport {
+  int unknowns = 0;
+  double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
+  struct Each {
+    double mean;             ///< U
+    double least, largest;   ///< range of (f + L V - U)/tau in the box
+    double outside;          ///< bound of its absolute value outside the box
+    long boxes;
+  };
+  std::vector<Each> each;
+};
+
+/// Bounds of all functionals from one grid.
+std::vector<Enclosure> bounds_on_grid(const problem::Problem& problem, const Weight& weight,
+                                      const Grid& grid, const std::vector<Functional>& functionals,
+                                      int threads, OneGridReport* report = nullptr);
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,312 @@
+#include "dual/bounds/range_check.hpp"
+
+#include <cmath>
+
+#include "dual/bounds/functional_enclosure.hpp"
+#include "dual/spline/bezier.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+constexpr int kDeepest = 40;  // bisections of one box
+
+// A part of the product of two pieces and the residual's Bernstein coefficients on it.
+struct Box {
+  Interval y_from, y_to, v_from, v_to;
+  int depth;
+  std::vector<Interval> residual;  // shape (rows, columns): degrees in y and v, plus 1
+};
+
+// The three factors in v contracted with the coefficients: for each function a of y,
+// sum_b c_{ab} F_b on every piece of v.
+struct Contracted {
+  std::array<std::vector<Interval>, 3> factors;  // shape (pieces, functions of y, order)
+};
+
+Contracted contracted(const CheckSetting& s, const Eigen::MatrixXd& c) {
+  const int rows = static_cast<int>(c.rows()), order = s.v.order();
+  Contracted result;
+  for (auto& f : result.factors) {
+    f.assign(s.v.pieces.size() * static_cast<std::size_t>(rows * order), Interval(0));
+  }
+  for (std::size_t i = 0; i < s.v.pieces.size(); ++i) {
+    const auto at = [&](int term, int a) {
+      return &result.factors[term][(i * rows + a) * order];
+    };
+    for (int b = 0; b < c.cols(); ++b) {
+      const std::span<const Interval> table = s.v.jump.of(static_cast<int>(i), b);
+      bool zero = true;
+      for (const Interval& t : table) zero = zero && t.lower() == 0 && t.upper() == 0;
+      if (zero) continue;
+      for (int a = 0; a < rows; ++a) {
+        Interval* const out = at(0, a);
+        for (int j = 0; j < order; ++j) out[j] += c(a, b) * table[j];
+      }
+    }
+    for (std::size_t l = 0; l < s.v.index[i].size(); ++l) {
+      for (int a = 0; a < rows; ++a) {
+        const double factor = c(a, s.v.index[i][l]);
+        Interval *const drift = at(1, a), *const force = at(2, a);
+        for (int j = 0; j < order; ++j) {
+          drift[j] += factor * s.v.drift[i][l][j];
+          force[j] += factor * s.v.force[i][l][j];
+        }
+      }
+    }
+  }
+  return result;
+}
+
+class Search {
+ public:
+  Search(const CheckSetting& setting, std::pair<double, double> expected, double slack, int rows,
+         int columns)
+      : s_(setting),
+        rows_(rows),
+        columns_(columns),
+        slack_(slack),
+        taken_(expected),
+        stiffness_(Interval(setting.weight.stiffness) -
+                   square(Interval(setting.weight.damping)) / 4.0) {}
+
+  const Range& range() const { return range_; }
+
+  void look_at(Box box) {
+    ++range_.boxes;
+    // The coefficients enclose the residual on the box; those at the corners are values.
+    double least = box.residual[0].lower(), largest = box.residual[0].upper();
+    bool numbers = true;
+    for (const Interval& r : box.residual) {
+      least = std::min(least, r.lower());
+      largest = std::max(largest, r.upper());
+      numbers = numbers && std::isfinite(r.lower()) && std::isfinite(r.upper());
+    }
+    if (!numbers) {
+      range_.least = -HUGE_VAL;
+      range_.largest = HUGE_VAL;
+      range_.reached = false;
+      return;
+    }
+    const Interval least_weight = lowest_weight(box);
+    const double below = least < 0 ? (Interval(least) / least_weight).lower() : 0;
+    const double above = largest > 0 ? (Interval(largest) / least_weight).upper() : 0;
+    if (below >= range_.least && above <= range_.largest) return;
+    note_corners(box);
+    const bool good = below >= (1 + slack_) * taken_.first - kNegligible &&
+                      above <= (1 + slack_) * taken_.second + kNegligible;
+    if (good || box.depth >= kDeepest) {
+      range_.reached = range_.reached && good;
+      range_.least = std::min(range_.least, below);
+      range_.largest = std::max(range_.largest, above);
+      return;
+    }
+    bisect(box);
+  }
+
+ private:
+  static constexpr double kNegligible = 1e-13;
+
+  // tau at the least G that the box allows.
+  Interval lowest_weight(const Box& box) const {
+    const Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
+    const Interval w = v + Interval(s_.weight.damping) * y / 2.0;
+    const Interval y_low = box.y_from.lower();
+    const Interval energy = square(w) / 2.0 + stiffness_ * square(y_low) / 2.0 +
+                            Interval(s_.weight.cubic) * power(y_low, 4) / 4.0;
+    const Interval low = std::max(0.0, energy.lower());
+    return Interval((1.0 + power(low / s_.weight.scale, s_.weight.power)).lower());
+  }
+
+  void note_corners(const Box& box) {
+    for (const int i : {0, rows_ - 1}) {
+      for (const int j : {0, columns_ - 1}) {
+        const double r = box.residual[i * columns_ + j].lower();
+        const double y = (i == 0 ? box.y_from : box.y_to).lower();
+        const double v = (j == 0 ? box.v_from : box.v_to).lower();
+        const double judged = r / s_.weight(y, v);
+        taken_.first = std::min(taken_.first, judged);
+        taken_.second = std::max(taken_.second, judged);
+      }
+    }
+  }
+
+  // In the direction in which the coefficients vary more, every fourth time in the other one: the
+  // weight varies too.
+  void bisect(const Box& box) {
+    double along_y = 0, along_v = 0;
+    for (int i = 0; i < rows_; ++i) {
+      for (int j = 0; j < columns_; ++j) {
+        const double r = box.residual[i * columns_ + j].upper();
+        if (i > 0) {
+          along_y = std::max(along_y, std::abs(r - box.residual[(i - 1) * columns_ + j].upper()));
+        }
+        if (j > 0) along_v = std::max(along_v, std::abs(r - box.residual[i * columns_ + j - 1].upper()));
+      }
+    }
+    const bool in_y = (along_y * rows_ > along_v * columns_) != (box.depth % 4 == 3);
+    Box first = box, second = box;
+    ++first.depth;
+    ++second.depth;
+    // de Casteljau at 1/2: halving is exact but for underflow
+    const int lines = in_y ? columns_ : rows_, n = in_y ? rows_ : columns_;
+    const int line_step = in_y ? 1 : columns_, step = in_y ? columns_ : 1;
+    for (int line = 0; line < lines; ++line) {
+      Interval* const a = &first.residual[line * line_step];
+      Interval* const b = &second.residual[line * line_step];
+      for (int level = 1; level < n; ++level) {
+        a[(level - 1) * step] = b[0];
+        for (int i = 0; i + level < n; ++i) b[i * step] = 0.5 * (b[i * step] + b[(i + 1) * step]);
+      }
+      a[(n - 1) * step] = b[0];
+    }
+    if (in_y) {
+      first.y_to = second.y_from = (box.y_from + box.y_to) / 2.0;
+    } else {
+      first.v_to = second.v_from = (box.v_from + box.v_to) / 2.0;
+    }
+    look_at(std::move(first));
+    look_at(std::move(second));
+  }
+
+  const CheckSetting& s_;
+  int rows_, columns_;
+  double slack_;
+  std::pair<double, double> taken_;
+  Interval stiffness_;  // k - c^2/4
+  Range range_;
+};
+
+}  // namespace
+
+DisplacementOperators displacement_operators(const problem::Problem& problem,
+                                             const SplineBasis& basis,
+                                             std::span<const double> cuts) {
+  const problem::SystemCoefficients& c = problem.system.coefficients();
+  const int degree = basis.degree() + 3;
+  DisplacementOperators operators;
+  for (int span = 0; span < basis.spans(); ++span) {
+    std::vector<double> points{basis.breaks()[span]};
+    for (const double cut : cuts) {
+      if (cut > points.back() && cut < basis.breaks()[span + 1]) points.push_back(cut);
+    }
+    points.push_back(basis.breaks()[span + 1]);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Interval from = points[i], to = points[i + 1];
+      operators.pieces.push_back({span, points[i], points[i + 1]});
+      auto& factors = operators.factors.emplace_back();
+      const auto rows = bezier_rows<Interval>(basis, span, from, to);
+      const Coefficients force =
+          on_segment(std::array{0.0, c.stiffness, 0.0, c.cubic}, Interval(0), from, to);
+      for (int l = 0; l < rows.rows(); ++l) {
+        const Coefficients value(rows.row(l).begin(), rows.row(l).end());
+        Coefficients slope = derivative(value);
+        for (Interval& d : slope) d /= to - from;
+        factors[0].push_back(elevated(value, degree));
+        factors[1].push_back(elevated(slope, degree));
+        factors[2].push_back(product(force, value));
+      }
+    }
+  }
+  return operators;
+}
+
+Range residual_range(const CheckSetting& s, const Functional& functional, const Candidate& candidate,
+                     std::pair<double, double> expected, double slack) {
+  const Eigen::MatrixXd& c = candidate.coefficients;
+  const int rows = s.displacement.degree() + 4, columns = s.v.order();
+  const int y_functions = static_cast<int>(c.rows());
+  const Contracted v = contracted(s, c);
+  const Interval jump_error =
+      plus_minus((Interval(s.v.jump.remainder) * c.cwiseAbs().maxCoeff()).upper());
+  const bool of_y = axis_of(functional) == Axis::displacement;
+  std::vector<Coefficients> f_of_v;
+  if (!of_y) {
+    for (const VelocityPiece& piece : s.v.pieces) {
+      f_of_v.push_back(integrand_on(functional, s.problem, piece.from, piece.to, columns - 1));
+    }
+  }
+  Search search(s, expected, slack, rows, columns);
+  for (std::size_t i = 0; i < s.y.pieces.size(); ++i) {
+    const auto& [span, y_from, y_to] = s.y.pieces[i];
+    const Coefficients f_of_y =
+        of_y ? integrand_on(functional, s.problem, Interval(y_from), Interval(y_to), rows - 1)
+             : Coefficients{};
+    for (std::size_t j = 0; j < s.v.pieces.size(); ++j) {
+      Box box{y_from, y_to, s.v.pieces[j].from, s.v.pieces[j].to, 0, {}};
+      box.residual.assign(static_cast<std::size_t>(rows * columns),
+                          jump_error - Interval(candidate.mean));
+      for (int row = 0; row < rows; ++row) {
+        Interval* const out = &box.residual[static_cast<std::size_t>(row * columns)];
+        for (int q = 0; q < columns; ++q) out[q] += of_y ? f_of_y[row] : f_of_v[j][q];
+        for (int term = 0; term < 3; ++term) {
+          for (std::size_t l = 0; l < s.y.factors[i][term].size(); ++l) {
+            const Interval factor = s.y.factors[i][term][l][row];
+            const Interval* const in =
+                &v.factors[term][(j * y_functions + static_cast<std::size_t>(span) + l) * columns];
+            for (int q = 0; q < columns; ++q) out[q] += factor * in[q];
+          }
+        }
+      }
+      search.look_at(std::move(box));
+    }
+  }
+  return search.range();
+}
+
+double residual_outside(const CheckSetting& s, const Functional& functional,
+                        const Candidate& candidate) {
+  const Eigen::MatrixXd& c = candidate.coefficients;
+  const Weight& weight = s.weight;
+  const Interval damping = weight.damping, k = weight.stiffness, cubic = weight.cubic;
+  const Interval stiffness = k - square(damping) / 4.0;  // > 0
+  const Interval y_end = s.displacement.end(), u_end = s.velocity.speeds().end();
+  const Interval v_end = Interval(s.velocity.restitution()) * u_end;
+
+  // Slopes at the edges, by the derivative's own B-spline coefficients, and the oscillation in v.
+  const int rows = static_cast<int>(c.rows()), columns = static_cast<int>(c.cols());
+  const auto slopes = [](const SplineBasis& basis, int i) {  // factor of c_{i+1} - c_i
+    return static_cast<double>(basis.degree()) /
+           (Interval(basis.knot(i + basis.degree() + 1)) - basis.knot(i + 1));
+  };
+  double y_slope = 0, v_slope = 0, oscillation = 0;
+  for (int a = 0; a + 1 < rows; ++a) {
+    const Interval factor = slopes(s.displacement, a);
+    for (const int b : {0, columns - 1}) {
+      y_slope = std::max(y_slope, magnitude(factor * (Interval(c(a + 1, b)) - c(a, b))));
+    }
+  }
+  const Interval r = s.velocity.restitution();
+  for (int h = 0; h + 1 < s.velocity.speeds().size(); ++h) {
+    const Interval factor = slopes(s.velocity.speeds(), h);
+    const Interval in = Interval(c(rows - 1, s.velocity.incoming(h + 1))) -
+                        c(rows - 1, s.velocity.incoming(h));
+    const Interval out = Interval(c(rows - 1, s.velocity.outgoing(h + 1))) -
+                         c(rows - 1, s.velocity.outgoing(h));
+    v_slope = std::max({v_slope, magnitude(factor * in), magnitude(factor * out / r)});
+  }
+  for (int a = 0; a < rows; ++a) {
+    oscillation =
+        std::max(oscillation, (Interval(c.row(a).maxCoeff()) - c.row(a).minCoeff()).upper());
+  }
+
+  // The least G outside: beyond y_end, above v_end and below -u_end.
+  const Interval beyond = stiffness * square(y_end) / 2.0 + cubic * power(y_end, 4) / 4.0;
+  const double least = std::min({beyond.lower(), (square(v_end) / 2.0).lower(),
+                                 (square(u_end) * stiffness / (2.0 * k)).lower()});
+  if (!(least > 0)) return HUGE_VAL;
+
+  // With y <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c / (2 sqrt(stiffness))) the numerator is
+  // a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0: over tau it is largest where
+  // G is least.
+  const Interval root = sqrt(2.0 * Interval(least));
+  const Interval y = root / sqrt(stiffness);
+  const Interval v = root * (1.0 + damping / (2.0 * sqrt(stiffness)));
+  const Interval force = k * y + cubic * power(y, 3);
+  const Interval numerator = largest_integrand(functional, y, v, force) +
+                             std::abs(candidate.mean) + v * y_slope +
+                             (damping * v + force) * v_slope +
+                             Interval(s.problem.impulses.arrival_rate()) * oscillation;
+  return (numerator / power(Interval(least) / weight.scale, weight.power)).upper();
+}
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,98 @@
+#include "dual/bounds/weight.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "dual/backward/impulse_table.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+// The bound of E[G^(n/2)] from those of whole powers: E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
+Interval half_power_bound(const std::vector<Interval>& bounds, int n) {
+  if (n % 2 == 0) return bounds[n / 2];
+  return sqrt(bounds[n / 2] * bounds[n / 2 + 1]);
+}
+
+// 2^(n/2)
+Interval power_of_root_two(int n) {
+  const Interval whole = std::ldexp(1.0, n >= 0 ? n / 2 : -((1 - n) / 2));
+  return n % 2 == 0 ? whole : whole * sqrt(Interval(2));
+}
+
+std::vector<Interval> moment_bounds(const problem::Problem& problem, int power) {
+  const Interval rate = problem.impulses.arrival_rate(), damping = problem.system.damping();
+  std::vector<Interval> impulse(2 * power + 1);  // |E[Y^n]|
+  for (int n = 0; n <= 2 * power; ++n) {
+    impulse[n] = magnitude(moment_enclosure(problem.impulses.law(), n));
+  }
+  // An impulse makes G + w Y + Y^2/2 of G, w = v + c y/2, |w| <= sqrt(2G). So
+  //
+  //   j c E[G^j] <= lambda sum_{(i,l) != (0,0)} j!/(i! l! (j-i-l)!) 2^(i/2-l) |E[Y^(i+2l)]|
+  //                        E[G^(j-i/2-l)].
+  //
+  // Of these i = 1, l = 0 has E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which leaves a quadratic
+  // inequality for the root of E[G^j].
+  std::vector<Interval> bounds{Interval(1)};
+  for (int j = 1; j <= power; ++j) {
+    Interval constant = 0, linear = 0;
+    for (int i = 0; i <= j; ++i) {
+      for (int l = 0; i + l <= j; ++l) {
+        if (i + l == 0) continue;
+        Interval term = rate * binomial(j, i) * binomial(j - i, l) * impulse[i + 2 * l] *
+                        power_of_root_two(i - 2 * l);
+        if (i == 1 && l == 0) {
+          linear += term * sqrt(bounds[j - 1]);
+        } else {
+          constant += term * half_power_bound(bounds, 2 * j - i - 2 * l);
+        }
+      }
+    }
+    const Interval jc = static_cast<double>(j) * damping;
+    const Interval root = (linear + sqrt(square(linear) + 4.0 * jc * constant)) / (2.0 * jc);
+    bounds.push_back(Interval(square(root).upper()));
+  }
+  return bounds;
+}
+
+}  // namespace
+
+double Weight::energy(double y, double v) const {
+  const double w = v + damping * y / 2;
+  return w * w / 2 + (stiffness - damping * damping / 4) * y * y / 2 + cubic * y * y * y * y / 4;
+}
+
+double Weight::operator()(double y, double v) const {
+  return 1 + std::pow(energy(y, v) / scale, power);
+}
+
+std::string weight_refused(const problem::Problem& problem) {
+  const double c = problem.system.damping(), k = problem.system.stiffness();
+  const bool under_damped =
+      rounded_upward([&] { return (4.0 * Interval(k) - square(Interval(c))).lower() > 0; });
+  if (under_damped) return {};
+  return fmt::format(
+      "no bounds for c^2 >= 4k (c = {:.6g}, k = {:.6g}): the weight needs an underdamped spring", c,
+      k);
+}
+
+std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power) {
+  return rounded_upward([&] {
+    std::vector<double> upper;
+    for (const Interval& bound : moment_bounds(problem, power)) upper.push_back(bound.upper());
+    return upper;
+  });
+}
+
+Weight weight(const problem::Problem& problem, int power) {
+  const double moment = energy_moment_bounds(problem, power).back();
+  const problem::SystemCoefficients& c = problem.system.coefficients();
+  Weight weight{c.damping, c.stiffness, c.cubic, power, std::pow(4 * moment, 1.0 / power), 0};
+  weight.mean_bound = rounded_upward([&] {
+    return (1.0 + Interval(moment) / dual::power(Interval(weight.scale), power)).upper();
+  });
+  return weight;
+}
+
+}  // namespace fpkcheck::dual

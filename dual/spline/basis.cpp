@@ -1,0 +1,51 @@
+#include "dual/spline/basis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dual/spline/bezier.hpp"
+
+namespace fpkcheck::dual {
+
+SplineBasis::SplineBasis(std::vector<double> breaks, int degree)
+    : breaks_(std::move(breaks)), degree_(degree) {
+  knots_.assign(degree_, breaks_.front());
+  knots_.insert(knots_.end(), breaks_.begin(), breaks_.end());
+  knots_.insert(knots_.end(), degree_, breaks_.back());
+}
+
+int SplineBasis::span_of(double x) const {
+  const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
+  return static_cast<int>(after - breaks_.begin()) - 1;
+}
+
+Eigen::MatrixXd SplineBasis::at(double x, int span, int derivatives) const {
+  const double begin = breaks_[span], width = breaks_[span + 1] - begin, t = (x - begin) / width;
+  Eigen::MatrixXd rows = bezier_rows<double>(*this, span, begin, begin + width);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(derivatives + 1, degree_ + 1);
+  double scale = 1;  // p (p-1) .. / width^d
+  for (int d = 0; d <= std::min(derivatives, degree_); ++d) {
+    Eigen::MatrixXd b = rows;  // de Casteljau
+    for (int n = degree_ - d; n > 0; --n) {
+      b = ((1 - t) * b.leftCols(n) + t * b.middleCols(1, n)).eval();
+    }
+    values.row(d) = scale * b.col(0).transpose();
+    const Eigen::Index n = rows.cols() - 1;
+    if (n == 0) break;
+    rows = (rows.rightCols(n) - rows.leftCols(n)).eval();
+    scale *= static_cast<double>(n) / width;
+  }
+  return values;
+}
+
+std::vector<double> graded_breaks(double end, int cells, double grading) {
+  std::vector<double> breaks(cells + 1);
+  for (int i = 0; i < cells; ++i) {
+    breaks[i] = end * std::sinh(grading * i / cells) / std::sinh(grading);
+  }
+  breaks[0] = 0;
+  breaks[cells] = end;
+  return breaks;
+}
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,3 @@
+#include "dual/spline/basis.hpp"
+
+#include <gtest/gtest.h>
