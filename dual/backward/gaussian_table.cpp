@@ -17,7 +17,7 @@
 namespace fpkcheck::dual {
 namespace {
 
-constexpr int kOrder = 14;    // N
+constexpr int kOrder = 16;    // N
 constexpr int kSources = 20;  // K
 constexpr double kReach = 9;
 

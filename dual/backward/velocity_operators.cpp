@@ -36,8 +36,11 @@ VelocityOperators velocity_operators(const problem::Problem& problem, const Impa
       const std::span<Interval> out = jump.of(static_cast<int>(i), functions.index[l]);
       for (int j = 0; j <= degree; ++j) out[j] -= rate * value[j] + damping * damped[j];
       operators.drift.back().push_back(elevated(product(v, b), degree));
-      for (Interval& s : slope) s = -s;
-      operators.force.back().push_back(elevated(slope, degree));
+    }
+    for (const Coefficients& slope : difference_slopes(basis, piece)) {
+      Coefficients force = elevated(slope, degree);
+      for (Interval& s : force) s = -s;
+      operators.force.back().push_back(std::move(force));
     }
   }
   return operators;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dual/backward/difference_slopes.hpp"
 #include "dual/spline/bezier.hpp"
 
 namespace fpkcheck::dual {
@@ -71,6 +72,18 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
   // end: they part by no more than the sum of their slopes allows.
   functions.overhang_error = (Interval(piece.overhang) * (Interval(slope) + steepest(basis))).upper();
   return functions;
+}
+
+std::vector<Coefficients> difference_slopes(const ImpactBasis& basis, const VelocityPiece& piece) {
+  const bool in = piece.side == Side::incoming;
+  const Interval r = basis.restitution(), sign_and_scale = in ? Interval(-1) : 1.0 / r;
+  std::vector<Coefficients> slopes = difference_slopes(
+      basis.speeds(), piece.span, in ? Interval(-piece.from) : piece.from / r,
+      in ? Interval(-piece.to) : piece.to / r);
+  for (Coefficients& slope : slopes) {
+    for (Interval& s : slope) s *= sign_and_scale;  // d/dv = (du/dv) d/du
+  }
+  return slopes;
 }
 
 std::vector<double> velocity_breaks(const ImpactBasis& basis) {

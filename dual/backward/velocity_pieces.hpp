@@ -40,6 +40,10 @@ struct PieceFunctions {
 VelocityPiece located(const ImpactBasis& basis, const Interval& from, const Interval& to);
 PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece);
 
+/// d/dv of S_l = B_l + B_{l+1} + .., l = 1 .. degree, the functions of a piece in the order of
+/// functions_on: p B_{p-1} / (a knot distance), one B-spline of the degree below each.
+std::vector<Coefficients> difference_slopes(const ImpactBasis& basis, const VelocityPiece& piece);
+
 /// Cuts the range of the basis at the ends of all spans and at `cuts`, and into parts no longer than
 /// `longest`.
 std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,

@@ -8,8 +8,8 @@ namespace fpkcheck::dual {
 /// Cells of the splines on which the backward equation is solved.
 struct Grid {
   int y_cells, speed_cells;
-  double y_grading, speed_grading;  ///< as of graded_breaks
-  double edge;                      ///< G at the edges of the box, in units of the weight's h0
+  double finest, even;  ///< of graded_breaks, in units of the ends
+  double edge;          ///< G at the edges of the box, in units of the weight's h0
 };
 
 SplineBasis displacement_basis(const Grid& grid, const Weight& weight);

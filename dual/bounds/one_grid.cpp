@@ -10,6 +10,7 @@
 #include "dual/backward/least_squares.hpp"
 #include "dual/backward/velocity_samples.hpp"
 #include "dual/bounds/functional_enclosure.hpp"
+#include "dual/bounds/outside.hpp"
 #include "dual/bounds/range_check.hpp"
 
 namespace fpkcheck::dual {

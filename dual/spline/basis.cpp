@@ -38,12 +38,21 @@ Eigen::MatrixXd SplineBasis::at(double x, int span, int derivatives) const {
   return values;
 }
 
-std::vector<double> graded_breaks(double end, int cells, double grading) {
+std::vector<double> graded_breaks(double end, int cells, double finest, double even) {
+  // The number of cells up to x is proportional to int_0^x (1 + t/even)/(t + finest) dt.
+  const auto count = [&](double x) {
+    return x / even + (1 - finest / even) * std::log1p(x / finest);
+  };
   std::vector<double> breaks(cells + 1);
-  for (int i = 0; i < cells; ++i) {
-    breaks[i] = end * std::sinh(grading * i / cells) / std::sinh(grading);
+  for (int i = 1; i < cells; ++i) {
+    const double wanted = count(end) * i / cells;
+    double low = breaks[i - 1], high = end;
+    for (int step = 0; step < 60; ++step) {
+      const double x = (low + high) / 2;
+      (count(x) < wanted ? low : high) = x;
+    }
+    breaks[i] = (low + high) / 2;
   }
-  breaks[0] = 0;
   breaks[cells] = end;
   return breaks;
 }

@@ -36,8 +36,10 @@ class SplineBasis {
   int degree_;
 };
 
-/// Break points 0 = x_0 < .. < x_cells = end whose cells widen from the origin outwards,
-/// x_i = end sinh(a i/cells) / sinh(a): the last cell is about cosh(a) times the first.
-std::vector<double> graded_breaks(double end, int cells, double grading);
+/// Break points 0 = x_0 < .. < x_cells = end. Cells widen in proportion to x + finest near the origin
+/// and have about one width beyond `even`:
+///
+///     cell width ~ (x + finest) / (1 + x/even),   0 < finest < even.
+std::vector<double> graded_breaks(double end, int cells, double finest, double even);
 
 }  // namespace fpkcheck::dual

@@ -1,0 +1,140 @@
+#include "dual/bounds/outside.hpp"
+
+#include <cmath>
+
+#include "dual/bounds/functional_enclosure.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+// A part of the outside: G is at least `energy` there, V has no larger slopes than these, and its
+// oscillation in v is no larger.
+struct Region {
+  Interval energy;
+  double y_slope, v_slope, oscillation;
+};
+
+class Outside {
+ public:
+  Outside(const CheckSetting& setting, const Functional& functional, const Candidate& candidate)
+      : s_(setting), functional_(functional), candidate_(candidate) {}
+
+  double bound() const {
+    double largest = 0;
+    for (int span = 0; span < s_.displacement.spans(); ++span) {
+      largest = std::max({largest, bound_in(above(span)), bound_in(below(span))});
+    }
+    for (int span = 0; span < s_.velocity.speeds().spans(); ++span) {
+      largest = std::max({largest, bound_in(beyond(span, true)), bound_in(beyond(span, false))});
+    }
+    return std::max(largest, bound_in(corners()));
+  }
+
+ private:
+  int last_row() const { return static_cast<int>(candidate_.coefficients.rows()) - 1; }
+  int last_column() const { return static_cast<int>(candidate_.coefficients.cols()) - 1; }
+  Interval c() const { return s_.weight.damping; }
+  Interval k() const { return s_.weight.stiffness; }
+  Interval cubic() const { return s_.weight.cubic; }
+  Interval stiffness() const { return k() - square(c()) / 4.0; }  // > 0
+  Interval r() const { return s_.velocity.restitution(); }
+  Interval y_end() const { return s_.displacement.end(); }
+  Interval u_end() const { return s_.velocity.speeds().end(); }
+
+  // (k - c^2/4) y^2/2 + mu y^4/4
+  Interval potential(const Interval& y) const {
+    return stiffness() * square(y) / 2.0 + cubic() * power(y, 4) / 4.0;
+  }
+  double oscillation(int row) const {
+    const auto coefficients = candidate_.coefficients.row(row);
+    return (Interval(coefficients.maxCoeff()) - coefficients.minCoeff()).upper();
+  }
+
+  // A slope on a span is a mean, with weights >= 0 of sum 1, of the coefficients of the derivative:
+  // p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), i = span .. span + p - 1.
+  template <class Coefficient>
+  static double steepest(const SplineBasis& basis, int span, const Coefficient& coefficient) {
+    const int p = basis.degree();
+    double slope = 0;
+    for (int i = span; i < span + p; ++i) {
+      const Interval width = Interval(basis.knot(i + p + 1)) - basis.knot(i + 1);
+      slope = std::max(slope, magnitude(static_cast<double>(p) *
+                                        (Interval(coefficient(i + 1)) - coefficient(i)) / width));
+    }
+    return slope;
+  }
+
+  // The least G where v <= -u and y >= `y`: as c u y/2 <= (c/(2 sqrt k)) (u^2 + k y^2)/2,
+  // G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
+  Interval least_incoming(const Interval& u, const Interval& y) const {
+    return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
+           cubic() * power(y, 4) / 4.0;
+  }
+  // The least G where v >= `v` >= 0 and y >= `y`: w = v + c y/2 grows with both.
+  Interval least_outgoing(const Interval& v, const Interval& y) const {
+    return square(v + c() * y / 2.0) / 2.0 + potential(y);
+  }
+
+  Region beside(int span, int column, const Interval& energy) const {
+    Region region{energy, 0, 0, 0};
+    region.y_slope = steepest(s_.displacement, span,
+                              [&](int a) { return candidate_.coefficients(a, column); });
+    for (int a = span; a <= span + s_.displacement.degree(); ++a) {
+      region.oscillation = std::max(region.oscillation, oscillation(a));
+    }
+    return region;
+  }
+  // v > r u_end, y in a span.
+  Region above(int span) const {
+    return beside(span, last_column(),
+                  least_outgoing(r() * u_end(), s_.displacement.breaks()[span]));
+  }
+  // v < -u_end, y in a span.
+  Region below(int span) const {
+    return beside(span, 0, least_incoming(u_end(), s_.displacement.breaks()[span]));
+  }
+  // y > y_end, v in a span.
+  Region beyond(int span, bool outgoing) const {
+    const ImpactBasis& velocity = s_.velocity;
+    const Interval u = velocity.speeds().breaks()[span];
+    const Interval energy =
+        outgoing ? least_outgoing(r() * u, y_end()) : least_incoming(u, y_end());
+    const double in_speed = steepest(velocity.speeds(), span, [&](int h) {
+      return candidate_.coefficients(last_row(),
+                                     outgoing ? velocity.outgoing(h) : velocity.incoming(h));
+    });
+    const double slope = outgoing ? (Interval(in_speed) / r()).upper() : in_speed;
+    return {energy, 0, slope, oscillation(last_row())};
+  }
+  // Beyond both: V does not depend on y nor, by itself, on v.
+  Region corners() const { return {potential(y_end()), 0, 0, oscillation(last_row())}; }
+
+  // With y <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
+  // at most a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0: over G^m it is
+  // largest where G is least.
+  double bound_in(const Region& region) const {
+    const double least = region.energy.lower();
+    if (!(least > 0)) return HUGE_VAL;
+    const Interval root = sqrt(2.0 * Interval(least)), omega = sqrt(stiffness());
+    const Interval y = root / omega, v = root * (1.0 + c() / (2.0 * omega));
+    const Interval force = k() * y + cubic() * power(y, 3);
+    const Interval numerator =
+        largest_integrand(functional_, y, v, force) + std::abs(candidate_.mean) +
+        v * region.y_slope + (c() * v + force) * region.v_slope +
+        Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
+    return (numerator / power(Interval(least) / s_.weight.scale, s_.weight.power)).upper();
+  }
+
+  const CheckSetting& s_;
+  const Functional& functional_;
+  const Candidate& candidate_;
+};
+
+}  // namespace
+
+double residual_outside(const CheckSetting& setting, const Functional& functional,
+                        const Candidate& candidate) {
+  return Outside(setting, functional, candidate).bound();
+}
+
+}  // namespace fpkcheck::dual
