@@ -15,10 +15,10 @@ struct Grid {
 SplineBasis displacement_basis(const Grid& grid, const Weight& weight);
 ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution);
 
-/// Grid `level` of the ladder, from 0 on.
+/// Grids of the ladder, from the coarsest on.
+inline constexpr int kLevels = 5;
 Grid grid_of_level(int level);
-inline constexpr int kLevels = 9;
 /// A grid takes less than this many times the time of the one before.
-inline constexpr double kCostRatio = 4;
+inline constexpr double kCostRatio = 5;
 
 }  // namespace fpkcheck::dual
