@@ -22,14 +22,21 @@ void validate_all(const Options& options) {
   if (options.threads < 1) throw InputError("bounds need at least one thread");
 }
 
-bool narrow_enough(const Bounds& bounds, const Options& options) {
-  if (options.half_width == 0 && options.relative_half_width == 0) return false;
-  for (const Bound& b : bounds.each) {
-    const double wanted =
-        std::max(options.half_width, options.relative_half_width * std::abs(b.value.middle()));
-    if (!(b.value.half_width() <= wanted)) return false;
+bool narrow_enough(const Bound& bound, const Options& options) {
+  const double wanted =
+      std::max(options.half_width, options.relative_half_width * std::abs(bound.value.middle()));
+  return wanted > 0 && bound.value.half_width() <= wanted;
+}
+
+// The functionals of a kind that are still too wide, by number.
+std::vector<std::size_t> too_wide(const Bounds& bounds, const Options& options, Smoothness kind) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < bounds.each.size(); ++i) {
+    const Smoothness own =
+        breaks(bounds.each[i].functional).empty() ? Smoothness::smooth : Smoothness::piecewise;
+    if (own == kind && !narrow_enough(bounds.each[i], options)) numbers.push_back(i);
   }
-  return true;
+  return numbers;
 }
 
 }  // namespace
@@ -48,26 +55,33 @@ Bounds bounds(const problem::Problem& problem, const Options& options) {
 
   const auto begun = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
-  double before = 0;
+  double before[2] = {0, 0};  // time of the last grid of each kind
   for (int level = 0; level < kLevels; ++level) {
-    const Grid grid = grid_of_level(level);
-    // The cost grows from grid to grid by less than this.
-    if (level > 0 && elapsed() + kCostRatio * before > options.seconds) break;
-    const double start = elapsed();
-    OneGridReport report;
-    GridRecord record{grid, 0, 0, {}};
-    record.values =
-        bounds_on_grid(problem, tau, grid, options.functionals, options.threads, &report);
-    before = elapsed() - start;
-    record.unknowns = report.unknowns;
-    record.seconds = before;
-    for (std::size_t i = 0; i < result.each.size(); ++i) {
-      result.each[i].value = result.each[i].value.intersected(record.values[i]);
+    for (const Smoothness kind : {Smoothness::smooth, Smoothness::piecewise}) {
+      const std::vector<std::size_t> numbers = too_wide(result, options, kind);
+      double& last = before[static_cast<int>(kind)];
+      if (numbers.empty()) continue;
+      if (level > 0 && elapsed() + kCostRatio * last > options.seconds) continue;
+      std::vector<Functional> functionals;
+      for (const std::size_t i : numbers) functionals.push_back(options.functionals[i]);
+      const Grid grid = grid_of_level(level, kind);
+      const double start = elapsed();
+      OneGridReport report;
+      GridRecord record{grid, 0, 0, numbers, {}};
+      record.values =
+          bounds_on_grid(problem, tau, grid, functionals, options.threads, &report);
+      record.unknowns = report.unknowns;
+      record.seconds = last = elapsed() - start;
+      for (std::size_t n = 0; n < numbers.size(); ++n) {
+        Enclosure& value = result.each[numbers[n]].value;
+        value = value.intersected(record.values[n]);
+      }
+      result.grids.push_back(std::move(record));
     }
-    result.grids.push_back(std::move(record));
-    if (narrow_enough(result, options)) return result;
   }
-  if (options.half_width > 0 || options.relative_half_width > 0) {
+  const bool asked = options.half_width > 0 || options.relative_half_width > 0;
+  for (const Bound& b : result.each) {
+    if (!asked || narrow_enough(b, options)) continue;
     result.status = BoundsStatus::width_not_met;
     result.reason = fmt::format("guaranteed, but wider than asked for: {:.3g} s were not enough",
                                 options.seconds);

@@ -46,14 +46,15 @@ struct Bound {
 struct GridRecord {
   Grid grid;
   int unknowns;
-  double seconds;                  ///< wall clock
-  std::vector<Enclosure> values;   ///< of the functionals on this grid alone
+  double seconds;                 ///< wall clock
+  std::vector<std::size_t> each;  ///< the functionals that were bounded on it, by number
+  std::vector<Enclosure> values;  ///< their bounds on this grid alone
 };
 
 struct Bounds {
   BoundsStatus status = BoundsStatus::ok;
   std::string reason;  ///< in one line, empty when ok
-  std::vector<Bound> each;
+  std::vector<Bound> each;  ///< in the order of the options; none when not offered
   std::vector<GridRecord> grids;
 };
 

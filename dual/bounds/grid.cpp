@@ -19,15 +19,21 @@ ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restit
                      restitution);
 }
 
-Grid grid_of_level(int level) {
+Grid grid_of_level(int level, Smoothness integrand) {
   // V has a conical point at the origin: the error falls with the cells there as long as they are the
   // worst. Much finer ones than these cost digits of the normal equations.
-  static constexpr Grid kGrids[kLevels] = {{16, 16, 3e-3, 0.3, 7},
-                                           {22, 22, 1e-3, 0.2, 7.5},
-                                           {28, 28, 3e-4, 0.2, 8},
-                                           {40, 40, 6e-5, 0.2, 8},
-                                           {56, 56, 1.5e-5, 0.15, 8.5}};
-  return kGrids[level];
+  static constexpr Grid kSmooth[kLevels] = {{16, 16, 3e-3, 0.3, 7},
+                                            {22, 22, 1e-3, 0.2, 7.5},
+                                            {28, 28, 3e-4, 0.2, 8},
+                                            {40, 40, 6e-5, 0.2, 8},
+                                            {56, 56, 1.5e-5, 0.15, 8.5}};
+  // The motion carries the knots of a bin all over the phase plane.
+  static constexpr Grid kPiecewise[kLevels] = {{20, 28, 3e-2, 0.1, 6},
+                                               {28, 40, 3e-2, 0.1, 6},
+                                               {36, 50, 3e-2, 0.1, 6},
+                                               {50, 70, 2e-2, 0.1, 6},
+                                               {64, 90, 1e-2, 0.1, 6}};
+  return integrand == Smoothness::smooth ? kSmooth[level] : kPiecewise[level];
 }
 
 }  // namespace fpkcheck::dual

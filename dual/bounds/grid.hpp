@@ -15,10 +15,16 @@ struct Grid {
 SplineBasis displacement_basis(const Grid& grid, const Weight& weight);
 ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution);
 
+/// What limits the accuracy of V.
+enum class Smoothness {
+  smooth,    ///< a polynomial integrand: the conical point at the origin
+  piecewise  ///< the knots of a smooth bin
+};
+
 /// Grids of the ladder, from the coarsest on.
 inline constexpr int kLevels = 5;
-Grid grid_of_level(int level);
+Grid grid_of_level(int level, Smoothness integrand);
 /// A grid takes less than this many times the time of the one before.
-inline constexpr double kCostRatio = 5;
+inline constexpr double kCostRatio = 3;
 
 }  // namespace fpkcheck::dual

@@ -18,7 +18,9 @@ const Functional kMeanSquareVelocity = PowerMean{Axis::velocity, 2};
 
 std::vector<Enclosure> on_level(const problem::Problem& problem, int level,
                                 const std::vector<Functional>& functionals) {
-  return bounds_on_grid(problem, weight(problem, 12), grid_of_level(level), functionals, 2);
+  const Smoothness kind =
+      breaks(functionals[0]).empty() ? Smoothness::smooth : Smoothness::piecewise;
+  return bounds_on_grid(problem, weight(problem, 12), grid_of_level(level, kind), functionals, 2);
 }
 
 TEST(Bounds, OfCase1HoldTheTruthAndExcludeFaults) {
@@ -82,8 +84,8 @@ TEST(Bounds, OfSmoothBinsHoldTheExactDensity) {
   const problem::Problem linear =
       problem::load_case("case1", {"system.restitution=1", "system.cubic=0"});
   const exact::LinearDensity density(linear);
-  const std::vector<Functional> bins{SmoothBin::cardinal(Axis::displacement, 0.5, 0.2),
-                                     SmoothBin::cardinal(Axis::velocity, -0.3, 0.25)};
+  const std::vector<Functional> bins{SmoothBin::cardinal(Axis::displacement, 0.9, 0.4),
+                                     SmoothBin::cardinal(Axis::velocity, -0.3, 0.4)};
   const std::vector<Enclosure> b = on_level(linear, 1, bins);
   for (std::size_t i = 0; i < bins.size(); ++i) {
     const std::vector<double> knots = breaks(bins[i]);
@@ -108,8 +110,8 @@ TEST(Bounds, DoNotDependOnTheNumberOfThreads) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<Functional> both{kMeanSquare, kMeanSquareVelocity};
   const Weight tau = weight(problem, 12);
-  const auto one = bounds_on_grid(problem, tau, grid_of_level(0), both, 1);
-  const auto two = bounds_on_grid(problem, tau, grid_of_level(0), both, 2);
+  const auto one = bounds_on_grid(problem, tau, grid_of_level(0, Smoothness::smooth), both, 1);
+  const auto two = bounds_on_grid(problem, tau, grid_of_level(0, Smoothness::smooth), both, 2);
   for (std::size_t i = 0; i < both.size(); ++i) {
     EXPECT_EQ(one[i].lower, two[i].lower);
     EXPECT_EQ(one[i].upper, two[i].upper);

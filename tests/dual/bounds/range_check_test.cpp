@@ -42,9 +42,9 @@ struct Example {
 
 // (f + L V - U)/tau at points inside, by the rounded operators.
 std::pair<double, double> sampled(const Example& e, const Functional& f) {
-  const DisplacementSamples ys = displacement_samples(e.displacement, 6);
+  const DisplacementSamples ys = displacement_samples(e.displacement, 24);
   const VelocitySamples vs =
-      rounded_upward([&] { return velocity_samples(e.v, e.velocity, 6); });
+      rounded_upward([&] { return velocity_samples(e.v, e.velocity, 24); });
   std::pair<double, double> range{0, 0};
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     const Eigen::MatrixXd local =
