@@ -26,12 +26,21 @@ struct HardwareRounding {
   static double to_int(double x) { return x; }
 };
 
+/// Boost's arithmetic under upward rounding. Only its lower end of a square root would switch the
+/// mode within an expression, where the compiler may move the root before the switch: here it is the
+/// upper end s less one unit in the last place, at most 2^-52 s.
+struct UpwardArithmetic
+    : boost::numeric::interval_lib::rounded_arith_opp<double, HardwareRounding> {
+  double sqrt_down(const double& x) {
+    const double s = sqrt_up(x);
+    return -(s * 0x1p-52 - s);
+  }
+};
+
 using Interval = boost::numeric::interval<
-    double,
-    boost::numeric::interval_lib::policies<
-        boost::numeric::interval_lib::save_state_nothing<
-            boost::numeric::interval_lib::rounded_arith_opp<double, HardwareRounding>>,
-        boost::numeric::interval_lib::checking_base<double>>>;
+    double, boost::numeric::interval_lib::policies<
+                boost::numeric::interval_lib::save_state_nothing<UpwardArithmetic>,
+                boost::numeric::interval_lib::checking_base<double>>>;
 
 /// Sets rounding upward for its lifetime.
 /// @throws std::runtime_error when this processor or this compilation does not obey

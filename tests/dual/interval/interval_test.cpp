@@ -103,6 +103,16 @@ TEST(Interval, RootsAndExponentialsHoldTheTruth) {
   }
 }
 
+TEST(Interval, RootsAreEnclosedWhateverTheirLastBit) {
+  for (const double a : awkward_numbers(400)) {
+    const double x = std::abs(a);
+    const Interval root = rounded_upward([&] { return sqrt(Interval(x)); });
+    EXPECT_LE(Exact(root.lower()) * Exact(root.lower()), Exact(x));
+    EXPECT_GE(Exact(root.upper()) * Exact(root.upper()), Exact(x));
+    EXPECT_LE(root.upper() - root.lower(), 5e-16 * root.upper());
+  }
+}
+
 TEST(Interval, RoundingIsUpwardInsideAndAsBeforeOutside) {
   const int before = std::fegetround();
   EXPECT_EQ(rounded_upward([] { return std::fegetround(); }), FE_UPWARD);
