@@ -9,11 +9,11 @@
 
 namespace fpkcheck::dual {
 
-/// The three factors in v of the generator (VelocityOperators) at points, rounded to nearest: enough
-/// for a fit, which need not be trusted.
+/// The three factors in v of the generator (VelocityOperators) at points, rounded to nearest:
+/// enough for a fit, which need not be trusted.
 struct VelocitySamples {
-  std::vector<double> v;           ///< points, increasing
-  Eigen::MatrixXd jump;            ///< lambda (K B - B) - c v B', shape (points, functions)
+  std::vector<double> v;              ///< points, increasing
+  Eigen::MatrixXd jump;               ///< lambda (K B - B) - c v B', shape (points, functions)
   Eigen::SparseMatrix<double> drift;  ///< v B
   Eigen::SparseMatrix<double> force;  ///< -B'
 };

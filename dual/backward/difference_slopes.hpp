@@ -5,8 +5,8 @@
 
 namespace fpkcheck::dual {
 
-/// With S_l = B_{span+l} + B_{span+l+1} + .. on a span, whose first is 1, the derivative of a spline
-/// is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l'. These are the S_l', by
+/// With S_l = B_{span+l} + B_{span+l+1} + .. on a span, whose first is 1, the derivative of a
+/// spline is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l'. These are the S_l', by
 ///
 ///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots,
 ///

@@ -18,13 +18,14 @@ struct DisplacementOperators {
     double from, to;
   };
   std::vector<Piece> pieces;
-  /// A, S' (of differences, difference_slopes.hpp) and (k y + mu y^3) A of the functions of a piece,
-  /// shape (pieces, 3, degree + 1; S': degree).
+  /// A, S' (of differences, difference_slopes.hpp) and (k y + mu y^3) A of the functions of a
+  /// piece, shape (pieces, 3, degree + 1; S': degree).
   std::vector<std::array<std::vector<Coefficients>, 3>> factors;
 };
 
 /// @param cuts further points, increasing, at which pieces are to end
 DisplacementOperators displacement_operators(const problem::Problem& problem,
-                                             const SplineBasis& basis, std::span<const double> cuts);
+                                             const SplineBasis& basis,
+                                             std::span<const double> cuts);
 
 }  // namespace fpkcheck::dual

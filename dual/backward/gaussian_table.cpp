@@ -165,8 +165,8 @@ ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
   const Interval a = sqrt(Interval(2)) * largest_g / s, b = sqrt(Interval(2)) * largest_h / s;
   // The lengths of all sources that a target sees, in deviations.
   const Interval seen = 2.0 * (kReach + 2.0 * (largest_h + 2.0 * largest_g) / s);
-  const Interval sources_cut = 0.44 * seen * root_factorial_tail(b, 0) *
-                               root_factorial_tail(a, kSources);
+  const Interval sources_cut =
+      0.44 * seen * root_factorial_tail(b, 0) * root_factorial_tail(a, kSources);
   const Interval series_cut = power(largest_h / s, kOrder) / sqrt(factorial(kOrder));
   const Interval reach_cut = 2.0 * exponential(Interval(-kReach * kReach / 2));
   const Interval overhangs = 4.0 * (basis.speeds().degree() + 1.0) * overhang;

@@ -39,9 +39,7 @@ Interval central_moment(const LaplaceLaw& law, int n) {
   for (int i = 2; i <= n; ++i) m *= static_cast<double>(i);
   return m;
 }
-Interval central_moment(const TwoPointLaw& law, int n) {
-  return power(Interval(law.deviation), n);
-}
+Interval central_moment(const TwoPointLaw& law, int n) { return power(Interval(law.deviation), n); }
 Interval central_moment(const UniformLaw& law, int n) {
   return power(Interval(law.half_width), n) / static_cast<double>(n + 1);
 }

@@ -7,8 +7,9 @@
 
 namespace fpkcheck::dual {
 
-/// K B_b, (K V)(v) = E[V(v + Y)], of every function of an ImpactBasis on every piece of the velocity
-/// axis, as polynomials with enclosed Bernstein coefficients of t = (v - from)/(to - from).
+/// K B_b, (K V)(v) = E[V(v + Y)], of every function of an ImpactBasis on every piece of the
+/// velocity axis, as polynomials with enclosed Bernstein coefficients of t = (v - from)/(to -
+/// from).
 struct ImpulseTable {
   int functions = 0, order = 0;        ///< order: coefficients of a polynomial, its degree + 1
   std::vector<Interval> coefficients;  ///< shape (pieces, functions, order)

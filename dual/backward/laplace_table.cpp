@@ -21,9 +21,9 @@ constexpr int kOrder = 16;  // N
 
 // Bernstein coefficients of the two solutions on a piece, t in [0, 1].
 struct OneSided {
-  Coefficients decay;                 ///< exp(-e theta/s)
-  std::vector<Coefficients> forced;   ///< of each function of the piece, 0 at theta = 0
-  Interval final_decay;               ///< exp(-e/s)
+  Coefficients decay;                ///< exp(-e theta/s)
+  std::vector<Coefficients> forced;  ///< of each function of the piece, 0 at theta = 0
+  Interval final_decay;              ///< exp(-e/s)
 };
 
 Coefficients enclosed_series(Coefficients powers, const Interval& next, const Interval& ratio) {
@@ -43,8 +43,7 @@ OneSided one_sided(const std::vector<Coefficients>& functions, const Interval& l
     Interval next = start;
     for (int n = 0; n < kOrder; ++n) {
       q[n] = next;
-      const Interval b =
-          n < static_cast<int>(forcing.size()) ? forcing[n] : Interval(0);
+      const Interval b = n < static_cast<int>(forcing.size()) ? forcing[n] : Interval(0);
       next = ratio * (b / 2.0 - q[n]) / static_cast<double>(n + 1);
     }
     return enclosed_series(std::move(q), next, ratio);

@@ -1,9 +1,7 @@
 #include "dual/backward/least_squares.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "dual/spline/block_banded_cholesky.hpp"
 
@@ -76,9 +74,10 @@ class Rows {
     for (int i = 0; i < y_points(); ++i) {
       const Eigen::MatrixXd& a = p_.y.values[i];
       const int s = p_.y.span[i];
-      result.col(i) = (jump.middleCols(s, per_span_) + force(i) * force_term.middleCols(s, per_span_)) *
-                          a.row(0).transpose() +
-                      drift.middleCols(s, per_span_) * a.row(1).transpose();
+      result.col(i) =
+          (jump.middleCols(s, per_span_) + force(i) * force_term.middleCols(s, per_span_)) *
+              a.row(0).transpose() +
+          drift.middleCols(s, per_span_) * a.row(1).transpose();
     }
     return result;
   }
@@ -155,11 +154,11 @@ BackwardSolutions solve_backward(
     const std::vector<std::function<double(double, double)>>& functions) {
   const Rows rows(problem);
   BlockBandedMatrix matrix = rows.normal_matrix();
-  const Eigen::VectorXd scale =
-      matrix.diagonal().array().max(1e-300).sqrt().inverse().matrix();
+  const Eigen::VectorXd scale = matrix.diagonal().array().max(1e-300).sqrt().inverse().matrix();
   matrix.scale(scale);
   matrix.add_to_diagonal(kRidge);
-  if (!matrix.factorise()) throw std::runtime_error("normal equations are not positive definite");
+  if (!matrix.factorise())
+    throw FitBrokeDown("the normal equations of the fit are not positive definite");
 
   // Right-hand sides: each f, and 1 in the last place.
   const std::size_t count = functions.size() + 1;
@@ -199,8 +198,7 @@ BackwardSolutions solve_backward(
     std::pair<double, double> extremes{0, 0};
     for (int i = 0; i < rows.y_points(); ++i) {
       for (int j = 0; j < rows.v_points(); ++j) {
-        const double judged =
-            left(j, i) * problem.judging_weight(problem.y.y[i], problem.v.v[j]);
+        const double judged = left(j, i) * problem.judging_weight(problem.y.y[i], problem.v.v[j]);
         extremes = {std::min(extremes.first, judged), std::max(extremes.second, judged)};
       }
     }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "dual/backward/collocation.hpp"
@@ -28,12 +29,18 @@ struct LeastSquaresProblem {
   std::function<double(double y, double v)> row_weight, judging_weight;
 };
 
-/// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once: scaled
-/// normal equations with a small ridge, factorised by blocks, and refined. V is fitted to f and to
-/// 1; the residuals e_f, e_1 give U = <e_1, e_f> / <e_1, e_1>.
+/// The normal equations have no Cholesky factor.
+struct FitBrokeDown : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once:
+/// scaled normal equations with a small ridge, factorised by blocks, and refined. V is fitted to f
+/// and to 1; the residuals e_f, e_1 give U = <e_1, e_f> / <e_1, e_1>.
 /// @param functions f(y, v)
-/// @throws std::runtime_error when the factorisation breaks down
-BackwardSolutions solve_backward(const LeastSquaresProblem& problem,
-                                 const std::vector<std::function<double(double, double)>>& functions);
+/// @throws FitBrokeDown
+BackwardSolutions solve_backward(
+    const LeastSquaresProblem& problem,
+    const std::vector<std::function<double(double, double)>>& functions);
 
 }  // namespace fpkcheck::dual

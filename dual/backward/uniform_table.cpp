@@ -5,7 +5,8 @@
 namespace fpkcheck::dual {
 namespace {
 
-// I(v) = int_{begin}^v B of all functions, at the beginning of each span and at the end of the last.
+// I(v) = int_{begin}^v B of all functions, at the beginning of each span and at the end of the
+// last.
 class Primitive {
  public:
   explicit Primitive(const ImpactBasis& basis) : basis_(basis) {
@@ -60,10 +61,14 @@ class Primitive {
   int span_number(const VelocityPiece& piece) const {
     const int count = basis_.speeds().spans();
     switch (piece.side) {
-      case Side::below: return 0;
-      case Side::incoming: return count - 1 - piece.span;
-      case Side::outgoing: return count + piece.span;
-      case Side::above: return 2 * count;
+      case Side::below:
+        return 0;
+      case Side::incoming:
+        return count - 1 - piece.span;
+      case Side::outgoing:
+        return count + piece.span;
+      case Side::above:
+        return 2 * count;
     }
     return 0;
   }

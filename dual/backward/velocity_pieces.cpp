@@ -55,9 +55,9 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
   } else {
     const bool in = piece.side == Side::incoming;
     const Interval r = basis.restitution();
-    const auto rows =
-        bezier_rows<Interval>(basis.speeds(), piece.span, in ? Interval(-piece.from) : piece.from / r,
-                              in ? Interval(-piece.to) : piece.to / r);
+    const auto rows = bezier_rows<Interval>(basis.speeds(), piece.span,
+                                            in ? Interval(-piece.from) : piece.from / r,
+                                            in ? Interval(-piece.to) : piece.to / r);
     for (int l = 0; l <= p; ++l) {
       functions.index.push_back(in ? basis.incoming(piece.span + l)
                                    : basis.outgoing(piece.span + l));
@@ -70,16 +70,17 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
   }
   // On the overhang both the polynomial and the function start from the same value at the span's
   // end: they part by no more than the sum of their slopes allows.
-  functions.overhang_error = (Interval(piece.overhang) * (Interval(slope) + steepest(basis))).upper();
+  functions.overhang_error =
+      (Interval(piece.overhang) * (Interval(slope) + steepest(basis))).upper();
   return functions;
 }
 
 std::vector<Coefficients> difference_slopes(const ImpactBasis& basis, const VelocityPiece& piece) {
   const bool in = piece.side == Side::incoming;
   const Interval r = basis.restitution(), sign_and_scale = in ? Interval(-1) : 1.0 / r;
-  std::vector<Coefficients> slopes = difference_slopes(
-      basis.speeds(), piece.span, in ? Interval(-piece.from) : piece.from / r,
-      in ? Interval(-piece.to) : piece.to / r);
+  std::vector<Coefficients> slopes =
+      difference_slopes(basis.speeds(), piece.span, in ? Interval(-piece.from) : piece.from / r,
+                        in ? Interval(-piece.to) : piece.to / r);
   for (Coefficients& slope : slopes) {
     for (Interval& s : slope) s *= sign_and_scale;  // d/dv = (du/dv) d/du
   }
@@ -114,8 +115,7 @@ std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const d
       Interval from = points[i];
       for (int part = 1; part <= parts; ++part) {
         const Interval to =
-            part == parts ? points[i + 1]
-                          : Interval(points[i].lower() + length * part / parts);
+            part == parts ? points[i + 1] : Interval(points[i].lower() + length * part / parts);
         pieces.push_back({side, span, from, to, 0});
         from = to;
       }

@@ -19,8 +19,8 @@ enum class Side {
 /// A segment of the velocity axis within one span of an ImpactBasis, or beyond all of them.
 struct VelocityPiece {
   Side side;
-  int span;          ///< of the speeds; 0 beyond them
-  Interval from, to; ///< the ends of the segment in v, increasing
+  int span;           ///< of the speeds; 0 beyond them
+  Interval from, to;  ///< the ends of the segment in v, increasing
   /// How far the segment may reach out of its span, by the rounding of its ends.
   double overhang;
 
@@ -32,7 +32,8 @@ struct VelocityPiece {
 struct PieceFunctions {
   std::vector<int> index;           ///< functions that do not vanish there
   std::vector<Coefficients> value;  ///< Bernstein coefficients of each
-  /// |function - polynomial| on the segment is at most this, for every function: 0 without overhang.
+  /// |function - polynomial| on the segment is at most this, for every function: 0 without
+  /// overhang.
   double overhang_error;
 };
 
@@ -44,8 +45,8 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
 /// functions_on: p B_{p-1} / (a knot distance), one B-spline of the degree below each.
 std::vector<Coefficients> difference_slopes(const ImpactBasis& basis, const VelocityPiece& piece);
 
-/// Cuts the range of the basis at the ends of all spans and at `cuts`, and into parts no longer than
-/// `longest`.
+/// Cuts the range of the basis at the ends of all spans and at `cuts`, and into parts no longer
+/// than `longest`.
 std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,
                                      double longest);
 /// The points of the velocity axis where the basis is not smooth: ends of spans, increasing.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dual/backward/least_squares.hpp"
 #include "dual/bounds/one_grid.hpp"
 #include "parameters/input_error.hpp"
 
@@ -68,18 +69,35 @@ Bounds bounds(const problem::Problem& problem, const Options& options) {
       const double start = elapsed();
       OneGridReport report;
       GridRecord record{grid, 0, 0, numbers, {}};
-      record.values =
-          bounds_on_grid(problem, tau, grid, functionals, options.threads, &report);
+      try {
+        record.values = bounds_on_grid(problem, tau, grid, functionals, options.threads, &report);
+      } catch (const FitBrokeDown& broken) {
+        result.reason = broken.what();
+        last = HUGE_VAL;  // no finer one either
+        continue;
+      }
       record.unknowns = report.unknowns;
       record.seconds = last = elapsed() - start;
       for (std::size_t n = 0; n < numbers.size(); ++n) {
         Enclosure& value = result.each[numbers[n]].value;
         value = value.intersected(record.values[n]);
+        // Both hold the same number: otherwise a theorem, or the processor, is not what it says.
+        if (value.lower > value.upper) {
+          throw std::logic_error("bounds of " + name(functionals[n]) + " contradict each other");
+        }
       }
       result.grids.push_back(std::move(record));
     }
   }
   const bool asked = options.half_width > 0 || options.relative_half_width > 0;
+  for (const Bound& b : result.each) {
+    if (!std::isfinite(b.value.half_width())) {
+      result.status = BoundsStatus::failed;
+      if (result.reason.empty()) result.reason = "no finite bounds of " + name(b.functional);
+      return result;
+    }
+  }
+  result.reason.clear();
   for (const Bound& b : result.each) {
     if (!asked || narrow_enough(b, options)) continue;
     result.status = BoundsStatus::width_not_met;

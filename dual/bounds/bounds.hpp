@@ -25,11 +25,13 @@ struct Options {
 enum class BoundsStatus {
   ok,             ///< as narrow as asked for
   width_not_met,  ///< guaranteed, but wider than asked for
-  not_offered,    ///< there are no bounds of such a problem; see the reason
+  failed,         ///< bounds without an end: see the reason
+  not_offered     ///< there are no bounds of such a problem: see the reason
 };
 inline constexpr parameters::Named<BoundsStatus> kBoundsStatusNames[] = {
     {BoundsStatus::ok, "ok", "guaranteed"},
     {BoundsStatus::width_not_met, "width_not_met", "guaranteed, but wider than asked for"},
+    {BoundsStatus::failed, "failed", "not bounded"},
     {BoundsStatus::not_offered, "not_offered", "not offered"}};
 constexpr std::span<const parameters::Named<BoundsStatus>> names(BoundsStatus) {
   return kBoundsStatusNames;
@@ -53,7 +55,7 @@ struct GridRecord {
 
 struct Bounds {
   BoundsStatus status = BoundsStatus::ok;
-  std::string reason;  ///< in one line, empty when ok
+  std::string reason;       ///< in one line, empty when ok
   std::vector<Bound> each;  ///< in the order of the options; none when not offered
   std::vector<GridRecord> grids;
 };
@@ -61,7 +63,8 @@ struct Bounds {
 /// Guaranteed bounds of stationary expectations of the oscillator with the exact impact under the
 /// impulses themselves (equation `kf`, impact `map`), by the backward equation; docs/bounds.md has
 /// the theorem and its proof. They hold for the problem whose parameters are the stored doubles.
-/// @throws InputError when the options cannot be used
+/// @throws InputError when the options cannot be used; std::runtime_error when the processor's
+/// rounding cannot be set; std::logic_error when bounds of two grids exclude each other
 Bounds bounds(const problem::Problem& problem, const Options& options = {});
 
 }  // namespace fpkcheck::dual

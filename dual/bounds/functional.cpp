@@ -55,15 +55,14 @@ std::string name(const Functional& functional) {
 
 double integrand(const Functional& functional, const problem::Problem& problem, double y,
                  double v) {
-  return std::visit(
-      Overloaded{[&](const PowerMean& m) {
-                   return std::pow(m.axis == Axis::displacement ? y : v, m.power);
-                 },
-                 [&](const SmoothBin& b) {
-                   return bin_value(b, b.axis == Axis::displacement ? y : v);
-                 },
-                 [&](const ImpactMomentum&) { return problem.system.force()(y); }},
-      functional);
+  return std::visit(Overloaded{[&](const PowerMean& m) {
+                                 return std::pow(m.axis == Axis::displacement ? y : v, m.power);
+                               },
+                               [&](const SmoothBin& b) {
+                                 return bin_value(b, b.axis == Axis::displacement ? y : v);
+                               },
+                               [&](const ImpactMomentum&) { return problem.system.force()(y); }},
+                    functional);
 }
 
 std::vector<double> breaks(const Functional& functional) {

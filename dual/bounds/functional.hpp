@@ -17,8 +17,8 @@ struct PowerMean {
   int power;
 };
 
-/// The average of p(y) or p(y') with a cubic B-spline on five knots as its weight: of integral 1, of
-/// width half the range of the knots. For y all knots are >= 0.
+/// The average of p(y) or p(y') with a cubic B-spline on five knots as its weight: of integral 1,
+/// of width half the range of the knots. For y all knots are >= 0.
 struct SmoothBin {
   Axis axis;
   std::array<double, 5> knots;
@@ -41,8 +41,8 @@ std::vector<Functional> standard_functionals();
 /// "E[y^2]", "w1", "p(y) near 0.5"
 std::string name(const Functional& functional);
 
-/// The f whose expectation is taken, rounded; for w1 it is k y + mu y^3. A smooth bin is without its
-/// factor 4/(k_4 - k_0), so that its peak is of order 1.
+/// The f whose expectation is taken, rounded; for w1 it is k y + mu y^3. A smooth bin is without
+/// its factor 4/(k_4 - k_0), so that its peak is of order 1.
 double integrand(const Functional& functional, const problem::Problem& problem, double y, double v);
 
 /// Where the integrand is not smooth; none for polynomials.

@@ -5,8 +5,8 @@
 
 namespace fpkcheck::dual {
 
-/// The integrand on a segment of its axis, within one of its smooth pieces up to the rounding of the
-/// segment's ends: enclosed Bernstein coefficients of a degree.
+/// The integrand on a segment of its axis, within one of its smooth pieces up to the rounding of
+/// the segment's ends: enclosed Bernstein coefficients of a degree.
 Coefficients integrand_on(const Functional& functional, const problem::Problem& problem,
                           const Interval& from, const Interval& to, int degree);
 

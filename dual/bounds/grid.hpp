@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dual/spline/impact_basis.hpp"
 #include "dual/bounds/weight.hpp"
+#include "dual/spline/impact_basis.hpp"
 
 namespace fpkcheck::dual {
 

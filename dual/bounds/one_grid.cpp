@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <thread>
 
 #include "dual/backward/least_squares.hpp"
@@ -85,7 +86,8 @@ std::vector<Enclosure> bounds_on_grid(const problem::Problem& problem, const Wei
   const VelocitySamples v = velocity_samples(v_operators, velocity, kPointsPerCell);
   std::vector<std::function<double(double, double)>> integrands;
   for (const Functional& f : functionals) {
-    integrands.emplace_back([&](double at, double speed) { return integrand(f, problem, at, speed); });
+    integrands.emplace_back(
+        [&](double at, double speed) { return integrand(f, problem, at, speed); });
   }
   const BackwardSolutions solutions = solve_backward(
       {problem, displacement, velocity, y, v,

@@ -14,9 +14,9 @@ struct OneGridReport {
   int unknowns = 0;
   double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
   struct Each {
-    double mean;             ///< U
-    double least, largest;   ///< range of (f + L V - U)/tau in the box
-    double outside;          ///< bound of its absolute value outside the box
+    double mean;            ///< U
+    double least, largest;  ///< range of (f + L V - U)/tau in the box
+    double outside;         ///< bound of its absolute value outside the box
     long boxes;
   };
   std::vector<Each> each;

@@ -77,8 +77,8 @@ class Outside {
 
   Region beside(int span, int column, const Interval& energy) const {
     Region region{energy, 0, 0, 0};
-    region.y_slope = steepest(s_.displacement, span,
-                              [&](int a) { return candidate_.coefficients(a, column); });
+    region.y_slope =
+        steepest(s_.displacement, span, [&](int a) { return candidate_.coefficients(a, column); });
     for (int a = span; a <= span + s_.displacement.degree(); ++a) {
       region.oscillation = std::max(region.oscillation, oscillation(a));
     }
@@ -118,10 +118,10 @@ class Outside {
     const Interval root = sqrt(2.0 * Interval(least)), omega = sqrt(stiffness());
     const Interval y = root / omega, v = root * (1.0 + c() / (2.0 * omega));
     const Interval force = k() * y + cubic() * power(y, 3);
-    const Interval numerator =
-        largest_integrand(functional_, y, v, force) + std::abs(candidate_.mean) +
-        v * region.y_slope + (c() * v + force) * region.v_slope +
-        Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
+    const Interval numerator = largest_integrand(functional_, y, v, force) +
+                               std::abs(candidate_.mean) + v * region.y_slope +
+                               (c() * v + force) * region.v_slope +
+                               Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
     return (numerator / power(Interval(least) / s_.weight.scale, s_.weight.power)).upper();
   }
 

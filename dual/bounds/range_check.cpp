@@ -29,9 +29,7 @@ Contracted contracted(const CheckSetting& s, const Eigen::MatrixXd& c) {
     f.assign(s.v.pieces.size() * static_cast<std::size_t>(rows * order), Interval(0));
   }
   for (std::size_t i = 0; i < s.v.pieces.size(); ++i) {
-    const auto at = [&](int term, int a) {
-      return &result.factors[term][(i * rows + a) * order];
-    };
+    const auto at = [&](int term, int a) { return &result.factors[term][(i * rows + a) * order]; };
     for (int b = 0; b < c.cols(); ++b) {
       const std::span<const Interval> table = s.v.jump.of(static_cast<int>(i), b);
       bool zero = true;
@@ -145,7 +143,8 @@ class Search {
         if (i > 0) {
           along_y = std::max(along_y, std::abs(r - box.residual[(i - 1) * columns_ + j].upper()));
         }
-        if (j > 0) along_v = std::max(along_v, std::abs(r - box.residual[i * columns_ + j - 1].upper()));
+        if (j > 0)
+          along_v = std::max(along_v, std::abs(r - box.residual[i * columns_ + j - 1].upper()));
       }
     }
     const bool in_y = (along_y * rows_ > along_v * columns_) != (box.depth % 4 == 3);
@@ -183,8 +182,8 @@ class Search {
 
 }  // namespace
 
-Range residual_range(const CheckSetting& s, const Functional& functional, const Candidate& candidate,
-                     std::pair<double, double> expected, double slack) {
+Range residual_range(const CheckSetting& s, const Functional& functional,
+                     const Candidate& candidate, std::pair<double, double> expected, double slack) {
   const Eigen::MatrixXd& c = candidate.coefficients;
   const int rows = s.displacement.degree() + 4, columns = s.v.order();
   const int y_functions = static_cast<int>(c.rows());
@@ -215,8 +214,7 @@ Range residual_range(const CheckSetting& s, const Functional& functional, const 
           const std::size_t first = static_cast<std::size_t>(span) + (term == 1 ? 1 : 0);
           for (std::size_t l = 0; l < s.y.factors[i][term].size(); ++l) {
             const Interval factor = s.y.factors[i][term][l][row];
-            const Interval* const in =
-                &v.factors[term][(j * y_functions + first + l) * columns];
+            const Interval* const in = &v.factors[term][(j * y_functions + first + l) * columns];
             for (int q = 0; q < columns; ++q) out[q] += factor * in[q];
           }
         }

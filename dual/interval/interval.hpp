@@ -27,8 +27,8 @@ struct HardwareRounding {
 };
 
 /// Boost's arithmetic under upward rounding. Only its lower end of a square root would switch the
-/// mode within an expression, where the compiler may move the root before the switch: here it is the
-/// upper end s less one unit in the last place, at most 2^-52 s.
+/// mode within an expression, where the compiler may move the root before the switch: here it is
+/// the upper end s less one unit in the last place, at most 2^-52 s.
 struct UpwardArithmetic
     : boost::numeric::interval_lib::rounded_arith_opp<double, HardwareRounding> {
   double sqrt_down(const double& x) {
@@ -37,10 +37,11 @@ struct UpwardArithmetic
   }
 };
 
-using Interval = boost::numeric::interval<
-    double, boost::numeric::interval_lib::policies<
-                boost::numeric::interval_lib::save_state_nothing<UpwardArithmetic>,
-                boost::numeric::interval_lib::checking_base<double>>>;
+using Interval =
+    boost::numeric::interval<double,
+                             boost::numeric::interval_lib::policies<
+                                 boost::numeric::interval_lib::save_state_nothing<UpwardArithmetic>,
+                                 boost::numeric::interval_lib::checking_base<double>>>;
 
 /// Sets rounding upward for its lifetime.
 /// @throws std::runtime_error when this processor or this compilation does not obey

@@ -36,8 +36,8 @@ class SplineBasis {
   int degree_;
 };
 
-/// Break points 0 = x_0 < .. < x_cells = end. Cells widen in proportion to x + finest near the origin
-/// and have about one width beyond `even`:
+/// Break points 0 = x_0 < .. < x_cells = end. Cells widen in proportion to x + finest near the
+/// origin and have about one width beyond `even`:
 ///
 ///     cell width ~ (x + finest) / (1 + x/even),   0 < finest < even.
 std::vector<double> graded_breaks(double end, int cells, double finest, double even);

@@ -6,8 +6,8 @@
 
 namespace fpkcheck::dual {
 
-/// Bezier extraction: row l holds the Bernstein coefficients, on the segment from `from` to `to`, of
-/// the polynomial that function span + l is on that span. The segment may be a part of the span,
+/// Bezier extraction: row l holds the Bernstein coefficients, on the segment from `from` to `to`,
+/// of the polynomial that function span + l is on that span. The segment may be a part of the span,
 /// run backwards, or reach beyond it, where the polynomial is continued. Coefficient j is the
 /// blossom at (p - j) times `from` and j times `to`, by de Boor's recursion.
 /// @tparam Real double, or an interval for an enclosure

@@ -4,10 +4,11 @@
 
 namespace fpkcheck::dual {
 
-/// Splines of v on [-u_max, r u_max], continued as constants beyond. Incoming, v = -u, and outgoing,
-/// v = r u, are the same splines of the impact speed u, joined continuously at v = 0 (an inner knot
-/// of full multiplicity). So the impact condition V(0, r u) = V(0, -u) holds exactly, for all u,
-/// when at y = 0 the coefficients of `b` and `mirrored(b)` are equal, whatever the rounding of r u.
+/// Splines of v on [-u_max, r u_max], continued as constants beyond. Incoming, v = -u, and
+/// outgoing, v = r u, are the same splines of the impact speed u, joined continuously at v = 0 (an
+/// inner knot of full multiplicity). So the impact condition V(0, r u) = V(0, -u) holds exactly,
+/// for all u, when at y = 0 the coefficients of `b` and `mirrored(b)` are equal, whatever the
+/// rounding of r u.
 class ImpactBasis {
  public:
   ImpactBasis(SplineBasis speeds, double restitution)

@@ -86,8 +86,8 @@ TEST_P(ImpulseTables, GiveTheMomentsOfTheLawOnPowers) {
       if (std::abs(v) > 1.5) continue;
       double exact = 0;
       for (int i = 0; i <= n; ++i) {
-        exact += boost::math::binomial_coefficient<double>(n, i) * std::pow(v, n - i) *
-                 law().moment(i);
+        exact +=
+            boost::math::binomial_coefficient<double>(n, i) * std::pow(v, n - i) * law().moment(i);
       }
       const Enclosure mean = jump_mean(t, c, p, 0.4);
       // The constants beyond the ends are not powers: exp(-sqrt(2) 10/.31) 13^6 for laplace.

@@ -15,8 +15,9 @@ ImpactBasis example(double r = 0.7) {
 
 TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
   const ImpactBasis basis = example();
-  const std::vector<VelocityPiece> pieces =
-      rounded_upward([&] { return pieces_of(basis, std::array{-1.234, 0.5}, 0.3); });
+  const std::vector<VelocityPiece> pieces = rounded_upward([&] {
+    return pieces_of(basis, std::array{-1.234, 0.5}, 0.3);
+  });
   EXPECT_EQ(pieces.front().from.lower(), -3);
   EXPECT_NEAR(pieces.back().to.upper(), 0.7 * 3, 1e-15);
   std::vector<double> wanted = velocity_breaks(basis);

@@ -57,8 +57,8 @@ TEST(Bounds, HoldExactMomentsWithoutLossesForEveryLaw) {
     EXPECT_TRUE(b[0].contains(exact::linear_cumulant(linear, 2, 0))) << law;
     EXPECT_TRUE(b[1].contains(exact::mean_square_velocity(linear))) << law;
     EXPECT_LT(b[0].half_width(), 1e-2 * b[0].middle()) << law;
-    const problem::Problem cubic = problem::load_case(
-        "case1", {"system.restitution=1", std::string("impulse.law=") + law});
+    const problem::Problem cubic =
+        problem::load_case("case1", {"system.restitution=1", std::string("impulse.law=") + law});
     const Enclosure v2 = on_level(cubic, 0, {kMeanSquareVelocity})[0];
     EXPECT_TRUE(v2.contains(exact::mean_square_velocity(cubic))) << law;
     EXPECT_LT(v2.half_width(), 1e-2 * v2.middle()) << law;
@@ -67,12 +67,16 @@ TEST(Bounds, HoldExactMomentsWithoutLossesForEveryLaw) {
 
 TEST(Bounds, OfOneProblemByDifferentGridsOverlap) {
   for (const std::vector<std::string>& overrides :
-       {std::vector<std::string>{"system.restitution=0.5"}, {"impulse.rate=0.3"},
-        {"impulse.mean=0.0948683"}, {"impulse.mean=-0.0948683", "impulse.law=laplace"},
-        {"impulse.law=two_point"}, {"system.cubic=1", "impulse.intensity=1"}}) {
+       {std::vector<std::string>{"system.restitution=0.5"},
+        {"impulse.rate=0.3"},
+        {"impulse.mean=0.0948683"},
+        {"impulse.mean=-0.0948683", "impulse.law=laplace"},
+        {"impulse.law=two_point"},
+        {"system.cubic=1", "impulse.intensity=1"}}) {
     const problem::Problem problem = problem::load_case("case1", overrides);
     const std::vector<Functional> all = standard_functionals();
-    const std::vector<Enclosure> coarse = on_level(problem, 0, all), fine = on_level(problem, 1, all);
+    const std::vector<Enclosure> coarse = on_level(problem, 0, all),
+                                 fine = on_level(problem, 1, all);
     for (std::size_t i = 0; i < all.size(); ++i) {
       EXPECT_LE(coarse[i].lower, fine[i].upper) << overrides[0] << " " << name(all[i]);
       EXPECT_LE(fine[i].lower, coarse[i].upper) << overrides[0] << " " << name(all[i]);

@@ -14,7 +14,7 @@ TEST(Functional, IntegrandsAreWhatTheNamesSay) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<Functional> all = standard_functionals();
   const std::vector<std::pair<const char*, double>> expected{
-      {"E[y]", 0.5},    {"E[y^2]", 0.25},  {"E[y'^2]", 4.0},
+      {"E[y]", 0.5},      {"E[y^2]", 0.25},  {"E[y'^2]", 4.0},
       {"E[y^4]", 0.0625}, {"E[y'^4]", 16.0}, {"w1", 0.5 + 0.1 * 0.125}};
   ASSERT_EQ(all.size(), expected.size());
   for (std::size_t i = 0; i < all.size(); ++i) {

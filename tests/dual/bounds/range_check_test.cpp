@@ -22,8 +22,8 @@ struct Example {
   Eigen::MatrixXd coefficients;
 
   explicit Example(const std::string& law)
-      : problem(problem::load_case("case1", {"system.restitution=0.7", "impulse.law=" + law,
-                                             "impulse.mean=0.05"})),
+      : problem(problem::load_case(
+            "case1", {"system.restitution=0.7", "impulse.law=" + law, "impulse.mean=0.05"})),
         tau(weight(problem, 12)),
         displacement(graded_breaks(4, 5, 0.1, 1)),
         velocity(SplineBasis(graded_breaks(5, 5, 0.1, 1)), 0.7),
@@ -43,15 +43,14 @@ struct Example {
 // (f + L V - U)/tau at points inside, by the rounded operators.
 std::pair<double, double> sampled(const Example& e, const Functional& f) {
   const DisplacementSamples ys = displacement_samples(e.displacement, 24);
-  const VelocitySamples vs =
-      rounded_upward([&] { return velocity_samples(e.v, e.velocity, 24); });
+  const VelocitySamples vs = rounded_upward([&] { return velocity_samples(e.v, e.velocity, 24); });
   std::pair<double, double> range{0, 0};
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     const Eigen::MatrixXd local =
         ys.values[i] * e.coefficients.middleRows(ys.span[i], e.displacement.degree() + 1);
     const Eigen::VectorXd a = local.row(0), slope = local.row(1);
-    const Eigen::VectorXd l = vs.jump * a + vs.drift * slope +
-                              e.problem.system.force()(ys.y[i]) * (vs.force * a);
+    const Eigen::VectorXd l =
+        vs.jump * a + vs.drift * slope + e.problem.system.force()(ys.y[i]) * (vs.force * a);
     for (std::size_t j = 0; j < vs.v.size(); ++j) {
       const double r = (integrand(f, e.problem, ys.y[i], vs.v[j]) + l(static_cast<int>(j)) - 0.3) /
                        e.tau(ys.y[i], vs.v[j]);
@@ -64,11 +63,12 @@ std::pair<double, double> sampled(const Example& e, const Functional& f) {
 TEST(ResidualRange, HoldsAllSamplesAndIsNotMuchWider) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     const Example e(law);
-    for (const Functional& f : {Functional(PowerMean{Axis::displacement, 2}),
-                                Functional(PowerMean{Axis::velocity, 4})}) {
+    for (const Functional& f :
+         {Functional(PowerMean{Axis::displacement, 2}), Functional(PowerMean{Axis::velocity, 4})}) {
       const auto [least, largest] = sampled(e, f);
-      const Range range = rounded_upward(
-          [&] { return residual_range(e.setting(), f, e.candidate(), {0, 0}, 0.02); });
+      const Range range = rounded_upward([&] {
+        return residual_range(e.setting(), f, e.candidate(), {0, 0}, 0.02);
+      });
       EXPECT_TRUE(range.reached) << law;
       EXPECT_LE(range.least, least) << law;
       EXPECT_GE(range.largest, largest) << law;
@@ -105,15 +105,14 @@ TEST(ResidualOutside, IsAboveEverySampleBeyondTheBox) {
   const double bound =
       rounded_upward([&] { return residual_outside(e.setting(), f, e.candidate()); });
   // Beyond y_end V is that of the last row.
-  const VelocitySamples vs =
-      rounded_upward([&] { return velocity_samples(e.v, e.velocity, 5); });
+  const VelocitySamples vs = rounded_upward([&] { return velocity_samples(e.v, e.velocity, 5); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
   const Eigen::VectorXd jump = vs.jump * last, force = vs.force * last;
   for (const double y : {4.0001, 4.5, 8.0, 20.0}) {
     for (std::size_t j = 0; j < vs.v.size(); ++j) {
       const int row = static_cast<int>(j);
-      const double r = std::pow(vs.v[j], 4) + jump(row) +
-                       e.problem.system.force()(y) * force(row) - 0.3;
+      const double r =
+          std::pow(vs.v[j], 4) + jump(row) + e.problem.system.force()(y) * force(row) - 0.3;
       EXPECT_LE(std::abs(r) / e.tau(y, vs.v[j]), bound) << y << " " << vs.v[j];
     }
   }
@@ -121,7 +120,8 @@ TEST(ResidualOutside, IsAboveEverySampleBeyondTheBox) {
   const DisplacementSamples ys = displacement_samples(e.displacement, 5);
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     for (const double v : {-5.001, -7.0, -30.0, 3.501, 5.0, 30.0}) {
-      const Eigen::VectorXd edge = v < 0 ? e.coefficients.leftCols<1>() : e.coefficients.rightCols<1>();
+      const Eigen::VectorXd edge =
+          v < 0 ? e.coefficients.leftCols<1>() : e.coefficients.rightCols<1>();
       const double slope = ys.values[i].row(1).dot(edge.segment(ys.span[i], 7));
       EXPECT_LE(std::abs(std::pow(v, 4) + v * slope - 0.3) / e.tau(ys.y[i], v), bound);
     }

@@ -11,8 +11,8 @@ namespace fpkcheck::dual {
 namespace {
 
 problem::Problem linear(const std::string& law) {
-  return problem::load_case(
-      "case1", {"system.cubic=0", "system.restitution=1", "impulse.law=" + law});
+  return problem::load_case("case1",
+                            {"system.cubic=0", "system.restitution=1", "impulse.law=" + law});
 }
 
 // E[z^p v^q], p + q = 4, from cumulants of a symmetric law.
@@ -35,7 +35,8 @@ TEST(EnergyMomentBounds, HoldTheExactMomentsOfLinearMotion) {
     const double first = a * exact::linear_cumulant(problem, 0, 2) +
                          b * exact::linear_cumulant(problem, 1, 1) +
                          d * exact::linear_cumulant(problem, 2, 0);
-    const double second = a * a * fourth_moment(problem, 0) + 2 * a * b * fourth_moment(problem, 1) +
+    const double second = a * a * fourth_moment(problem, 0) +
+                          2 * a * b * fourth_moment(problem, 1) +
                           (b * b + 2 * a * d) * fourth_moment(problem, 2) +
                           2 * b * d * fourth_moment(problem, 3) + d * d * fourth_moment(problem, 4);
     EXPECT_EQ(bounds[0], 1);

@@ -91,9 +91,8 @@ TEST(Interval, ASumWhoseTermsCancelStillHoldsTheExactOne) {
 
 TEST(Interval, RootsAndExponentialsHoldTheTruth) {
   for (const double x : {1e-9, 0.1, 0.24, 0.26, 1.0, 2.0 / 3, 7.7, 40.5, 123.4}) {
-    const auto [root, decay] = rounded_upward([&] {
-      return std::pair(sqrt(Interval(x)), exponential(Interval(-x)));
-    });
+    const auto [root, decay] =
+        rounded_upward([&] { return std::pair(sqrt(Interval(x)), exponential(Interval(-x))); });
     const Precise e = exp(-Precise(x)), s = sqrt(Precise(x));
     EXPECT_LE(Precise(root.lower()), s) << x;
     EXPECT_GE(Precise(root.upper()), s) << x;

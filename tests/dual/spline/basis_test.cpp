@@ -44,8 +44,8 @@ TEST(SplineBasis, DerivativesAreThoseOfTheValues) {
     const double width = basis.breaks()[span + 1] - basis.breaks()[span];
     const double x = basis.breaks()[span] + 0.37 * width, h = 1e-3 * width;
     for (int d = 0; d < 3; ++d) {
-      const Eigen::VectorXd difference = (basis.at(x + h, span, d).row(d) -
-                                          basis.at(x - h, span, d).row(d)) / (2 * h);
+      const Eigen::VectorXd difference =
+          (basis.at(x + h, span, d).row(d) - basis.at(x - h, span, d).row(d)) / (2 * h);
       const Eigen::VectorXd slope = basis.at(x, span, d + 1).row(d + 1);
       EXPECT_LT((difference - slope).norm(), 1e-4 * slope.norm()) << span << " " << d;
     }

@@ -20,7 +20,8 @@ struct Example {
           for (int j = 0; j < block.cols(); ++j) {
             const Eigen::Index row = banded.offset(r) + i, column = banded.offset(c) + j;
             const double product = static_cast<double>(row * column);
-            const double value = row == column ? diagonal + std::sqrt(product) : std::cos(product + 1);
+            const double value =
+                row == column ? diagonal + std::sqrt(product) : std::cos(product + 1);
             block(i, j) = value;
             dense(row, column) = dense(column, row) = value;
           }
