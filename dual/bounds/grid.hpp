@@ -25,6 +25,6 @@ enum class Smoothness {
 inline constexpr int kLevels = 5;
 Grid grid_of_level(int level, Smoothness integrand);
 /// A grid takes less than this many times the time of the one before.
-inline constexpr double kCostRatio = 3;
+inline constexpr double kCostRatio = 2.5;
 
 }  // namespace fpkcheck::dual

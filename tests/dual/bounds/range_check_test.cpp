@@ -21,12 +21,12 @@ struct Example {
   VelocityOperators v;
   Eigen::MatrixXd coefficients;
 
-  explicit Example(const std::string& law)
+  explicit Example(const std::string& law, double y_end = 4, double u_end = 5)
       : problem(problem::load_case(
             "case1", {"system.restitution=0.7", "impulse.law=" + law, "impulse.mean=0.05"})),
         tau(weight(problem, 12)),
-        displacement(graded_breaks(4, 5, 0.1, 1)),
-        velocity(SplineBasis(graded_breaks(5, 5, 0.1, 1)), 0.7),
+        displacement(graded_breaks(y_end, 5, 0.1, 1)),
+        velocity(SplineBasis(graded_breaks(u_end, 5, 0.1, 1)), 0.7),
         y(rounded_upward([&] { return displacement_operators(problem, displacement, {}); })),
         v(rounded_upward([&] { return velocity_operators(problem, velocity, {}); })),
         coefficients(displacement.size(), velocity.size()) {
@@ -126,6 +126,46 @@ TEST(ResidualOutside, IsAboveEverySampleBeyondTheBox) {
       EXPECT_LE(std::abs(std::pow(v, 4) + v * slope - 0.3) / e.tau(ys.y[i], v), bound);
     }
   }
+}
+
+TEST(ResidualOutside, SeesSlopesInVBeyondTheLargestDisplacement) {
+  // A low edge in y, and V a steep function of v alone: f and the jumps are small beside it.
+  Example e("gaussian", 4, 12);
+  for (int b = 0; b < e.coefficients.cols(); ++b)
+    e.coefficients.col(b).setConstant(1e3 * std::sin(b));
+  const Functional f = PowerMean{Axis::displacement, 1};
+  const double bound =
+      rounded_upward([&] { return residual_outside(e.setting(), f, e.candidate()); });
+  const VelocitySamples vs = rounded_upward([&] { return velocity_samples(e.v, e.velocity, 9); });
+  const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
+  const Eigen::VectorXd l = vs.jump * last + e.problem.system.force()(4.0001) * (vs.force * last);
+  double largest = 0;
+  for (std::size_t j = 0; j < vs.v.size(); ++j) {
+    largest = std::max(largest, std::abs(l(static_cast<int>(j)) + 3.7) / e.tau(4.0001, vs.v[j]));
+  }
+  EXPECT_LE(largest, bound);
+  EXPECT_GT(largest, 0.02 * bound);
+}
+
+TEST(ResidualOutside, SeesSlopesInYBeyondTheLargestSpeeds) {
+  // Low edges in v, and V a steep function of y alone: all that is left of L V is v V_y.
+  Example e("gaussian", 9, 7);
+  for (int a = 0; a < e.coefficients.rows(); ++a)
+    e.coefficients.row(a).setConstant(1e3 * std::sin(a));
+  const Functional f = PowerMean{Axis::displacement, 1};
+  const double bound =
+      rounded_upward([&] { return residual_outside(e.setting(), f, e.candidate()); });
+  const DisplacementSamples ys = displacement_samples(e.displacement, 9);
+  double largest = 0;
+  for (std::size_t i = 0; i < ys.y.size(); ++i) {
+    const Eigen::VectorXd c = e.coefficients.col(0).segment(ys.span[i], 7);
+    for (const double v : {-7.0001, 4.9001}) {
+      const double r = ys.y[i] + v * ys.values[i].row(1).dot(c) - 0.3;
+      largest = std::max(largest, std::abs(r) / e.tau(ys.y[i], v));
+    }
+  }
+  EXPECT_LE(largest, bound);
+  EXPECT_GT(largest, 0.02 * bound);
 }
 
 }  // namespace
