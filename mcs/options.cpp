@@ -83,6 +83,12 @@ void validate(const Options& options) {
   }
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   if (!options.v_edges.empty()) require_edges("mcs.v_edges", options.v_edges);
+  if (options.deposit) {
+    require_grid(*options.deposit);
+    if (options.equation != Equation::kf || options.tails) {
+      throw InputError("mcs.deposit with white noise or tails (it has impulses, unsplit) leave it");
+    }
+  }
   if (!options.y_edges.empty() && options.y_edges.front() != 0) {
     throw InputError(fmt::format("mcs.y_edges from {} (y >= 0 begins at the wall; start them at 0)",
                                  options.y_edges.front()));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mcs/deposit/grid.hpp"
 #include "parameters/description.hpp"
 #include "problem/model.hpp"
 #include "transform/identity.hpp"
@@ -58,6 +59,9 @@ struct Options {
   /// sigma_1 and +-7 sigma_2 of the equivalent linearisation.
   std::vector<double> y_edges{};
   std::vector<double> v_edges{};
+  /// Where to deposit the samples (Summary::deposits), only for `kf` without `tails`. Nothing else in
+  /// the result depends on it.
+  std::optional<DepositGrid> deposit{};
   /// File to write the state to twice a minute and in the end; empty for none. One that cannot be
   /// written is refused before anything is solved; later failures are told to `warn`.
   std::string checkpoint{};

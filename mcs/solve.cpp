@@ -141,6 +141,19 @@ void describe(const Simulation& simulation, Summary& summary) {
   }
 }
 
+std::vector<StreamDeposit> deposits(const Simulation& simulation) {
+  std::vector<StreamDeposit> all;
+  for (const Stream& stream : simulation.streams()) {
+    const StreamRecord& record = stream.record;
+    all.push_back({.sums = record.deposit,
+                   .samples = record.samples,
+                   .time = simulation.stream_time(),
+                   .impacts = record.impacts,
+                   .powers = record.powers});
+  }
+  return all;
+}
+
 /// @param unreached why the simulation did not come to what was asked for; empty when it did
 void judge(const Summary& summary, transform::Solution& solution, const std::string& unreached) {
   constexpr std::uint64_t kFewestImpulses = 10;  // of a stream
@@ -201,6 +214,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
 
   estimate(problem, simulation, result);
   summary.interrupted = interrupted;
+  if (plan.deposit) summary.deposits = deposits(simulation);
   if (splitting) {
     summary.thresholds = splitting->thresholds();
     if (summary.thresholds.empty() && unreached.empty()) {

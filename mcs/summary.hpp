@@ -1,14 +1,26 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "mcs/deposit/deposit.hpp"
 #include "mcs/estimate/estimate.hpp"
+#include "mcs/streams/stream.hpp"
 #include "transform/observation.hpp"
 
 namespace fpkcheck::mcs {
+
+/// The deposit of one stream, with what belongs to it.
+struct StreamDeposit {
+  Deposit sums;
+  double samples = 0;                           ///< N, what the sums are to be divided by
+  double time = 0;                              ///< T
+  double impacts = 0;                           ///< how many
+  std::array<double, kPowers.size()> powers{};  ///< sums of y^p y'^q in the order of kPowers
+};
 
 /// What was done and what it told, beyond what every solution has.
 struct Summary {
@@ -46,11 +58,13 @@ struct Summary {
   std::vector<double> thresholds{};  ///< energies of the splitting
   /// Standard errors of the joint histogram's averages, row-major.
   std::vector<double> joint_standard_errors{};
+  /// What the streams put on Options::deposit, in their order; empty without.
+  std::vector<StreamDeposit> deposits{};
   /// What went wrong without an effect on the result, a line each (Options::warn).
   std::vector<std::string> warnings{};
 };
 
-/// All of it but the joint histogram's errors and the warnings, as files and pages have it.
+/// All of it but the joint histogram's errors, the deposits and the warnings, as files and pages have it.
 transform::Observations observations(const Summary& summary);
 
 }  // namespace fpkcheck::mcs

@@ -19,6 +19,7 @@ struct Motion {
   const Splitting* splitting = nullptr;  ///< none: every stream is one branch
   bool records = true;                   ///< false: for the burn-in
   double shift = 0;                      ///< Excitation::shift
+  const DepositPlan* deposit = nullptr;  ///< none: samples are counted only
 };
 
 /// Moves streams on by a time, event by event: paper (1)-(2) itself, flights ending exactly at

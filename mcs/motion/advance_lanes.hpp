@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mcs/deposit/deposit_lanes.hpp"
 #include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/flight.hpp"
@@ -33,6 +34,12 @@ void receive_impulse(const Motion& motion, Stream& stream) {
     if (stream.whole()) ++stream.record.impulses;
     stream.record.work +=
         counted * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
+    if (motion.deposit) {
+      std::array<double, 3>& drawn = stream.record.deposit.impulses;
+      drawn[0] += counted;
+      drawn[1] += counted * b.amplitude;
+      drawn[2] += counted * (b.amplitude * b.amplitude);
+    }
   }
   const Impulse next = stream.source.next();
   b.until_impulse = next.waiting;
@@ -56,6 +63,7 @@ struct Lanes {
   Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
   Real powers[kPowers.size()]{};
   Real samples{}, impacts{}, impact_energy{}, flights{};
+  Real beyond_wall{};  // y of the flight's polynomial at the impact that comes next: rounding
 
   FPKCHECK_INLINE Lanes(const Motion& m, Stream* const* s) : motion(m), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
@@ -109,7 +117,16 @@ struct Lanes {
       impacts = impacts + counted;
       impact_energy = impact_energy + counted * (v * v);
     }
-    v = select(impact, -motion.oscillator.restitution * v, v);
+    const Real after = select(impact, -motion.oscillator.restitution * v, v);
+    if (kRecords && motion.deposit && any(impact)) {
+      for (int i = 0; i < W; ++i) {
+        if (lane(impact, i) == 0) continue;
+        deposit_impact(*motion.deposit, streams[i]->record.deposit, lane(beyond_wall, i),
+                       lane(v, i), lane(after, i), lane(weight, i));
+      }
+      beyond_wall = select(impact, Real{}, beyond_wall);
+    }
+    v = after;
   }
 
   FPKCHECK_INLINE void sample(const BasicFlight<Real>& flight, const Real& span) {
@@ -119,9 +136,25 @@ struct Lanes {
       const Real time = where(due, until_sample);
       const BasicState<Real> at = flight.at(time);
       count(at, where(due, weight));
+      if (motion.deposit) deposit(at, flight.own_acceleration(time), due);
       until_sample = until_sample + where(due, all_lanes<Real>(motion.sampling_interval));
     }
     until_sample = until_sample - span;
+  }
+
+  // Lane by lane: each sample fills the lanes with the functions that do not vanish there.
+  FPKCHECK_INLINE void deposit(const BasicState<Real>& at, const Real& acceleration,
+                               const Mask& due) const {
+    Array<double> ys, vs, as;
+    store(larger(at.y, Real{}), ys.at);
+    store(at.v, vs.at);
+    store(acceleration, as.at);
+#pragma GCC unroll 1
+    for (int i = 0; i < W; ++i) {
+      if (lane(due, i) == 0) continue;
+      deposit_sample(*motion.deposit, streams[i]->record.deposit, ys.at[i], vs.at[i], as.at[i],
+                     lane(weight, i));
+    }
   }
 
   // A lane with nothing to count counts it with the weight 0.
@@ -221,8 +254,9 @@ struct Lanes {
       const Mask impact = (end.y < 0.0) & (y > 0.0);
       if (any(impact)) {
         span = select(impact, flight.impact_time(span, end, impact), span);
-        const Real velocity = flight.at(span).v;
-        end.v = select(impact, velocity, end.v);
+        const BasicState<Real> at_wall = flight.at(span);
+        end.v = select(impact, at_wall.v, end.v);
+        if (kRecords && motion.deposit) beyond_wall = select(impact, at_wall.y, beyond_wall);
         end.y = select(impact, Real{}, end.y);
       }
       if constexpr (kRecords) {

@@ -56,6 +56,14 @@ class BasicFlight {
     return {y_even + s * y_odd, v_even + s * v_odd};
   }
 
+  /// The second derivative of the polynomial itself at s.
+  FPKCHECK_INLINE Real own_acceleration(const Real& s) const {
+    Real sum = double{kOrder * (kOrder - 1)} * a_[kOrder];
+#pragma GCC unroll 16
+    for (int n = kOrder - 1; n >= 2; --n) sum = sum * s + static_cast<double>(n * (n - 1)) * a_[n];
+    return sum;
+  }
+
   /// y'' at a state, by paper (1).
   FPKCHECK_INLINE Real acceleration(const BasicState<Real>& state) const {
     return -(oscillator_.damping * state.v + restoring_force(oscillator_, state.y));

@@ -76,6 +76,13 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
       static_cast<int>(e.arrivals), e.interval, e.law, e.mean, e.width, plan.seed, plan.streams,
       plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
       fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
+  if (plan.deposit) {
+    const DepositGrid& g = plan.deposit->grid;
+    text += fmt::format("; deposit {:a}; {:a}; {:a} {:a} {}; {:a} {:a} {}; {:a} {:a} {}",
+                        fmt::join(g.y_knots, " "), fmt::join(g.v_knots, " "), g.lattice_begin,
+                        g.lattice_spacing, g.lattice_points, g.y_bins.first, g.y_bins.spacing,
+                        g.y_bins.count, g.v_bins.first, g.v_bins.spacing, g.v_bins.count);
+  }
   if (splitting) text += fmt::format("; thresholds {:a}", fmt::join(splitting->thresholds(), " "));
   return text;
 }

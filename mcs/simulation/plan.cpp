@@ -71,6 +71,10 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
         "mcs.time = {} (each of {} streams would take {:.0e} samples; at most {:.0e}) use less",
         time, options.streams, samples * rounds, kMostSamples));
   }
+  std::optional<DepositPlan> deposit;
+  if (options.deposit) {
+    deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
+  }
   return {.streams = options.streams,
           .threads = std::min(number_of_threads(options.threads), options.streams),
           .seed = options.seed,
@@ -84,7 +88,8 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
           .excitation = excitation,
           .y_bins =
               bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
-          .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2)};
+          .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2),
+          .deposit = deposit};
 }
 
 }  // namespace fpkcheck::mcs

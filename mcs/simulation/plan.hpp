@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "mcs/impulses/excitation.hpp"
 #include "mcs/options.hpp"
@@ -33,6 +34,7 @@ struct Plan {
   Excitation excitation;
   BinFinder y_bins;
   BinFinder v_bins;
+  std::optional<DepositPlan> deposit{};
 
   /// Measured time of one stream in a round.
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }

@@ -25,7 +25,8 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
               .y_bins = &plan.y_bins,
               .v_bins = &plan.v_bins,
               .splitting = splitting,
-              .shift = plan.excitation.shift} {
+              .shift = plan.excitation.shift,
+              .deposit = plan.deposit ? &*plan.deposit : nullptr} {
   for (int s = 0; s < plan.streams; ++s) {
     ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
     const State start = folded_start(source, plan.displacement_deviation, plan.velocity_deviation);
@@ -38,6 +39,7 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
                                    .remaining = 0},
                         .source = source,
                         .record = StreamRecord(plan.y_bins, plan.v_bins)});
+    if (plan.deposit) streams_.back().record.deposit = Deposit(plan.deposit->grid);
   }
 }
 
@@ -45,6 +47,7 @@ void Simulation::burn_in() {
   Motion unseen = motion_;
   unseen.records = false;
   unseen.splitting = nullptr;
+  unseen.deposit = nullptr;
   move(unseen, plan_->burn_in);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "mcs/deposit/deposit.hpp"
 #include "mcs/impulses/impulse_source.hpp"
 #include "mcs/streams/histogram.hpp"
 
@@ -41,6 +42,8 @@ struct StreamRecord {
   std::uint64_t flights = 0;
   /// Energies right after impulses, by the bins of the splitting; empty without.
   std::vector<double> energies{};
+  /// On the grid of Options::deposit; empty without.
+  Deposit deposit{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bins() + 2), troughs(y.bins() + 2) {}
@@ -60,6 +63,7 @@ void for_each_sum(Record& record, Visit visit) {
   visit(record.peaks);
   visit(record.troughs);
   visit(record.energies);
+  if (!record.deposit.flow.empty()) for_each_deposit_sum(record.deposit, visit);
 }
 
 /// A trajectory somewhere on its way.

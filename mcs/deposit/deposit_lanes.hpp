@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mcs/deposit/deposit.hpp"
+#include "mcs/lanes/lanes.hpp"
+
+// Included by the files that are compiled for different instructions, and inlined there: see
+// mcs/motion/advance_lanes.hpp. Here the lanes are the functions of one sample, not samples.
+
+namespace fpkcheck::mcs {
+namespace {
+
+using Eight = LanesOf<8>::Real;
+
+/// Horner's rule for eight polynomials.
+template <int kDegree>
+FPKCHECK_INLINE Eight polynomials(const double* coefficients, double t) {
+  Eight sum = load<Eight>(coefficients);
+#pragma GCC unroll 8
+  for (int n = 1; n <= kDegree; ++n) sum = sum * t + load<Eight>(coefficients + 8 * n);
+  return sum;
+}
+
+FPKCHECK_INLINE void add(double* to, const Eight& what) { store(load<Eight>(to) + what, to); }
+
+/// The functions that do not vanish at a point.
+struct Functions {
+  Eight value, slope;
+  int first;
+};
+
+FPKCHECK_INLINE Functions functions_at(const SplinePieces& pieces, double x) {
+  const double inside = x < pieces.begin() ? pieces.begin() : x > pieces.end() ? pieces.end() : x;
+  const double cells = (inside - pieces.begin()) * pieces.per_length();
+  int span = static_cast<int>(cells);
+  if (span >= pieces.spans()) span = pieces.spans() - 1;
+  const double* const c = pieces.coefficients() + pieces.place()[span];
+  const double t = cells - span;
+  Functions f{polynomials<5>(c, t), Eight{}, pieces.first()[span]};
+  // Constants beyond the ends.
+  if (inside == x) f.slope = polynomials<4>(c + 6 * 8, t);
+  return f;
+}
+
+FPKCHECK_INLINE void put_in_bins(const CubicBins& bins, const double* cubics, double* sums,
+                                 double x, double weight) {
+  const double cells = (x - bins.first) / bins.spacing;
+  if (!(cells >= -1.0 && cells < bins.count)) return;
+  const int cell = static_cast<int>(cells + 1.0) - 1;
+  add(sums + cell - 1 + Deposit::kFrame, weight * polynomials<3>(cubics, cells - cell));
+}
+
+/// One sample.
+/// @param a second derivative of the flight's polynomial
+FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, double y, double v,
+                                    double a, double weight) {
+  const Functions in_y = functions_at(plan.y, y), in_v = functions_at(plan.v, v);
+  // y' B_i' B_j - lambda B_i B_j + y'' B_i B_j'
+  const Eight of_value = (weight * v) * in_y.slope - (weight * plan.rate) * in_y.value;
+  const Eight of_slope = (weight * a) * in_y.value;
+  double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    add(row, lane(of_value, i) * in_v.value + lane(of_slope, i) * in_v.slope);
+    row += deposit.flow_pitch;
+  }
+  // lambda B_i on the lattice, by Lagrange's polynomials on the eight points around
+  const DepositGrid& grid = plan.grid;
+  double cells = (v - grid.lattice_begin) / grid.lattice_spacing;
+  const double last = grid.lattice_points - 1;
+  cells = cells < 0 ? 0 : cells > last ? last : cells;
+  int cell = static_cast<int>(cells);
+  cell = cell < 3 ? 3 : cell > grid.lattice_points - 5 ? grid.lattice_points - 5 : cell;
+  const Eight stencil = polynomials<7>(plan.lagrange.data(), cells - cell);
+  const Eight rates = (weight * plan.rate) * in_y.value;
+  double* line = deposit.lattice.data() + in_y.first * deposit.lattice_pitch + cell - 3;
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    add(line, lane(rates, i) * stencil);
+    line += deposit.lattice_pitch;
+  }
+  put_in_bins(grid.y_bins, plan.cubics.data(), deposit.y_bins.data(), y, weight);
+  put_in_bins(grid.v_bins, plan.cubics.data(), deposit.v_bins.data(), v, weight);
+  const double acceleration = weight * a;
+  deposit.acceleration[0] += acceleration;
+  deposit.acceleration[1] += acceleration * y;
+  deposit.acceleration[2] += acceleration * v;
+}
+
+/// One impact: h(0, v+) - h(y-, v-), to first order in y-, which is 0 but for rounding.
+FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, double y_before,
+                                    double v_before, double v_after, double weight) {
+  const double per_sample = weight / plan.sampling_interval;
+  const Functions before = functions_at(plan.v, v_before), after = functions_at(plan.v, v_after);
+  const Functions wall = functions_at(plan.y, 0.0);
+  double* row = deposit.flow.data();
+  add(row + after.first, per_sample * after.value);
+#pragma GCC unroll 2
+  for (int i = 0; i < 2; ++i) {  // no others have a slope at the wall
+    const double at = lane(wall.value, i) + y_before * lane(wall.slope, i);
+    add(row + before.first, (-per_sample * at) * before.value);
+    row += deposit.flow_pitch;
+  }
+  deposit.impacts[0] -= weight * v_before;
+  deposit.impacts[1] += weight * v_after;
+  deposit.impacts[2] += weight * (y_before < 0 ? -y_before : y_before);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

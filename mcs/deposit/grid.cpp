@@ -1,0 +1,183 @@
+#include "mcs/deposit/grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr int kDegree = DepositGrid::kDegree;
+constexpr int kEight = SplinePieces::kWidth;
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw InputError("mcs.deposit: " + what);
+}
+
+std::vector<double> breaks_of(const std::vector<double>& knots) {
+  std::vector<double> breaks(knots);
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
+}
+
+void require_knots(const std::string& name, const std::vector<double>& knots) {
+  const auto repeated = [&](double x) { return std::ranges::count(knots, x); };
+  require(
+      knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
+          std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
+          knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
+          repeated(knots.back()) == kDegree + 1,
+      fmt::format("{} with {} knots (must not decrease, with six-fold ends)", name, knots.size()));
+  const std::vector<double> breaks = breaks_of(knots);
+  const auto cells = static_cast<double>(breaks.size() - 1);
+  const double width = (breaks.back() - breaks.front()) / cells;
+  for (std::size_t k = 0; k < breaks.size(); ++k) {
+    const double even = breaks.front() + static_cast<double>(k) * width;
+    require(std::abs(breaks[k] - even) < 1e-9 * width,
+            fmt::format("{}: the knots without their repetitions must be evenly spaced", name));
+    require(k == 0 || k + 1 == breaks.size() || repeated(breaks[k]) <= kDegree,
+            fmt::format("{}: an inner knot is repeated more than five times", name));
+  }
+}
+
+void require_bins(const std::string& name, const CubicBins& bins) {
+  require(bins.count >= 1 && bins.spacing > 0 && std::isfinite(bins.first) &&
+              std::isfinite(bins.spacing),
+          fmt::format("{} smooth bins of {} with the spacing {}", bins.count, name, bins.spacing));
+}
+
+using Power = std::vector<double>;  // coefficients of 1, t, ..
+
+/// a p + (b + c t) q
+Power combined(double a, const Power& p, double b, double c, const Power& q) {
+  Power sum(std::max(p.size(), q.size() + 1), 0.0);
+  for (std::size_t n = 0; n < p.size(); ++n) sum[n] += a * p[n];
+  for (std::size_t n = 0; n < q.size(); ++n) {
+    sum[n] += b * q[n];
+    sum[n + 1] += c * q[n];
+  }
+  return sum;
+}
+
+/// The functions of a span, from its sixth-last knot on, by the recursion of Cox and de Boor in
+/// t = (x - begin)/width, shape (6, 6).
+/// @param last_knot of the span's beginning
+std::vector<Power> functions_of(const std::vector<double>& knots, std::size_t last_knot) {
+  const double begin = knots[last_knot], width = knots[last_knot + 1] - begin;
+  std::vector<Power> functions{{1.0}};
+  for (int p = 1; p <= kDegree; ++p) {
+    std::vector<Power> next(functions.size() + 1, Power{0.0});
+    for (std::size_t l = 0; l < functions.size(); ++l) {
+      // Of degree p - 1, on the knots i .. i + p.
+      const std::size_t i = last_knot - static_cast<std::size_t>(p - 1) + l;
+      const double low = knots[i], length = knots[i + static_cast<std::size_t>(p)] - low;
+      const double at = (begin - low) / length, slope = width / length;
+      next[l + 1] = combined(1, next[l + 1], at, slope, functions[l]);
+      next[l] = combined(1, next[l], 1 - at, -slope, functions[l]);
+    }
+    functions = std::move(next);
+  }
+  for (Power& f : functions) f.resize(kDegree + 1);
+  return functions;
+}
+
+/// Highest power first, by powers and then by functions.
+void append(std::vector<double>& table, const std::vector<Power>& functions, int highest) {
+  for (int n = highest; n >= 0; --n) {
+    for (int l = 0; l < kEight; ++l) {
+      const bool there = l < static_cast<int>(functions.size());
+      table.push_back(there ? functions[static_cast<std::size_t>(l)][static_cast<std::size_t>(n)]
+                            : 0.0);
+    }
+  }
+}
+
+Power multiplied(const Power& p, double constant, double slope) {
+  return combined(0, {}, constant, slope, p);
+}
+
+std::vector<double> lagrange_polynomials() {
+  std::vector<Power> polynomials;
+  for (int q = -3; q <= 4; ++q) {
+    Power polynomial{1.0};
+    for (int p = -3; p <= 4; ++p) {
+      if (p != q) polynomial = multiplied(polynomial, -p / double(q - p), 1.0 / (q - p));
+    }
+    polynomials.push_back(std::move(polynomial));
+  }
+  std::vector<double> table;
+  append(table, polynomials, DepositGrid::kStencil - 1);
+  return table;
+}
+
+std::vector<double> cubic_pieces() {
+  // M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
+  std::vector<double> table;
+  append(table,
+         {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
+          {4. / 6, 0, -1, 1. / 2},
+          {1. / 6, 1. / 2, 1. / 2, -1. / 2},
+          {0, 0, 0, 1. / 6}},
+         3);
+  return table;
+}
+
+}  // namespace
+
+void require_grid(const DepositGrid& grid) {
+  require_knots("y", grid.y_knots);
+  require_knots("v", grid.v_knots);
+  require(grid.y_knots.front() == 0, "the knots of y must begin at 0");
+  require(grid.lattice_points >= DepositGrid::kStencil && grid.lattice_spacing > 0 &&
+              std::isfinite(grid.lattice_begin),
+          fmt::format("{} points of the lattice (at least {})", grid.lattice_points,
+                      DepositGrid::kStencil));
+  require_bins("y", grid.y_bins);
+  require_bins("v", grid.v_bins);
+}
+
+SplinePieces::SplinePieces(const std::vector<double>& knots)
+    : begin_(knots.front()), end_(knots.back()) {
+  for (std::size_t k = kDegree; k + kDegree + 1 < knots.size(); ++k) {
+    if (knots[k] == knots[k + 1]) continue;
+    const auto functions = functions_of(knots, k);
+    const double width = knots[k + 1] - knots[k];
+    std::vector<Power> slopes;
+    for (const Power& f : functions) {
+      Power slope;
+      for (int n = 1; n <= kDegree; ++n)
+        slope.push_back(n * f[static_cast<std::size_t>(n)] / width);
+      slopes.push_back(slope);
+    }
+    std::vector<double> table;
+    append(table, functions, kDegree);
+    append(table, slopes, kDegree - 1);
+    // Alike but for rounding.
+    int place = 0;
+    const auto alike = [&](int from) {
+      return std::equal(table.begin(), table.end(), coefficients_.begin() + from,
+                        [&](double a, double b) { return std::abs(a - b) <= 1e-12 / width; });
+    };
+    const int stored = static_cast<int>(coefficients_.size());
+    while (place < stored && !alike(place)) place += static_cast<int>(table.size());
+    if (place == stored) coefficients_.insert(coefficients_.end(), table.begin(), table.end());
+    first_.push_back(static_cast<int>(k) - kDegree);
+    place_.push_back(place);
+  }
+  per_length_ = static_cast<double>(spans()) / (end_ - begin_);
+}
+
+DepositPlan::DepositPlan(const DepositGrid& g, double lambda, double interval)
+    : grid((require_grid(g), g)),
+      y(g.y_knots),
+      v(g.v_knots),
+      rate(lambda),
+      sampling_interval(interval),
+      lagrange(lagrange_polynomials()),
+      cubics(cubic_pieces()) {}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <vector>
+
+namespace fpkcheck::mcs {
+
+/// Cubic cardinal B-splines M((x - first)/spacing - b), b = 0 .. count - 1, where M lives on
+/// (-2, 2): smooth bins, whose sum is 1.
+struct CubicBins {
+  double first = 0;  ///< centre of bin 0
+  double spacing = 1;
+  int count = 0;
+};
+
+/// Where a simulation deposits its samples (Options::deposit): tensor products B_i(y) B_j(v) of
+/// B-splines of degree 5, a lattice of velocities, and smooth bins of both variables.
+struct DepositGrid {
+  static constexpr int kDegree = 5;
+  static constexpr int kStencil = 8;  ///< points of the interpolation on the lattice
+
+  /// Nondecreasing knots, the first and last of multiplicity 6, those of y from 0. Without their
+  /// repetitions they are evenly spaced. Beyond the ends the splines go on as constants.
+  std::vector<double> y_knots{}, v_knots{};
+  /// Velocities begin + q spacing, q = 0 .. points - 1; a velocity beyond them counts at their end.
+  double lattice_begin = 0, lattice_spacing = 1;
+  int lattice_points = 0;
+  CubicBins y_bins{}, v_bins{};
+
+  int y_functions() const { return static_cast<int>(y_knots.size()) - kDegree - 1; }
+  int v_functions() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
+};
+
+/// @throws InputError when the grid is not as described above
+void require_grid(const DepositGrid& grid);
+
+/// B-splines of degree 5 as polynomials on each span, eight at a time (six, and two that are 0).
+class SplinePieces {
+ public:
+  static constexpr int kWidth = 8;
+
+  /// @param knots as DepositGrid has them
+  explicit SplinePieces(const std::vector<double>& knots);
+
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+  double per_length() const { return per_length_; }
+  int spans() const { return static_cast<int>(first_.size()); }
+  /// Of each span the first of its functions.
+  const int* first() const { return first_.data(); }
+  /// Of each span where its coefficients begin.
+  const int* place() const { return place_.data(); }
+  /// Coefficients of t^5, .., 1, t = (x - begin of the span)/length, then those of the slopes in x
+  /// of t^4, .., 1: shape (11, kWidth). Spans that look alike share them.
+  const double* coefficients() const { return coefficients_.data(); }
+
+ private:
+  double begin_, end_, per_length_;
+  std::vector<int> first_, place_;
+  std::vector<double> coefficients_;
+};
+
+/// A grid made ready for samples.
+struct DepositPlan {
+  DepositGrid grid;
+  SplinePieces y, v;
+  double rate;               ///< lambda
+  double sampling_interval;  ///< time between samples
+  /// Lagrange's polynomials on the points -3 .. 4, coefficients of t^7, .., 1: shape (8, 8).
+  std::vector<double> lagrange;
+  /// The four cubics of the smooth bins on a cell, coefficients of t^3, .., 1: shape (4, 8).
+  std::vector<double> cubics;
+
+  /// @throws InputError as require_grid()
+  DepositPlan(const DepositGrid& grid, double rate, double sampling_interval);
+};
+
+}  // namespace fpkcheck::mcs

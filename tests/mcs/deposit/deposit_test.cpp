@@ -1,0 +1,225 @@
+#include "mcs/deposit/deposit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "mcs/lanes/instruction_set.hpp"
+#include "mcs/motion/advance.hpp"
+#include "mcs/motion/trajectory.hpp"
+#include "mcs/solve.hpp"
+#include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
+#include "uniform_edges.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kRate = 3, kInterval = 0.25;
+
+std::vector<double> knots(double from, double to, int cells, int repeated_middle = 1) {
+  std::vector<double> all(5, from);
+  for (int k = 0; k <= cells; ++k) {
+    const int times = 2 * k == cells ? repeated_middle : 1;
+    all.insert(all.end(), times, from + (to - from) * k / cells);
+  }
+  all.insert(all.end(), 5, to);
+  return all;
+}
+
+DepositGrid grid() {
+  return {.y_knots = knots(0, 4, 16),
+          .v_knots = knots(-5, 5, 40, 3),
+          .lattice_begin = -6,
+          .lattice_spacing = 0.05,
+          .lattice_points = 241,
+          .y_bins = {.first = -0.2, .spacing = 0.2, .count = 24},
+          .v_bins = {.first = -6, .spacing = 0.4, .count = 31}};
+}
+
+/// Coefficients of x^power in the splines, by Marsden's identity: the mean over all choices of
+/// `power` of the five inner knots of their product.
+std::vector<double> power_coefficients(const std::vector<double>& knots, int power) {
+  std::vector<double> c;
+  for (std::size_t i = 0; i + 6 < knots.size(); ++i) {
+    std::vector<double> e(static_cast<std::size_t>(power) + 1, 0.0);  // elementary symmetric
+    e[0] = 1;
+    for (std::size_t k = 1; k <= 5; ++k) {
+      for (int p = power; p > 0; --p) e[p] += knots[i + k] * e[p - 1];
+    }
+    const double choices[] = {1, 5, 10, 10, 5, 1};
+    c.push_back(e[power] / choices[power]);
+  }
+  return c;
+}
+
+/// sum c_i c_j of the flow and of the lattice with (K v^q)(v) given on it.
+double applied(const DepositGrid& g, const Deposit& d, int p, int q,
+               const std::function<double(double)>& after_impulse) {
+  const auto in_y = power_coefficients(g.y_knots, p), in_v = power_coefficients(g.v_knots, q);
+  double sum = 0;
+  for (int i = 0; i < g.y_functions(); ++i) {
+    for (int j = 0; j < g.v_functions(); ++j) {
+      sum += in_y[i] * in_v[j] * d.flow[static_cast<std::size_t>(i * d.flow_pitch + j)];
+    }
+    for (int k = 0; k < g.lattice_points; ++k) {
+      sum += in_y[i] * after_impulse(g.lattice_begin + k * g.lattice_spacing) *
+             d.lattice[static_cast<std::size_t>(i * d.lattice_pitch + k)];
+    }
+  }
+  return sum;
+}
+
+/// The same sum straight from the trajectory, h = y^p v^q, E[Y] = 0 and E[Y^2] = variance.
+struct Tally {
+  int p, q;
+  double variance;
+  double until_sample = kInterval / 2, sum = 0, v_before = 0, restitution;
+  void flight(const Flight& flight, double duration) {
+    for (; until_sample < duration; until_sample += kInterval) {
+      const auto [y, v] = flight.at(until_sample);
+      const double a = flight.own_acceleration(until_sample);
+      if (p > 0) sum += v * p * std::pow(y, p - 1) * std::pow(v, q);
+      if (q > 0) sum += a * std::pow(y, p) * q * std::pow(v, q - 1);
+      if (q >= 2) {  // E[(v + Y)^q] - v^q for q = 2, 3
+        sum += kRate * std::pow(y, p) * variance * (q == 2 ? 1 : 3 * v);
+      }
+    }
+    until_sample -= duration;
+  }
+  void impact(double v) {
+    if (p == 0) sum += (std::pow(-restitution * v, q) - std::pow(v, q)) / kInterval;
+  }
+  void impulse(double, double) {}
+};
+
+struct Setting {
+  problem::Problem problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = kRate});
+  Oscillator oscillator{problem.system};
+  BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
+  DepositPlan plan{grid(), kRate, kInterval};
+
+  Stream advanced(std::uint32_t s, const LaneSet& lanes) const {
+    ImpulseSource source(problem.impulses, 21, s);
+    const Impulse first = source.next();
+    Stream stream{.branch = {.y = 0.3,
+                             .v = 1 - 0.2 * s,
+                             .until_impulse = first.waiting,
+                             .amplitude = first.amplitude,
+                             .until_sample = kInterval / 2,
+                             .remaining = 0},
+                  .source = source,
+                  .record = StreamRecord(y, v)};
+    stream.record.deposit = Deposit(plan.grid);
+    std::vector<Stream> copies(static_cast<std::size_t>(lanes.width), stream);
+    std::vector<Stream*> all;
+    for (Stream& copy : copies) all.push_back(&copy);
+    mcs::advance({.oscillator = oscillator,
+                  .step = 0.9,
+                  .sampling_interval = kInterval,
+                  .y_bins = &y,
+                  .v_bins = &v,
+                  .deposit = &plan},
+                 all, 30, lanes);
+    return copies.back();
+  }
+};
+
+TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
+  const Setting setting;
+  const double variance = setting.problem.impulses.law().moment(2);
+  for (std::uint32_t s = 0; s < 3; ++s) {
+    const Stream stream = setting.advanced(s, available_lanes().back());
+    for (const auto& [p, q] :
+         {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
+      Trajectory trajectory(setting.oscillator, ImpulseSource(setting.problem.impulses, 21, s),
+                            {0.3, 1 - 0.2 * s}, 0.9);
+      Tally tally{.p = p, .q = q, .variance = variance, .restitution = 0.6};
+      trajectory.advance(30, tally);
+      const double sum =
+          applied(setting.plan.grid, stream.record.deposit, p, q, [&, power = q](double v) {
+            const double more = power == 2 ? variance : power == 3 ? 3 * v * variance : 0;
+            return std::pow(v, power) + more;
+          });
+      EXPECT_NEAR(sum, tally.sum, 1e-9) << p << q;
+    }
+  }
+}
+
+TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
+  const Setting setting;
+  const Deposit reference = setting.advanced(1, {InstructionSet::baseline, 1}).record.deposit;
+  for (const LaneSet& lanes : available_lanes()) {
+    SCOPED_TRACE(lanes.width);
+    const Deposit deposit = setting.advanced(1, lanes).record.deposit;
+    EXPECT_EQ(deposit.flow, reference.flow);
+    EXPECT_EQ(deposit.lattice, reference.lattice);
+    EXPECT_EQ(deposit.y_bins, reference.y_bins);
+    EXPECT_EQ(deposit.v_bins, reference.v_bins);
+    EXPECT_EQ(deposit.acceleration, reference.acceleration);
+    EXPECT_EQ(deposit.impacts, reference.impacts);
+    EXPECT_EQ(deposit.impulses, reference.impulses);
+  }
+}
+
+TEST(Deposit, CountsEverySampleInTheSmoothBins) {
+  const Setting setting;
+  const Stream stream = setting.advanced(0, available_lanes().back());
+  const Deposit& deposit = stream.record.deposit;
+  const auto sum = [](const std::vector<double>& x) {
+    return std::accumulate(x.begin(), x.end(), 0.0);
+  };
+  EXPECT_NEAR(sum(deposit.y_bins), stream.record.samples, 1e-9);
+  EXPECT_NEAR(sum(deposit.v_bins), stream.record.samples, 1e-9);
+  // M(t) has the first moment of its centre.
+  double first = 0;
+  for (std::size_t b = 0; b < deposit.y_bins.size(); ++b) {
+    first += deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - Deposit::kFrame));
+  }
+  EXPECT_NEAR(first, stream.record.powers[0], 1e-9);
+}
+
+TEST(Deposit, SeesImpactsAndImpulsesAsTheyWere) {
+  const Setting setting;
+  const Stream stream = setting.advanced(0, available_lanes().back());
+  const auto [before, after, beyond] = stream.record.deposit.impacts;
+  EXPECT_GT(stream.record.impacts, 3);
+  EXPECT_NEAR(after / before, 0.6, 1e-14);
+  EXPECT_LT(beyond, 1e-14 * stream.record.impacts);
+  EXPECT_EQ(stream.record.deposit.impulses[0], static_cast<double>(stream.record.impulses));
+}
+
+TEST(Deposit, ChangesNothingElse) {
+  const auto problem = tests::paper_case(1);
+  const Options plain{.time = 2e4, .streams = 10};
+  Options depositing = plain;
+  depositing.deposit = grid();
+  const Result a = solve(problem, plain), b = solve(problem, depositing);
+  EXPECT_TRUE(a.summary.deposits.empty());
+  EXPECT_EQ(b.summary.deposits.size(), 10u);
+  EXPECT_EQ(a.solution.moments.y2, b.solution.moments.y2);
+  EXPECT_EQ(a.solution.standard_errors->moments.v4, b.solution.standard_errors->moments.v4);
+  EXPECT_EQ(a.summary.impact_rate.mean, b.summary.impact_rate.mean);
+  EXPECT_EQ(a.summary.joint_standard_errors, b.summary.joint_standard_errors);
+}
+
+TEST(Deposit, RefusesGridsThatItCannotUse) {
+  const auto refused = [](const std::function<void(Options&)>& change) {
+    Options options{.deposit = grid()};
+    change(options);
+    EXPECT_THROW(validate(options), InputError);
+  };
+  EXPECT_NO_THROW(validate(Options{.deposit = grid()}));
+  refused([](Options& o) { o.equation = Equation::white; });
+  refused([](Options& o) { o.tails = true; });
+  refused([](Options& o) { o.deposit->y_knots.erase(o.deposit->y_knots.begin()); });
+  refused([](Options& o) { o.deposit->v_knots[10] += 0.01; });
+  refused([](Options& o) { o.deposit->lattice_points = 7; });
+  refused([](Options& o) { o.deposit->y_bins.spacing = 0; });
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs
