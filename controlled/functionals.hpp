@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "dual/control/control_functions.hpp"
+#include "mcs/deposit/deposit.hpp"
+#include "mcs/summary.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::controlled {
+
+/// E[y^p y'^q].
+struct Moment {
+  int p, q;
+};
+inline constexpr std::array<Moment, 6> kMoments{{{1, 0}, {2, 0}, {4, 0}, {0, 1}, {0, 2}, {0, 4}}};
+
+/// What is estimated, in this order: the moments, the smooth bins of y, those of y'.
+struct Functionals {
+  mcs::CubicBins y_bins, v_bins;
+
+  int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
+  /// As functions of the phase plane.
+  std::vector<dual::SeparableFunction> functions() const;
+  /// Their plain means over the samples of one stream.
+  std::vector<double> means(const mcs::StreamDeposit& stream) const;
+};
+
+/// M(t), the cubic cardinal B-spline about 0.
+double cubic_spline(double t);
+/// int M((x - first)/spacing - b) dx over x > from.
+double bin_weight(const mcs::CubicBins& bins, int bin, double from);
+
+}  // namespace fpkcheck::controlled

@@ -1,0 +1,196 @@
+#include "dual/control/control_functions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "dual/backward/least_squares.hpp"
+#include "dual/control/impulse_means.hpp"
+#include "dual/spline/block_banded_cholesky.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+constexpr int kTerms = 3;
+constexpr int kDegree = KnotSplines::kDegree;
+constexpr int kPoints = 8;  // of Gauss's rule on a cell
+constexpr double kRidge = 1e-13;
+
+struct Quadrature {
+  std::vector<double> points;
+  Eigen::VectorXd weights;
+};
+
+Quadrature quadrature(const std::vector<double>& breaks) {
+  using Gauss = boost::math::quadrature::gauss<double, kPoints>;
+  Quadrature q;
+  std::vector<double> weights;
+  for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
+    const double centre = (breaks[cell] + breaks[cell + 1]) / 2;
+    const double half = (breaks[cell + 1] - breaks[cell]) / 2;
+    for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
+      for (const double sign : {-1.0, 1.0}) {
+        q.points.push_back(centre + sign * half * Gauss::abscissa()[n]);
+        weights.push_back(half * Gauss::weights()[n]);
+      }
+    }
+  }
+  q.weights =
+      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  return q;
+}
+
+void weigh(Quadrature& q, const std::function<double(double)>& weight) {
+  for (std::size_t n = 0; n < q.points.size(); ++n) {
+    q.weights(static_cast<Eigen::Index>(n)) *= weight(q.points[n]);
+  }
+}
+
+/// One variable's factors of the three terms at points, shape (points, functions).
+using Factors = std::array<Eigen::MatrixXd, kTerms>;
+/// <factor a, factor b> under the weight.
+using Grams = std::array<std::array<Eigen::MatrixXd, kTerms>, kTerms>;
+
+Grams grams(const Factors& factors, const Eigen::VectorXd& weights) {
+  Grams g;
+  for (int a = 0; a < kTerms; ++a) {
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * factors[a];
+    for (int b = 0; b <= a; ++b) {
+      g[a][b].noalias() = weighted.transpose() * factors[b];
+      if (b < a) g[b][a] = g[a][b].transpose();
+    }
+  }
+  return g;
+}
+
+struct Values {
+  Eigen::MatrixXd value, slope;
+};
+
+Values values_at(const KnotSplines& splines, const std::vector<double>& points) {
+  const auto rows = static_cast<Eigen::Index>(points.size());
+  Values all{Eigen::MatrixXd::Zero(rows, splines.size()),
+             Eigen::MatrixXd::Zero(rows, splines.size())};
+  for (Eigen::Index n = 0; n < rows; ++n) {
+    const auto at = splines.at(points[static_cast<std::size_t>(n)]);
+    for (int l = 0; l <= kDegree; ++l) {
+      all.value(n, at.first + l) = at.value[l];
+      all.slope(n, at.first + l) = at.slope[l];
+    }
+  }
+  return all;
+}
+
+Eigen::VectorXd map(const std::vector<double>& points, const std::function<double(double)>& f) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(points.size()));
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    values(static_cast<Eigen::Index>(n)) = f(points[n]);
+  }
+  return values;
+}
+
+// A', A, g A
+Factors factors_of_y(const ControlProblem& p, const std::vector<double>& points) {
+  const Values a = values_at(p.y, points);
+  const Eigen::VectorXd force = map(points, [&](double y) { return p.problem.system.force()(y); });
+  return {a.slope, a.value, force.asDiagonal() * a.value};
+}
+
+// v B, lambda (K B - B) - c v B', -B'
+Factors factors_of_v(const ControlProblem& p, const std::vector<double>& points) {
+  const Values b = values_at(p.v, points);
+  const Eigen::VectorXd v = map(points, [](double x) { return x; });
+  const problem::ImpulseTrain& impulses = p.problem.impulses;
+  return {v.asDiagonal() * b.value,
+          impulses.arrival_rate() * (impulse_means(p.v, impulses.law(), points) - b.value) -
+              p.problem.system.damping() * (v.asDiagonal() * b.slope),
+          -b.slope};
+}
+
+/// int u w(0, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u).
+Eigen::MatrixXd wall_gram(const ControlProblem& p) {
+  const double r = p.problem.system.restitution(), end = std::max(p.v.end(), -p.v.begin());
+  std::vector<double> breaks{0};
+  for (const double v : p.v.breaks()) breaks.push_back(v < 0 ? -v : v / r);
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::remove_if(breaks.begin(), breaks.end(), [&](double u) { return u > end; }),
+               breaks.end());
+  Quadrature q = quadrature(breaks);
+  weigh(q, [&](double u) { return u * p.weight_v(u); });
+  std::vector<double> in, out;
+  for (const double u : q.points) {
+    in.push_back(-u);
+    out.push_back(r * u);
+  }
+  const Eigen::MatrixXd jump = values_at(p.v, out).value - values_at(p.v, in).value;
+  return p.weight_y(0) * (jump.transpose() * (q.weights.asDiagonal() * jump));
+}
+
+BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& in_y, const Grams& in_v) {
+  const Eigen::Index n = p.v.size();
+  BlockBandedMatrix matrix(std::vector<Eigen::Index>(static_cast<std::size_t>(p.y.size()), n),
+                           kDegree);
+  for (int column = 0; column < p.y.size(); ++column) {
+    for (int row = column; row < std::min(column + kDegree + 1, p.y.size()); ++row) {
+      auto block = matrix.block(row, column);
+      for (int a = 0; a < kTerms; ++a) {
+        for (int b = 0; b < kTerms; ++b) block += in_y[a][b](row, column) * in_v[a][b];
+      }
+    }
+  }
+  matrix.block(0, 0) += p.wall_weight * wall_gram(p);
+  return matrix;
+}
+
+}  // namespace
+
+ControlFunctions control_functions(const ControlProblem& problem,
+                                   const std::vector<SeparableFunction>& functions) {
+  Quadrature in_y = quadrature(problem.y.breaks()), in_v = quadrature(problem.v.breaks());
+  weigh(in_y, problem.weight_y);
+  weigh(in_v, problem.weight_v);
+  const Factors y = factors_of_y(problem, in_y.points), v = factors_of_v(problem, in_v.points);
+  BlockBandedMatrix matrix = normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights));
+  const Eigen::VectorXd scale = matrix.diagonal().array().max(1e-300).rsqrt().matrix();
+  matrix.scale(scale);
+  matrix.add_to_diagonal(kRidge);
+  if (!matrix.factorise()) {
+    throw FitBrokeDown("the normal equations of the control functions are not positive definite");
+  }
+
+  // Right-hand sides -<f, L A_i B_j>: each f, and 1 in the last place.
+  const auto one = [](double) { return 1.0; };
+  std::vector<SeparableFunction> all(functions);
+  all.push_back({one, one});
+  const auto count = static_cast<Eigen::Index>(all.size());
+  const Eigen::Index nv = problem.v.size();
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(matrix.size(), count);
+  std::vector<double> integrals;  // of w f
+  for (Eigen::Index f = 0; f < count; ++f) {
+    const auto& [of_y, of_v] = all[static_cast<std::size_t>(f)];
+    const Eigen::VectorXd wy = in_y.weights.cwiseProduct(map(in_y.points, of_y));
+    const Eigen::VectorXd wv = in_v.weights.cwiseProduct(map(in_v.points, of_v));
+    integrals.push_back(wy.sum() * wv.sum());
+    Eigen::Map<Eigen::MatrixXd> b(right.col(f).data(), nv, problem.y.size());
+    for (int a = 0; a < kTerms; ++a) {
+      b.noalias() -= (v[a].transpose() * wv) * (y[a].transpose() * wy).transpose();
+    }
+  }
+  ControlFunctions result;
+  result.coefficients = scale.asDiagonal() * right;
+  matrix.solve(result.coefficients);
+  result.coefficients = (scale.asDiagonal() * result.coefficients).eval();
+  // e_f is orthogonal to all L h, so <e_1, e_f> = <1, f> + <1, L h_f>, and <1, L A B> is -right.
+  const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
+  const double of_one = integrals.back() - products(count - 1);
+  for (Eigen::Index f = 0; f + 1 < count; ++f) {
+    const double mean = (integrals[static_cast<std::size_t>(f)] - products(f)) / of_one;
+    result.means.push_back(mean);
+    result.coefficients.col(f) -= mean * result.coefficients.col(count - 1);
+  }
+  result.coefficients.conservativeResize(Eigen::NoChange, count - 1);
+  return result;
+}
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "dual/spline/knot_splines.hpp"
+#include "problem/impulse_law.hpp"
+
+namespace fpkcheck::dual {
+
+/// (K B_j)(v) = E[B_j(v + Y)] at points, for every law: its density's smooth pieces, cut at the
+/// breaks of the splines and into parts no longer than the deviation, by Gauss's rule of 8 points,
+/// which leaves 1e-15; its atoms as they are.
+/// @return shape (points, functions)
+Eigen::MatrixXd impulse_means(const KnotSplines& splines, const problem::ImpulseLaw& law,
+                              std::span<const double> v);
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace fpkcheck::dual {
+
+/// B-splines of degree 5 on any knots, continued as constants beyond their ends, where the first
+/// and the last function are 1. de Boor, A Practical Guide to Splines.
+class KnotSplines {
+ public:
+  static constexpr int kDegree = 5;
+
+  /// @param knots nondecreasing, ends of multiplicity 6, inner knots of at most 5
+  explicit KnotSplines(std::vector<double> knots);
+
+  int size() const { return static_cast<int>(knots_.size()) - kDegree - 1; }
+  const std::vector<double>& knots() const { return knots_; }
+  /// The knots without their repetitions.
+  const std::vector<double>& breaks() const { return breaks_; }
+  double begin() const { return breaks_.front(); }
+  double end() const { return breaks_.back(); }
+
+  /// The functions first .. first + 5, which alone do not vanish at a point.
+  struct Values {
+    int first;
+    std::array<double, kDegree + 1> value, slope;
+  };
+  Values at(double x) const;
+
+  /// Coefficients of x^power, 0 <= power <= 5, by Marsden's identity: the mean of the products of
+  /// `power` of the five inner knots of each function.
+  std::vector<double> power(int power) const;
+
+ private:
+  std::vector<double> knots_, breaks_;
+  std::vector<int> first_;  // of each span
+};
+
+/// Knots with evenly spaced breaks, six at the ends.
+/// @param repetitions of the break at 0, if there is one inside
+std::vector<double> even_knots(double begin, double end, int cells, int repetitions = 1);
+
+}  // namespace fpkcheck::dual
