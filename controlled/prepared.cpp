@@ -11,6 +11,7 @@ namespace fpkcheck::controlled {
 namespace {
 
 constexpr double kYExtent = 9, kVExtent = 10.5;  // deviations
+const double kYEven = getenv("YE")?atof(getenv("YE")):5, kVEven = getenv("VE")?atof(getenv("VE")):6;
 constexpr int kWallKnots = 3;                    // at v = 0, where grazing impacts leave a corner
 constexpr double kYBin = 0.15, kVBin = 0.3, kBinExtent = 7;
 constexpr double kPerDeviation = 8;  // points of the lattice
@@ -32,8 +33,8 @@ Places places(const problem::Problem& problem, const Cells& cells) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem), end = kVExtent * s2;
-  Places p{.y = dual::KnotSplines(dual::even_knots(0, deflection + kYExtent * s1, cells.y)),
-           .v = dual::KnotSplines(dual::even_knots(-end, end, cells.v, kWallKnots)),
+  Places p{.y = dual::KnotSplines(dual::widening_knots(0, deflection + kYExtent * s1, deflection + kYEven * s1, cells.y)),
+           .v = dual::KnotSplines(dual::widening_knots(-end, end, kVEven * s2, cells.v, kWallKnots)),
            .grid = {},
            .functionals = {}};
   const double y_bin = kYBin * s1, v_bin = kVBin * s2;

@@ -51,16 +51,32 @@ std::vector<double> KnotSplines::power(int power) const {
   return coefficients;
 }
 
-std::vector<double> even_knots(double begin, double end, int cells, int repetitions) {
-  std::vector<double> knots(KnotSplines::kDegree, begin);
-  const double width = (end - begin) / cells;
-  for (int k = 0; k <= cells; ++k) {
-    double at = k == cells ? end : begin + k * width;
-    const bool zero = k > 0 && k < cells && at > -1e-9 * width && at < 1e-9 * width;
-    if (zero) at = 0;
-    knots.insert(knots.end(), zero ? repetitions : 1, at);
+std::vector<double> widening_knots(double begin, double end, double even, int cells,
+                                   int repetitions) {
+  const int half = begin < 0 ? cells / 2 : cells;  // of each side
+  const int outer = std::max(1, half / 7), inner = half - outer;
+  const double width = even / inner;
+  const auto reach = [&](double factor) {
+    double at = even, step = width;
+    for (int k = 0; k < outer; ++k) at += step *= factor;
+    return at;
+  };
+  double low = 0, high = 1;
+  while (reach(high) < end) high *= 2;
+  for (int k = 0; k < 60; ++k) (reach((low + high) / 2) < end ? low : high) = (low + high) / 2;
+  std::vector<double> side;  // breaks > 0
+  for (int k = 1; k <= inner; ++k) side.push_back(k * width);
+  double step = width;
+  for (int k = 1; k < outer; ++k) side.push_back(side.back() + (step *= high));
+  side.push_back(end);
+
+  std::vector<double> knots;
+  const auto add = [&](double at, int times) { knots.insert(knots.end(), times, at); };
+  if (begin < 0) {
+    for (auto at = side.rbegin(); at != side.rend(); ++at) add(-*at, at == side.rbegin() ? 6 : 1);
   }
-  knots.insert(knots.end(), KnotSplines::kDegree, end);
+  add(0, begin < 0 ? repetitions : 6);
+  for (const double at : side) add(at, at == end ? 6 : 1);
   return knots;
 }
 

@@ -37,8 +37,12 @@ class KnotSplines {
   std::vector<int> first_;  // of each span
 };
 
-/// Knots with evenly spaced breaks, six at the ends.
-/// @param repetitions of the break at 0, if there is one inside
-std::vector<double> even_knots(double begin, double end, int cells, int repetitions = 1);
+/// Knots from `begin` to `end`, six at the ends, whose breaks are evenly spaced up to `even` from
+/// 0 and lie further and further apart beyond, by the same factor from one cell to the next: a
+/// seventh of all cells is there. `begin` is 0 or -end.
+/// @param cells even where begin is -end
+/// @param repetitions of the break at 0 inside
+std::vector<double> widening_knots(double begin, double end, double even, int cells,
+                                   int repetitions = 1);
 
 }  // namespace fpkcheck::dual

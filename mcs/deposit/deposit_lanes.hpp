@@ -32,11 +32,13 @@ struct Functions {
 
 FPKCHECK_INLINE Functions functions_at(const SplinePieces& pieces, double x) {
   const double inside = x < pieces.begin() ? pieces.begin() : x > pieces.end() ? pieces.end() : x;
-  const double cells = (inside - pieces.begin()) * pieces.per_length();
-  int span = static_cast<int>(cells);
-  if (span >= pieces.spans()) span = pieces.spans() - 1;
+  const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
+  const int last = pieces.cells() - 1;
+  // At most one break lies in a cell. (Within rounding of one either polynomial will do.)
+  int span = pieces.span_of_cell()[place > last ? last : place];
+  span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.place()[span];
-  const double t = cells - span;
+  const double t = (inside - pieces.breaks()[span]) * pieces.per_length()[span];
   Functions f{polynomials<5>(c, t), Eight{}, pieces.first()[span]};
   // Constants beyond the ends.
   if (inside == x) f.slope = polynomials<4>(c + 6 * 8, t);

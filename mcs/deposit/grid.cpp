@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kDegree = DepositGrid::kDegree;
 constexpr int kEight = SplinePieces::kWidth;
+constexpr double kMostCells = 1e5;
 
 void require(bool holds, const std::string& what) {
   if (!holds) throw InputError("mcs.deposit: " + what);
@@ -24,6 +25,14 @@ std::vector<double> breaks_of(const std::vector<double>& knots) {
   return breaks;
 }
 
+double shortest(const std::vector<double>& breaks) {
+  double least = breaks[1] - breaks[0];
+  for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
+    least = std::min(least, breaks[k + 1] - breaks[k]);
+  }
+  return least;
+}
+
 void require_knots(const std::string& name, const std::vector<double>& knots) {
   const auto repeated = [&](double x) { return std::ranges::count(knots, x); };
   require(
@@ -33,15 +42,12 @@ void require_knots(const std::string& name, const std::vector<double>& knots) {
           repeated(knots.back()) == kDegree + 1,
       fmt::format("{} with {} knots (must not decrease, with six-fold ends)", name, knots.size()));
   const std::vector<double> breaks = breaks_of(knots);
-  const auto cells = static_cast<double>(breaks.size() - 1);
-  const double width = (breaks.back() - breaks.front()) / cells;
-  for (std::size_t k = 0; k < breaks.size(); ++k) {
-    const double even = breaks.front() + static_cast<double>(k) * width;
-    require(std::abs(breaks[k] - even) < 1e-9 * width,
-            fmt::format("{}: the knots without their repetitions must be evenly spaced", name));
-    require(k == 0 || k + 1 == breaks.size() || repeated(breaks[k]) <= kDegree,
+  for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
+    require(repeated(breaks[k]) <= kDegree,
             fmt::format("{}: an inner knot is repeated more than five times", name));
   }
+  require(shortest(breaks) * kMostCells > breaks.back() - breaks.front(),
+          fmt::format("{}: knots that lie too close together", name));
 }
 
 void require_bins(const std::string& name, const CubicBins& bins) {
@@ -167,8 +173,17 @@ SplinePieces::SplinePieces(const std::vector<double>& knots)
     if (place == stored) coefficients_.insert(coefficients_.end(), table.begin(), table.end());
     first_.push_back(static_cast<int>(k) - kDegree);
     place_.push_back(place);
+    breaks_.push_back(knots[k]);
+    per_length_.push_back(1 / width);
   }
-  per_length_ = static_cast<double>(spans()) / (end_ - begin_);
+  breaks_.push_back(end_);
+  const auto cells = static_cast<int>(std::ceil((end_ - begin_) / shortest(breaks_)));
+  cells_per_length_ = cells / (end_ - begin_);
+  for (int cell = 0, span = 0; cell < cells; ++cell) {
+    const double from = begin_ + cell / cells_per_length_;
+    while (span + 1 < spans() && breaks_[static_cast<std::size_t>(span) + 1] <= from) ++span;
+    span_of_cell_.push_back(span);
+  }
 }
 
 DepositPlan::DepositPlan(const DepositGrid& g, double lambda, double interval)

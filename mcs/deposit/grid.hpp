@@ -18,8 +18,8 @@ struct DepositGrid {
   static constexpr int kDegree = 5;
   static constexpr int kStencil = 8;  ///< points of the interpolation on the lattice
 
-  /// Nondecreasing knots, the first and last of multiplicity 6, those of y from 0. Without their
-  /// repetitions they are evenly spaced. Beyond the ends the splines go on as constants.
+  /// Nondecreasing knots, the first and last of multiplicity 6, inner ones of at most 5, those of y
+  /// from 0. Beyond the ends the splines go on as constants.
   std::vector<double> y_knots{}, v_knots{};
   /// Velocities begin + q spacing, q = 0 .. points - 1; a velocity beyond them counts at their end.
   double lattice_begin = 0, lattice_spacing = 1;
@@ -43,8 +43,14 @@ class SplinePieces {
 
   double begin() const { return begin_; }
   double end() const { return end_; }
-  double per_length() const { return per_length_; }
   int spans() const { return static_cast<int>(first_.size()); }
+  /// Evenly spaced cells, none longer than the shortest span, and the span in which each begins.
+  double cells_per_length() const { return cells_per_length_; }
+  int cells() const { return static_cast<int>(span_of_cell_.size()); }
+  const int* span_of_cell() const { return span_of_cell_.data(); }
+  /// Begins of the spans and the last end, and one over the length of each span.
+  const double* breaks() const { return breaks_.data(); }
+  const double* per_length() const { return per_length_.data(); }
   /// Of each span the first of its functions.
   const int* first() const { return first_.data(); }
   /// Of each span where its coefficients begin.
@@ -54,9 +60,9 @@ class SplinePieces {
   const double* coefficients() const { return coefficients_.data(); }
 
  private:
-  double begin_, end_, per_length_;
-  std::vector<int> first_, place_;
-  std::vector<double> coefficients_;
+  double begin_, end_, cells_per_length_;
+  std::vector<int> first_, place_, span_of_cell_;
+  std::vector<double> breaks_, per_length_, coefficients_;
 };
 
 /// A grid made ready for samples.
