@@ -11,7 +11,8 @@
 namespace fpkcheck::controlled {
 
 struct Options {
-  mcs::Options simulation{};  ///< its `deposit` is chosen here
+  /// Its `deposit` is chosen here, and a `step` of 0.5 if it has none.
+  mcs::Options simulation{};
   Cells cells{};
 };
 

@@ -11,7 +11,7 @@ namespace fpkcheck::controlled {
 namespace {
 
 constexpr double kYExtent = 9, kVExtent = 10.5;  // deviations
-const double kYEven = getenv("YE")?atof(getenv("YE")):5, kVEven = getenv("VE")?atof(getenv("VE")):6;
+constexpr double kYEven = 5, kVEven = 6;         // cells of one width
 constexpr int kWallKnots = 3;                    // at v = 0, where grazing impacts leave a corner
 constexpr double kYBin = 0.15, kVBin = 0.3, kBinExtent = 7;
 constexpr double kPerDeviation = 8;  // points of the lattice
@@ -33,10 +33,12 @@ Places places(const problem::Problem& problem, const Cells& cells) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem), end = kVExtent * s2;
-  Places p{.y = dual::KnotSplines(dual::widening_knots(0, deflection + kYExtent * s1, deflection + kYEven * s1, cells.y)),
-           .v = dual::KnotSplines(dual::widening_knots(-end, end, kVEven * s2, cells.v, kWallKnots)),
-           .grid = {},
-           .functionals = {}};
+  Places p{
+      .y = dual::KnotSplines(
+          dual::widening_knots(0, deflection + kYExtent * s1, deflection + kYEven * s1, cells.y)),
+      .v = dual::KnotSplines(dual::widening_knots(-end, end, kVEven * s2, cells.v, kWallKnots)),
+      .grid = {},
+      .functionals = {}};
   const double y_bin = kYBin * s1, v_bin = kVBin * s2;
   const int v_half = static_cast<int>(std::ceil(kBinExtent / kVBin));
   p.functionals.y_bins = {

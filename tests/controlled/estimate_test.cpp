@@ -1,0 +1,113 @@
+#include "controlled/estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact/linear_density.hpp"
+#include "exact/linear_moments.hpp"
+#include "exact/linear_problem.hpp"
+#include "prepared_case.hpp"
+
+namespace fpkcheck::controlled {
+namespace {
+
+constexpr int kY2 = 1, kV1 = 3, kV2 = 4;  // places in kMoments
+
+void expect_true(const Estimated& e, double truth, double truth_error = 0) {
+  EXPECT_GT(e.controlled.standard_error, 0);
+  EXPECT_NEAR(e.controlled.mean, truth, 4 * e.controlled.standard_error + truth_error);
+}
+
+double reduction(const Estimated& e) {
+  return std::pow(e.plain.standard_error / e.controlled.standard_error, 2);
+}
+
+TEST(Controlled, MomentsOfCase1AreTrueAndLoseTheirNoise) {
+  const Result result = tests::case_1().run(2e5);
+  expect_true(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
+  expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
+  EXPECT_GT(reduction(result.estimates.moments[kY2]), 1e8);
+  EXPECT_GT(reduction(result.estimates.moments[kV2]), 1e8);
+  // L y = v: no noise at all.
+  EXPECT_LT(std::abs(result.estimates.moments[kV1].controlled.mean), 1e-10);
+  EXPECT_GT(std::pow(result.estimates.v.plain_l1 / result.estimates.v.controlled_l1, 2), 1e4);
+  EXPECT_GT(std::pow(result.estimates.y.plain_l1 / result.estimates.y.controlled_l1, 2), 1e2);
+}
+
+TEST(Controlled, IsUnbiasedWithControlFunctionsThatAreWrong) {
+  // A tenth too large, a tenth of the noise is left; with 0 it is the plain estimate.
+  for (const double factor : {1.1, 0.9, 0.0}) {
+    const Result result = tests::case_1().wrong_by(factor).run(2e5);
+    const Estimated& e = result.estimates.moments[kY2];
+    expect_true(e, tests::kTrueY2, 1e-9);
+    expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
+    EXPECT_NEAR(e.controlled.standard_error / e.plain.standard_error, std::abs(1 - factor), 1e-4);
+  }
+}
+
+TEST(Controlled, AgreesWithTheExactLinearOscillator) {
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    SCOPED_TRACE(law);
+    const tests::PreparedCase linear(tests::linear_problem({.law = law}));
+    const Result result = linear.run(1e5);
+    const auto exact = exact::linear_moments_at(linear.problem, {}, 1e4);
+    expect_true(result.estimates.moments[kY2], exact.zz, 1e-12);
+    expect_true(result.estimates.moments[kV2], exact.vv, 1e-12);
+    EXPECT_GT(reduction(result.estimates.moments[kY2]), 1e6);
+  }
+}
+
+TEST(Controlled, SmoothBinsAgreeWithTheExactLinearDensity) {
+  const tests::PreparedCase linear(tests::linear_problem());
+  const Result result = linear.run(2e5);
+  const exact::LinearDensity density(linear.problem);
+  // Averages over fine bins, weighted by the spline at their middles: an error of second order.
+  const auto compare = [&](const SmoothBins& bins, double from, const auto& averages) {
+    constexpr int kFine = 200;
+    for (int b = 0; b < bins.bins.count; ++b) {
+      const double centre = bins.bins.first + b * bins.bins.spacing;
+      const double begin = std::max(from, centre - 2 * bins.bins.spacing);
+      const double width = (centre + 2 * bins.bins.spacing - begin) / kFine;
+      std::vector<double> edges;
+      for (int k = 0; k <= kFine; ++k) edges.push_back(begin + k * width);
+      const auto p = averages(edges);
+      double sum = 0, weight = 0;
+      for (int k = 0; k < kFine; ++k) {
+        const double m = cubic_spline((begin + (k + 0.5) * width - centre) / bins.bins.spacing);
+        sum += m * p[k];
+        weight += m;
+      }
+      const auto& e = bins.averages[b].controlled;
+      EXPECT_NEAR(e.mean, sum / weight, 4.5 * e.standard_error + 2e-6) << centre;
+      EXPECT_LT(e.standard_error, 2e-4 + 0.1 * (sum / weight));
+    }
+  };
+  compare(result.estimates.y, 0, [&](const auto& e) { return density.displacement_averages(e); });
+  compare(result.estimates.v, -1e9, [&](const auto& e) { return density.velocity_averages(e); });
+}
+
+TEST(Controlled, HoldsForLossesRareImpulsesAndAMean) {
+  // Against the fit's own U, which knows nothing of the simulation.
+  for (const tests::Parameters& p :
+       {tests::Parameters{.restitution = 0.5}, tests::Parameters{.rate = 0.3},
+        tests::Parameters{.mean = 0.15}, tests::Parameters{.cubic = 1, .intensity = 1}}) {
+    const tests::PreparedCase other(tests::make_problem(p));
+    const Result result = other.run(1e5);
+    const Estimated& e = result.estimates.moments[kY2];
+    EXPECT_GT(reduction(e), 1e4);
+    EXPECT_NEAR(e.controlled.mean, result.backward_means[kY2], 1e-4 * e.controlled.mean);
+    EXPECT_TRUE(result.checks.failed().empty()) << result.checks.failed().front();
+  }
+}
+
+TEST(Controlled, DoesAllOfItInOneCall) {
+  const Result result = estimate(tests::paper_case(1),
+                                 {.simulation = {.time = 5e4, .streams = 32}, .cells = {24, 48}});
+  expect_true(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
+  EXPECT_TRUE(result.simulation.summary.deposits.empty());
+  EXPECT_EQ(result.simulation.summary.step, 0.5);
+}
+
+}  // namespace
+}  // namespace fpkcheck::controlled
