@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "dual/spline/subtract_product.hpp"
+
 namespace fpkcheck::dual {
 
 BlockBandedMatrix::BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth)
@@ -49,9 +51,9 @@ bool BlockBandedMatrix::factorise() {
         panel.bottomRows(below));
     for (int j = c + 1; j <= last(c); ++j) {
       const Eigen::Index start = offsets_[j] - offsets_[c], rows = panel.rows() - start;
-      columns_[j].topRows(rows).noalias() -=
-          panel.bottomRows(rows) *
-          panel.middleRows(start, offsets_[j + 1] - offsets_[j]).transpose();
+      Eigen::MatrixXd& target = columns_[j];
+      subtract_product(target.data(), target.rows(), {&panel(start, 0), 1, panel.rows()},
+                       {&panel(start, 0), panel.rows(), 1}, rows, target.cols(), n);
     }
   }
   return true;
@@ -63,14 +65,18 @@ void BlockBandedMatrix::solve(Eigen::MatrixXd& b) const {
     const Eigen::Index n = panel.cols(), below = panel.rows() - n;
     auto x = b.middleRows(offsets_[c], n);
     panel.topRows(n).triangularView<Eigen::Lower>().solveInPlace(x);
-    if (below > 0) b.middleRows(offsets_[c] + n, below).noalias() -= panel.bottomRows(below) * x;
+    if (below > 0) {
+      subtract_product(&b(offsets_[c] + n, 0), b.rows(), {&panel(n, 0), 1, panel.rows()},
+                       {x.data(), 1, b.rows()}, below, b.cols(), n);
+    }
   }
   for (int c = blocks(); c-- > 0;) {
     const Eigen::MatrixXd& panel = columns_[c];
     const Eigen::Index n = panel.cols(), below = panel.rows() - n;
     auto x = b.middleRows(offsets_[c], n);
     if (below > 0) {
-      x.noalias() -= panel.bottomRows(below).transpose() * b.middleRows(offsets_[c] + n, below);
+      subtract_product(x.data(), b.rows(), {&panel(n, 0), panel.rows(), 1},
+                       {&b(offsets_[c] + n, 0), 1, b.rows()}, n, b.cols(), below);
     }
     panel.topRows(n).triangularView<Eigen::Lower>().transpose().solveInPlace(x);
   }
