@@ -55,6 +55,9 @@ Places places(const problem::Problem& problem, const Cells& cells) {
             .lattice_points = 2 * half + 1,
             .y_bins = p.functionals.y_bins,
             .v_bins = p.functionals.v_bins};
+  for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
+    p.grid.shifts.push_back({amplitude, probability});
+  }
   return p;
 }
 

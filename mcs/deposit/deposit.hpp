@@ -14,7 +14,7 @@ namespace fpkcheck::mcs {
 ///         = mean of [ y' h_y + y'' h_v + lambda (K h - h) ]
 ///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ],
 ///
-/// where y'' is the second derivative of the flight's own polynomial, y- and v- are where that
+/// (with DepositGrid::shifts the lattice stays empty and the flow has all of it), where y'' is the second derivative of the flight's own polynomial, y- and v- are where that
 /// polynomial was at the impact, and v+ is the velocity that the motion went on with.
 struct Deposit {
   int flow_pitch = 0, lattice_pitch = 0;

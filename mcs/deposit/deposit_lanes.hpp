@@ -53,6 +53,24 @@ FPKCHECK_INLINE void put_in_bins(const CubicBins& bins, const double* cubics, do
   add(sums + cell - 1 + Deposit::kFrame, weight * polynomials<3>(cubics, cells - cell));
 }
 
+/// lambda B_i on the lattice, by Lagrange's polynomials on the eight points around.
+FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposit, int first,
+                                        const Eight& rates, double v) {
+  const DepositGrid& grid = plan.grid;
+  double cells = (v - grid.lattice_begin) / grid.lattice_spacing;
+  const double last = grid.lattice_points - 1;
+  cells = cells < 0 ? 0 : cells > last ? last : cells;
+  int cell = static_cast<int>(cells);
+  cell = cell < 3 ? 3 : cell > grid.lattice_points - 5 ? grid.lattice_points - 5 : cell;
+  const Eight stencil = polynomials<7>(plan.lagrange.data(), cells - cell);
+  double* line = deposit.lattice.data() + first * deposit.lattice_pitch + cell - 3;
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    add(line, lane(rates, i) * stencil);
+    line += deposit.lattice_pitch;
+  }
+}
+
 /// One sample.
 /// @param a second derivative of the flight's polynomial
 FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, double y, double v,
@@ -67,20 +85,20 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
     add(row, lane(of_value, i) * in_v.value + lane(of_slope, i) * in_v.slope);
     row += deposit.flow_pitch;
   }
-  // lambda B_i on the lattice, by Lagrange's polynomials on the eight points around
   const DepositGrid& grid = plan.grid;
-  double cells = (v - grid.lattice_begin) / grid.lattice_spacing;
-  const double last = grid.lattice_points - 1;
-  cells = cells < 0 ? 0 : cells > last ? last : cells;
-  int cell = static_cast<int>(cells);
-  cell = cell < 3 ? 3 : cell > grid.lattice_points - 5 ? grid.lattice_points - 5 : cell;
-  const Eight stencil = polynomials<7>(plan.lagrange.data(), cells - cell);
   const Eight rates = (weight * plan.rate) * in_y.value;
-  double* line = deposit.lattice.data() + in_y.first * deposit.lattice_pitch + cell - 3;
+  if (grid.shifts.empty()) {
+    deposit_on_lattice(plan, deposit, in_y.first, rates, v);
+  } else {
+    for (const VelocityShift& shift : grid.shifts) {
+      const Functions after = functions_at(plan.v, v + shift.by);
+      double* line = deposit.flow.data() + in_y.first * deposit.flow_pitch + after.first;
 #pragma GCC unroll 6
-  for (int i = 0; i < 6; ++i) {
-    add(line, lane(rates, i) * stencil);
-    line += deposit.lattice_pitch;
+      for (int i = 0; i < 6; ++i) {
+        add(line, (lane(rates, i) * shift.probability) * after.value);
+        line += deposit.flow_pitch;
+      }
+    }
   }
   put_in_bins(grid.y_bins, plan.cubics.data(), deposit.y_bins.data(), y, weight);
   put_in_bins(grid.v_bins, plan.cubics.data(), deposit.v_bins.data(), v, weight);

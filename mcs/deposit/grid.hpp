@@ -12,6 +12,11 @@ struct CubicBins {
   int count = 0;
 };
 
+/// An amplitude that impulses have with a positive probability.
+struct VelocityShift {
+  double by, probability;
+};
+
 /// Where a simulation deposits its samples (Options::deposit): tensor products B_i(y) B_j(v) of
 /// B-splines of degree 5, a lattice of velocities, and smooth bins of both variables.
 struct DepositGrid {
@@ -24,6 +29,9 @@ struct DepositGrid {
   /// Velocities begin + q spacing, q = 0 .. points - 1; a velocity beyond them counts at their end.
   double lattice_begin = 0, lattice_spacing = 1;
   int lattice_points = 0;
+  /// For laws that have such amplitudes alone: K B_j is then a sum of shifted B_j, which goes into
+  /// the flow exactly, where the lattice would interpolate over their knots. Empty: the lattice.
+  std::vector<VelocityShift> shifts{};
   CubicBins y_bins{}, v_bins{};
 
   int y_functions() const { return static_cast<int>(y_knots.size()) - kDegree - 1; }

@@ -82,6 +82,8 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
                         fmt::join(g.y_knots, " "), fmt::join(g.v_knots, " "), g.lattice_begin,
                         g.lattice_spacing, g.lattice_points, g.y_bins.first, g.y_bins.spacing,
                         g.y_bins.count, g.v_bins.first, g.v_bins.spacing, g.v_bins.count);
+    for (const auto& [by, probability] : g.shifts)
+      text += fmt::format(" {:a} {:a}", by, probability);
   }
   if (splitting) text += fmt::format("; thresholds {:a}", fmt::join(splitting->thresholds(), " "));
   return text;

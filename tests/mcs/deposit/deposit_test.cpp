@@ -151,6 +151,23 @@ TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   }
 }
 
+TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
+  // Two points: the same moments of the generator on all polynomials of the third degree.
+  Setting setting;
+  const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
+  const Deposit lattice = setting.advanced(0, available_lanes().back()).record.deposit;
+  setting.plan.grid.shifts = {{-d, 0.5}, {d, 0.5}};
+  const Deposit shifted = setting.advanced(0, available_lanes().back()).record.deposit;
+  EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
+  for (const auto& [p, q] : {std::pair{0, 2}, {1, 1}, {2, 2}, {0, 3}}) {
+    const auto after = [&, power = q](double v) {
+      return (std::pow(v - d, power) + std::pow(v + d, power)) / 2;
+    };
+    EXPECT_NEAR(applied(setting.plan.grid, shifted, p, q, after),
+                applied(setting.plan.grid, lattice, p, q, after), 1e-9);
+  }
+}
+
 TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
   const Setting setting;
   const Deposit reference = setting.advanced(1, {InstructionSet::baseline, 1}).record.deposit;
