@@ -15,8 +15,8 @@ struct VectorOf {
   typedef double Type __attribute__((vector_size(8 * kWidth)));
 };
 
-/// A block of kVectors * kWidth rows and kColumns columns of C at a time stays in registers; what it
-/// needs of A and B is copied to lie in the order in which it is read, filled up with zeros.
+/// A block of kVectors * kWidth rows and kColumns columns of C at a time stays in registers; what
+/// it needs of A and B is copied to lie in the order in which it is read, filled up with zeros.
 template <int kWidth, int kVectors, int kColumns>
 void multiply(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& b,
               std::ptrdiff_t rows, std::ptrdiff_t columns, std::ptrdiff_t inner) {

@@ -14,8 +14,9 @@ namespace fpkcheck::mcs {
 ///         = mean of [ y' h_y + y'' h_v + lambda (K h - h) ]
 ///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ],
 ///
-/// (with DepositGrid::shifts the lattice stays empty and the flow has all of it), where y'' is the second derivative of the flight's own polynomial, y- and v- are where that
-/// polynomial was at the impact, and v+ is the velocity that the motion went on with.
+/// (with DepositGrid::shifts the lattice stays empty and the flow has all of it), where y'' is the
+/// second derivative of the flight's own polynomial, y- and v- are where that polynomial was at the
+/// impact, and v+ is the velocity that the motion went on with.
 struct Deposit {
   int flow_pitch = 0, lattice_pitch = 0;
   std::vector<double> flow;     ///< shape (y functions, flow_pitch), the v functions first
