@@ -101,10 +101,11 @@ int run_command(const Call& call) {
                    std::make_move_iterator(from_files.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
-  return solve_and_report(
-      common, methods,
-      {.required = list ? Required::all : Required::references, .threads = threads_in(given)},
-      call.command_line);
+  return solve_and_report(common, methods,
+                          {.required = list ? Required::all : Required::references,
+                           .threads = threads_in(given),
+                           .with_bounds = true},
+                          call.command_line);
 }
 
 }  // namespace fpkcheck::cli
