@@ -14,7 +14,7 @@ const Description<Options>& description() {
           .add("absolute_width", &Options::half_width, {"W", "the same, W itself"}, not_negative())
           .add("seconds", &Options::seconds,
                {"S", "begin no grid that is likely to end later (the first one always is)"},
-               positive())
+               not_negative())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
                between(1, 4096));
   return options;
