@@ -18,19 +18,26 @@ double stated_error(const Solution& solution, double Moments::*moment) {
 
 }  // namespace
 
+const Bound* bound_of(const Bounds& bounds, double Moments::*moment) {
+  const auto* named =
+      std::ranges::find(transform::kMoments, moment, &transform::NamedMoment::moment);
+  if (named == std::end(transform::kMoments)) return nullptr;
+  const auto found = std::ranges::find(bounds.each, named->symbol, &Bound::functional);
+  return found == bounds.each.end() ? nullptr : &*found;
+}
+
 std::vector<Outside> outside(const Bounds& bounds, std::span<const Solution> solutions) {
   std::vector<Outside> found;
   for (const Solution& solution : solutions) {
     if (!solution.has_density()) continue;
-    for (const Bound& bound : bounds.each) {
-      const auto* named =
-          std::ranges::find(transform::kMoments, bound.functional, &transform::NamedMoment::symbol);
-      if (named == std::end(transform::kMoments)) continue;
-      const double value = solution.moments.*named->moment;
-      const double by = std::max(bound.lower - value, value - bound.upper);
+    for (const auto& [name, symbol, moment] : transform::kMoments) {
+      const Bound* bound = bound_of(bounds, moment);
+      if (bound == nullptr) continue;
+      const double value = solution.moments.*moment;
+      const double by = std::max(bound->lower - value, value - bound->upper);
       // A file of one marginal leaves the moments of the other unknown.
       if (!std::isfinite(value) || !(by > 0)) continue;
-      found.push_back({&solution, &bound, value, by, stated_error(solution, named->moment)});
+      found.push_back({&solution, bound, value, by, stated_error(solution, moment)});
     }
   }
   return found;

@@ -25,6 +25,9 @@ struct Bounds {
   std::vector<Bound> each = {};
 };
 
+/// The bounds of a moment, or null.
+const Bound* bound_of(const Bounds& bounds, double transform::Moments::*moment);
+
 /// A moment of a solution that is not within its bounds.
 struct Outside {
   const transform::Solution* solution;
