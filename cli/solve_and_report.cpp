@@ -30,6 +30,7 @@ bool is_required(const transform::Identity& identity, Required required) {
 
 bool reached(const results::Run& run, Required required) {
   return std::ranges::all_of(run.cases, [&](const results::Case& one) {
+    if (one.bounds && !compare::contradictions(*one.bounds, one.solutions).empty()) return false;
     return std::ranges::all_of(one.solutions, [&](const transform::Solution& solution) {
       return solution.is_ok() || !is_required(solution.identity, required);
     });

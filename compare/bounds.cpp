@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/reference.hpp"
+
 namespace fpkcheck::compare {
 namespace {
 
@@ -40,6 +42,14 @@ std::vector<Outside> outside(const Bounds& bounds, std::span<const Solution> sol
       found.push_back({&solution, bound, value, by, stated_error(solution, moment)});
     }
   }
+  return found;
+}
+
+std::vector<Outside> contradictions(const Bounds& bounds, std::span<const Solution> solutions) {
+  std::vector<Outside> found = outside(bounds, solutions);
+  std::erase_if(found, [](const Outside& one) {
+    return !solves_the_problem(*one.solution) || !one.is_contradiction();
+  });
   return found;
 }
 

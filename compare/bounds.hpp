@@ -47,4 +47,9 @@ inline constexpr double kSureErrors = 4;
 /// solutions.
 std::vector<Outside> outside(const Bounds& bounds, std::span<const transform::Solution> solutions);
 
+/// Of these the contradictions by solutions of the problem itself (compare/reference.hpp): they are
+/// wrong whatever their status.
+std::vector<Outside> contradictions(const Bounds& bounds,
+                                    std::span<const transform::Solution> solutions);
+
 }  // namespace fpkcheck::compare

@@ -43,12 +43,13 @@ std::vector<std::string> bounds_findings(const results::Case& one) {
     return {fmt::format("There are no guaranteed bounds: {}.", bounds.reason)};
   }
   std::vector<std::string> sentences, shown, ids;
+  for (const Outside& found : compare::contradictions(bounds, one.solutions)) {
+    sentences.push_back(contradiction(found));
+  }
   for (const Outside& found : compare::outside(bounds, one.solutions)) {
-    const bool own_problem = compare::solves_the_problem(*found.solution);
-    if (own_problem && found.is_contradiction()) sentences.push_back(contradiction(found));
-    // By less than it states of its own error, a solution is as good as it says.
-    if (own_problem || (!ids.empty() && ids.back() == found.solution->id())) continue;
-    ids.push_back(found.solution->id());
+    // One of the problem itself that is out by less than it states is as good as it says.
+    if (compare::solves_the_problem(*found.solution)) continue;
+    if (ids.empty() || ids.back() != found.solution->id()) ids.push_back(found.solution->id());
   }
   for (const Bound& bound : bounds.each) {
     if (bound.functional == "E[y^2]" || bound.functional == "E[y'^2]") shown.push_back(text(bound));

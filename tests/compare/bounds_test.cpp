@@ -55,6 +55,23 @@ TEST(Outside, ASimulationMayMissByFourStandardErrors) {
   EXPECT_TRUE(outside(bounds, solutions).at(0).is_contradiction());
 }
 
+TEST(Contradictions, AreOfSolutionsOfTheProblemItselfAlone) {
+  std::vector<Solution> solutions{with_moments("white", 0.5, 0.5), with_moments("fd", 0.5, 0.445)};
+  for (auto& solution : solutions) {
+    solution.status = transform::Status::ok;
+    solution.identity.role = transform::Role::equation;
+    solution.identity.equation = problem::Equation::kf;
+    solution.identity.impact = problem::Impact::map;
+  }
+  solutions[0].identity.equation = problem::Equation::white;
+  const Bounds bounds = narrow();
+  const auto found = contradictions(bounds, solutions);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].solution->id(), "fd");
+  solutions[1].error.emplace().moments.y2 = 0.2;
+  EXPECT_TRUE(contradictions(bounds, solutions).empty());
+}
+
 TEST(Outside, NothingIsSaidOfWhatIsNotKnown) {
   const Bounds bounds = narrow();
   EXPECT_TRUE(outside(bounds, std::vector{with_moments("file", 0.395, std::nan(""))}).empty());
