@@ -20,6 +20,7 @@
 #include "mcs/simulation/pilot.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "problem/energy_balance.hpp"
+#include "problem/inelastic_collapse.hpp"
 #include "problem/motion_balances.hpp"
 
 namespace fpkcheck::mcs {
@@ -219,6 +220,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& [solution, summary] = result;
   solution.identity = identity(options);
   const Plan plan = make_plan(problem, options);
+  // Kicks at even times would part the particle from the wall after each interval: an answer that
+  // depends on the interval and tends to no motion that is stated.
+  solution.reason = problem::collapse_objection(problem, options.equation);
+  if (!solution.reason.empty()) return result;  // failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
     if (options.warn) options.warn(warning);
