@@ -8,6 +8,7 @@
 #include "exact/wall_exponent.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
+#include "transform/marginal.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -61,7 +62,7 @@ TEST(WhiteNoise, WithLossesHasTheExactExponentAtTheWall) {
     const auto result = solve(tests::make_problem({.restitution = r}), white());
     ASSERT_EQ(result.solution.status, transform::Status::ok) << result.solution.reason;
     const double beta = exact::wall_exponent(r);
-    const double speed = 0.07 * std::sqrt(result.solution.moments.v2);
+    const double speed = 0.1 * std::sqrt(result.solution.moments.v2);
     const auto [out, in] = exponents_at(grid_of(result), speed);
     EXPECT_NEAR(out, beta, 0.02);
     EXPECT_NEAR(in, beta, 0.02);
@@ -90,7 +91,7 @@ TEST(WhiteNoise, ImpactRateConvergesByTheExponentAtTheWall) {
 // Limits of the sequences of the test before, up to a refinement of 257.
 TEST(WhiteNoise, ImpactRateOfAutomaticGridsIsCloseToItsLimit) {
   for (const auto& [r, limit, relative] :
-       {std::tuple{0.8, 0.335610, 5e-5}, {0.6, 0.371140, 5e-4}, {0.5, 0.411318, 2e-3}}) {
+       {std::tuple{0.8, 0.335610, 5e-5}, {0.6, 0.371140, 5e-4}, {0.5, 0.411318, 3e-3}}) {
     const auto rate = solve(tests::make_problem({.restitution = r}), white()).summary.impact_rate;
     EXPECT_NEAR(rate / limit, 1, relative) << r;
   }
@@ -104,14 +105,35 @@ TEST(WhiteNoise, WithLossesConvergesWithTheOrderOfTheSchemeInTheMoments) {
     options.refine_unresolved = false;
     return solve(p, options).solution.moments;
   };
-  constexpr double kRatio = 1.25;
-  const auto a = moments_at(1 / kRatio), b = moments_at(1), c = moments_at(kRatio);
+  const double ratio = std::sqrt(2.0);
+  const auto a = moments_at(1 / ratio), b = moments_at(1), c = moments_at(ratio);
   const auto difference = [](const auto& m, const auto& n) {
     return std::abs(m.y2 / n.y2 - 1) + std::abs(m.v2 / n.v2 - 1);
   };
-  const double observed = std::log(difference(a, b) / difference(b, c)) / std::log(kRatio);
-  EXPECT_GT(observed, 4.2);
-  EXPECT_LT(observed, 6.8);
+  const double observed = std::log(difference(a, b) / difference(b, c)) / std::log(ratio);
+  EXPECT_GT(observed, 4);
+  EXPECT_LT(observed, 6);
+}
+
+// p(y) falls from y = 0 on. Cells that grow too fast leave a ripple of several per cent, which the
+// moments do not show: here on the coarsest grid of an error estimate.
+TEST(WhiteNoise, WithLossesLeavesNoRippleInTheDisplacement) {
+  Options options = white();
+  options.error_estimate = true;
+  const auto p = tests::make_problem({.restitution = 0.6});
+  const auto result = solve(p, options);
+  ASSERT_TRUE(result.summary.error);
+  EXPECT_LT(result.summary.error->y_l1, 3e-4);
+  EXPECT_LT(result.summary.error->ydot_l1, 3e-4);
+  options = white();
+  options.refinement = 0.5;
+  options.refine_unresolved = false;
+  const auto coarse = solve(p, options);
+  const auto& grid = grid_of(coarse);
+  const auto y = transform::marginal(grid, transform::Variable::y, grid.y_edges);
+  for (std::size_t k = 1; k < y.size() && y.edges[k + 1] < 1; ++k) {
+    EXPECT_LT(y.density[k], y.density[k - 1]) << k << " of " << y.size();
+  }
 }
 
 TEST(WhiteNoise, CellsOfYAreTheCubeOfThoseOfVOnlyWhereTheDensityIsSingular) {
@@ -121,7 +143,7 @@ TEST(WhiteNoise, CellsOfYAreTheCubeOfThoseOfVOnlyWhereTheDensityIsSingular) {
   };
   const auto [y, v] = finest(0.6, white());
   const double d2 = 0.05;
-  EXPECT_GT(y, std::pow(v, 3) / d2);
+  EXPECT_GT(y, std::pow(v, 3) / d2 / 3);
   EXPECT_LT(y, 10 * std::pow(v, 3) / d2);
   // Not where the jump at the wall is small, for other equations, or orders that ring.
   Options seventh = white();
