@@ -59,6 +59,7 @@ transform::Observations observations(const Summary& summary) {
   observe_faint(observer, "wall_density.y", summary.wall.x1);
   observe_faint(observer, "wall_density.ydot", summary.wall.x2);
   observer.result("impact_rate", summary.impact_rate);
+  observe(observer, summary.balances);
   if (summary.error) observe(observer, *summary.error);
   return std::move(observer).take();
 }

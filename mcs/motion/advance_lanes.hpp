@@ -55,7 +55,7 @@ struct Lanes {
   double* cells[W];  // of the streams' histograms
   Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
   Real powers[kPowers.size()]{};
-  Real samples{}, impacts{}, impact_energy{}, flights{};
+  Real samples{}, impacts{}, impact_speed{}, impact_energy{}, flights{};
 
   FPKCHECK_INLINE Lanes(const Motion& m, Stream* const* s) : motion(m), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
@@ -95,6 +95,7 @@ struct Lanes {
       for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += lane(powers[p], i);
       record.samples += lane(samples, i);
       record.impacts += lane(impacts, i);
+      record.impact_speed += lane(impact_speed, i);
       record.impact_energy += lane(impact_energy, i);
       record.flights += static_cast<std::uint64_t>(lane(flights, i));
     }
@@ -107,6 +108,7 @@ struct Lanes {
     if constexpr (kRecords) {
       const Real counted = where(impact, weight);
       impacts = impacts + counted;
+      impact_speed = impact_speed - counted * v;
       impact_energy = impact_energy + counted * (v * v);
     }
     v = select(impact, -motion.oscillator.restitution * v, v);

@@ -35,6 +35,8 @@ TEST_P(MomentCase, EveryOrderConverges) {
     // The mass and the balance are by another quadrature, with panels that miss the domain's edge.
     EXPECT_NEAR(solution.mass, 1, 1e-7) << order;
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6) << order;
+    EXPECT_LT(std::abs(*summary.balances.virial), 1e-6) << order;
+    EXPECT_LT(std::abs(*summary.balances.momentum), 1e-6) << order;
     EXPECT_LT(summary.half_plane->quadrature_change, 1e-8) << order;
     EXPECT_LT(*summary.condition, 1e4) << order;
     EXPECT_EQ(summary.half_plane->homotopies, 0) << order;
