@@ -15,10 +15,10 @@ IntervalText outward(double lower, double upper) {
       width > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 0, kMostDecimals)
                 : kMostDecimals;
   const double unit = std::pow(10.0, decimals);
-  // A product that is rounded must not cross a decimal: one unit further out where it has.
+  // A product that was rounded to a whole number may have crossed it: fma gives what was lost.
   double down = std::floor(lower * unit), up = std::ceil(upper * unit);
-  if (down / unit > lower) down -= 1;
-  if (up / unit < upper) up += 1;
+  if (down == lower * unit && std::fma(lower, unit, -down) < 0) down -= 1;
+  if (up == upper * unit && std::fma(upper, unit, -up) > 0) up += 1;
   return {fmt::format("{:.{}f}", down / unit, decimals),
           fmt::format("{:.{}f}", up / unit, decimals)};
 }

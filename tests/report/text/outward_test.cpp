@@ -33,6 +33,14 @@ TEST(Outward, NeverCutsIntoTheInterval) {
   }
 }
 
+// The double 0.3 is less than three tenths, 0.7 too; 0.1 and 0.8 are more than they say.
+TEST(Outward, LooksAtTheNumberRatherThanAtItsShortestDecimal) {
+  EXPECT_EQ(outward(0.3, 0.4).lower, "0.29");
+  EXPECT_EQ(outward(0.1, 0.2).lower, "0.10");
+  EXPECT_EQ(outward(0.5, 0.7).upper, "0.70");
+  EXPECT_EQ(outward(0.5, 0.8).upper, "0.81");
+}
+
 TEST(Outward, SaysWhereThereIsNoEnd) {
   EXPECT_EQ(outward(0, std::numeric_limits<double>::infinity()).upper, "inf");
 }
