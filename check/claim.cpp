@@ -12,8 +12,6 @@ namespace {
 
 using parameters::Value;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 using Key = std::pair<std::string, std::string>;  // solution, and name of a claim
 
 double change(const Claim& was, const Claim& is) {

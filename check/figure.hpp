@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "parameters/value.hpp"
 
 namespace fpkcheck::check {
+
+/// The change of what is there in one run alone.
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What a figure of a run is, and with that how it is judged.
 enum class FigureKind {

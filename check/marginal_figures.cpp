@@ -17,7 +17,6 @@ using transform::Solution;
 constexpr double kNormal95 = 1.96;  // half-width of a 95 % interval in standard errors
 // What is known to worse than this share of itself is a handful of events: left to L1.
 constexpr double kWidestInterval = 0.5;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The same bins up to rounding.
 bool on_the_same_bins(const Curve& one, const Curve& other) {

@@ -40,6 +40,8 @@ std::vector<Command> commands(const methods::Registry& registry) {
   std::vector<Command> all{
       {"run", "all methods on all cases, compared: tables, report.html, pictures", run_command}};
   for (const auto& solver : registry.solvers()) all.push_back(command_of(solver));
+  all.push_back(
+      {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});
   all.push_back({"study", "what order, step and regularisation do: convergence, cost, growth",
                  study_command});
   all.push_back({"reference", "reference values, agreed on by two discretisations and a simulation",

@@ -26,9 +26,10 @@ tables and draws pictures. Methods, by increasing trust:
   fd    finite differences: white noise, series cut after the 4th derivative, all jumps
         fd-white, fd-km4-delta (impact to first order in 1-r, as in epc-gaussian), fd-km4, fd-kf
   mcs   simulation of the impact system itself
-Exit code 0 when finite differences and simulation reached their solutions: how far the
-closures and the impact to first order carry is what the run finds out. With --methods, every
-method of the list must reach one.
+Moments are held to guaranteed bounds (fpkcheck bounds). Exit code 0 when finite differences and
+simulation reached their solutions and do not contradict the bounds: how far the closures and
+the impact to first order carry is what the run finds out. With --methods, every method of the
+list must reach one.
 
 examples:
   fpkcheck run
@@ -101,10 +102,11 @@ int run_command(const Call& call) {
                    std::make_move_iterator(from_files.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
-  return solve_and_report(
-      common, methods,
-      {.required = list ? Required::all : Required::references, .threads = threads_in(given)},
-      call.command_line);
+  return solve_and_report(common, methods,
+                          {.required = list ? Required::all : Required::references,
+                           .threads = threads_in(given),
+                           .with_bounds = true},
+                          call.command_line);
 }
 
 }  // namespace fpkcheck::cli

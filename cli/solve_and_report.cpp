@@ -13,6 +13,7 @@
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "methods/bounds.hpp"
 #include "methods/run_cases.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
@@ -29,6 +30,7 @@ bool is_required(const transform::Identity& identity, Required required) {
 
 bool reached(const results::Run& run, Required required) {
   return std::ranges::all_of(run.cases, [&](const results::Case& one) {
+    if (one.bounds && !compare::contradictions(*one.bounds, one.solutions).empty()) return false;
     return std::ranges::all_of(one.solutions, [&](const transform::Solution& solution) {
       return solution.is_ok() || !is_required(solution.identity, required);
     });
@@ -60,10 +62,11 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
 
   const InterruptionGuard guard(control.on_interruption);
   ProgressLine progress(common.quiet);
-  const results::Run run{
-      results::this_program(command_line),
-      methods::run_cases(problems, methods, control.threads,
-                         [&](const methods::RunProgress& at) { progress.show(at); })};
+  results::Run run{results::this_program(command_line),
+                   methods::run_cases(problems, methods, control.threads,
+                                      [&](const methods::RunProgress& at) { progress.show(at); })};
+  throw_if_interrupted();
+  if (control.with_bounds) methods::add_bounds(run.cases, control.threads);
   throw_if_interrupted();
   progress.clear();
 

@@ -136,6 +136,7 @@ transform::Observations observations(const Summary& summary, const transform::Mo
   observe_support(summary, observer);
   observer.result("leading_form", leading_form(summary))
       .result("distance_to_previous", value_of(summary.distance_to_previous));
+  observe(observer, summary.balances);
   if (summary.formulation == Formulation::gaussian) {
     observer.result("disc_sensitivity", value_of(summary.disc_sensitivity));
     observe_branch(summary.branch, observer);

@@ -6,6 +6,7 @@
 #include "epc/form/leading_form.hpp"
 #include "epc/form/polynomial.hpp"
 #include "epc/options.hpp"
+#include "transform/balance_residuals.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::epc {
@@ -82,6 +83,8 @@ struct Summary {
   /// p(y) and p(y'). Where the orders converge fast, about the error at n-2. Absent for n = 2 and
   /// when there is no such root.
   std::optional<double> distance_to_previous = {};
+  /// Of the density, where there is one; an approximate density misses them by its own error.
+  transform::BalanceResiduals balances = {};
   /// Of gaussian with `kf`: relative change of the scaled coefficients when the disc of
   /// gaussian::JumpRemainder is a deviation smaller.
   std::optional<double> disc_sensitivity = {};

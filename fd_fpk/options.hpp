@@ -36,7 +36,8 @@ struct Options {
   /// How much narrower cells are at the origin than far from it, 1 for a uniform grid. With losses
   /// at the impact the density jumps at the origin, by 1/r^2 along the wall, and a uniform grid of
   /// any order converges there only with the square of its step. Automatic: 16 when the jump is
-  /// more than a tenth, else 1.
+  /// more than a tenth (32 under white noise), else 1. Under white noise with losses it is that of
+  /// x2 alone: cells of x1 are graded as the cube of it, y ~ v^3 / D2.
   std::optional<double> origin_refinement{};
   std::optional<int> nx{};         ///< cells in x1; automatic from equivalent linearisation
   std::optional<int> nv{};         ///< cells in x2, even; automatic likewise

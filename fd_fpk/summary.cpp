@@ -23,7 +23,7 @@ void observe_faint(Observer& observer, const std::string& path, double density) 
 void observe(Observer& observer, const ErrorEstimate& error) {
   // Of the logarithm of a quotient of small differences.
   observer.add({.path = "error.observed_order", .value = error.observed_order, .delicate = true});
-  for (const auto& [name, moment] : transform::kMoments) {
+  for (const auto& [name, symbol, moment] : transform::kMoments) {
     // A limit has the rounding of the moment, E[y'] that of the velocities.
     const auto of_size = moment == &transform::Moments::v1 ? &transform::Moments::v2 : moment;
     observer.add({.path = std::string("error.extrapolated.") + name,
@@ -59,6 +59,7 @@ transform::Observations observations(const Summary& summary) {
   observe_faint(observer, "wall_density.y", summary.wall.x1);
   observe_faint(observer, "wall_density.ydot", summary.wall.x2);
   observer.result("impact_rate", summary.impact_rate);
+  observe(observer, summary.balances);
   if (summary.error) observe(observer, *summary.error);
   return std::move(observer).take();
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "fd_fpk/operator/wall_density.hpp"
+#include "transform/balance_residuals.hpp"
 #include "transform/density.hpp"
 #include "transform/observation.hpp"
 #include "transform/solution.hpp"
@@ -42,9 +43,10 @@ struct Summary {
   double regularisation_length = 0;  ///< l of km4, else 0
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (> 0: ill-posed)
   double growth_wavenumber = 0;
-  WallDensity wall{0, 0};                   ///< density on the outer walls relative to the peak
-  std::optional<ErrorEstimate> error = {};  ///< where it was asked for
-  double impact_rate = 0;                   ///< impacts per unit time, int_{v<0} |v| p(0, v) dv
+  WallDensity wall{0, 0};                     ///< density on the outer walls relative to the peak
+  std::optional<ErrorEstimate> error = {};    ///< where it was asked for
+  transform::BalanceResiduals balances = {};  ///< of the density, where there is one
+  double impact_rate = 0;                     ///< impacts per unit time, int_{v<0} |v| p(0, v) dv
 };
 
 /// What this solver alone knows of its solution, in the order of summary.json. The errors that

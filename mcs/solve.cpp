@@ -20,6 +20,8 @@
 #include "mcs/simulation/pilot.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "problem/energy_balance.hpp"
+#include "problem/inelastic_collapse.hpp"
+#include "problem/motion_balances.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -59,6 +61,40 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   }));
   result.solution.energy_residual = residual.mean;
   result.solution.standard_errors->energy_residual = residual.standard_error;
+}
+
+/// Both differences are linear in the averages, like that of power, so that chance leaves no bias;
+/// they become relative by the averages over all streams.
+void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
+                       const StreamWeights& weights, Summary& summary) {
+  const auto& force = problem.system.force();
+  const auto virial = force.times_argument();
+  if (virial.degree() > kHighestPower) return;  // E[y g(y)] is not among the averages
+  const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
+    const auto difference = weights.estimate(
+        each(simulation.streams(), [&](const auto& r) { return balance(r).difference(); }));
+    const double scale =
+        weights
+            .estimate(each(simulation.streams(), [&](const auto& r) { return balance(r).scale; }))
+            .mean;
+    summary.balances.*member = difference.mean / scale;
+    summary.balance_errors.*member = difference.standard_error / scale;
+  };
+  set(
+      [&](const StreamRecord& r) {
+        return problem::virial_balance(problem,
+                                       {.mean_displacement = moment(simulation, r, 1, 0),
+                                        .mean_square_velocity = moment(simulation, r, 0, 2),
+                                        .mean_virial = mean_of(simulation, r, virial)});
+      },
+      &transform::BalanceResiduals::virial);
+  set(
+      [&](const StreamRecord& r) {
+        return problem::momentum_balance(
+            problem, {.mean_force = mean_of(simulation, r, force),
+                      .impact_momentum = r.impact_speed / simulation.stream_time()});
+      },
+      &transform::BalanceResiduals::momentum);
 }
 
 /// Whether the impulses followed their law, before the weights set it right.
@@ -182,6 +218,7 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
   result.solution.standard_errors.emplace();
   estimate_moments(simulation, weights, result);
   estimate_impacts(problem, simulation, weights, result);
+  estimate_balances(problem, simulation, weights, result.summary);
   estimate_excess_power(simulation, result.summary);
   estimate_efficiency(simulation, result);
   estimate_densities(simulation, weights, result);
@@ -196,6 +233,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& [solution, summary] = result;
   solution.identity = identity(options);
   const Plan plan = make_plan(problem, options);
+  // Kicks at even times would part the particle from the wall after each interval: an answer that
+  // depends on the interval and tends to no motion that is stated.
+  solution.reason = problem::collapse_objection(problem, options.equation);
+  if (!solution.reason.empty()) return result;  // failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
     if (options.warn) options.warn(warning);

@@ -24,7 +24,9 @@ struct Result {
 /// Gaussian folded to y >= 0 and past a burn-in of 20 decay times of the slowest mode, and averages
 /// over them with the weights of StreamWeights. The same seed gives the same result, bit for bit,
 /// for any number of threads, of lanes and of interruptions. A simulation that ends before what was
-/// asked for is reached has the status not_converged.
+/// asked for is reached has the status not_converged. White noise at a restitution at
+/// which impacts accumulate (problem/inelastic_collapse.hpp) is not simulated: failed, without a
+/// density.
 /// @throws InputError as validate(), for springs that Oscillator refuses, for a checkpoint that
 ///         cannot be read, and for one that could never be written
 Result solve(const problem::Problem& problem, const Options& options);

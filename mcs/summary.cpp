@@ -84,6 +84,7 @@ transform::Observations observations(const Summary& summary) {
       .result("sampling_interval", summary.sampling_interval)
       .result("burn_in", summary.burn_in);
   observe(observer, "impact_rate", summary.impact_rate, "impact_rate_error");
+  observe(observer, summary.balances, summary.balance_errors);
   observer.work("impulses", counted(summary.impulses))
       .work("flights", counted(summary.flights))
       .work("rounds", counted(summary.rounds))

@@ -9,6 +9,7 @@
 #include "mcs/deposit/deposit.hpp"
 #include "mcs/estimate/estimate.hpp"
 #include "mcs/streams/stream.hpp"
+#include "transform/balance_residuals.hpp"
 #include "transform/observation.hpp"
 
 namespace fpkcheck::mcs {
@@ -43,10 +44,12 @@ struct Summary {
   std::uint64_t seed = 0;
   int threads = 0;
   int streams = 0;
-  double step = 0;                        ///< radians, Options::step
-  std::optional<double> kick_interval{};  ///< white noise: time between kicks
-  double burn_in = 0;                     ///< of each stream
-  Estimate impact_rate{};                 ///< impacts per unit time, int |v| p(0, v) dv over v < 0
+  double step = 0;                         ///< radians, Options::step
+  std::optional<double> kick_interval{};   ///< white noise: time between kicks
+  double burn_in = 0;                      ///< of each stream
+  Estimate impact_rate{};                  ///< impacts per unit time, int |v| p(0, v) dv over v < 0
+  transform::BalanceResiduals balances{};  ///< of the weighted averages
+  transform::BalanceResiduals balance_errors{};  ///< their standard errors
   std::uint64_t impulses = 0;
   std::uint64_t flights = 0;  ///< Taylor polynomials
   std::uint64_t rounds = 0;

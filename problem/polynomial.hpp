@@ -35,6 +35,12 @@ class Polynomial {
     for (std::size_t n = 1; n <= kDegree; ++n) d[n - 1] = static_cast<double>(n) * a_[n];
     return Polynomial(d);
   }
+  /// y times the polynomial. @pre degree() < kDegree
+  constexpr Polynomial times_argument() const {
+    Coefficients p{};
+    for (std::size_t n = 0; n < kDegree; ++n) p[n + 1] = a_[n];
+    return Polynomial(p);
+  }
   /// The antiderivative that is 0 at y = 0. @pre degree() < kDegree
   constexpr Polynomial antiderivative() const {
     Coefficients i{};

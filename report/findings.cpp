@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "compare/reference.hpp"
+#include "report/bounds.hpp"
 #include "report/references.hpp"
 
 namespace fpkcheck::report {
@@ -268,7 +269,7 @@ void say_what_solvers_note(const Case& one, Sentences& sentences) {
 }  // namespace
 
 std::vector<std::string> findings(const Case& one) {
-  Sentences sentences;
+  Sentences sentences = bounds_findings(one);
   if (one.solutions.size() > 1) sentences.push_back(compare::reference_text(one.solutions));
   say_discretisation_errors(one, sentences);
   say_what_approximations_cost(one, sentences);

@@ -10,6 +10,7 @@ namespace fpkcheck::report {
 /// Plain sentences that say which approximation costs what in one case, from the distances of the
 /// solutions that are there and ok:
 ///
+///   - what the guaranteed bounds say (report/bounds.hpp), where there are any;
 ///   - which solution is the reference (compare/reference.hpp), where there are several solutions;
 ///   - the discretisation error of an equation that states its own, or the largest of several; not
 ///     where there is an error budget, which has them;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "compare/axes.hpp"
+#include "compare/bounds.hpp"
 #include "compare/comparison.hpp"
 #include "problem/problem.hpp"
 #include "transform/density.hpp"
@@ -42,6 +44,7 @@ struct Case {
   std::string limits;  ///< one sentence; empty without a budget
   std::vector<Curve> curves;
   std::vector<JointDensity> joints;  ///< of the solutions that have one, all on the same cells
+  std::optional<compare::Bounds> bounds = {};  ///< nothing where they were not computed
 
   const std::string& name() const { return problem.name; }
   /// The solution with this id, or null.

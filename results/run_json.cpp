@@ -67,11 +67,21 @@ Json row_json(const BudgetRow& row) {
           {"parts", parts}};
 }
 
+Json bound_json(const compare::Bound& bound) {
+  return {{"functional", bound.functional}, {"lower", bound.lower}, {"upper", bound.upper}};
+}
+
 template <class Element>
 Json list_of(const std::vector<Element>& elements, Json (*json_of)(const Element&)) {
   Json list = Json::array();
   for (const auto& element : elements) list.push_back(json_of(element));
   return list;
+}
+
+Json bounds_json(const compare::Bounds& bounds) {
+  return {{"reason", bounds.reason},
+          {"seconds", bounds.seconds},
+          {"each", list_of(bounds.each, bound_json)}};
 }
 
 Json case_json(const Case& one) {
@@ -80,6 +90,7 @@ Json case_json(const Case& one) {
   json["comparisons"] = list_of(one.pairs, pair_json);
   json["budget"] = list_of(one.budget, row_json);
   json["limits"] = one.limits;
+  if (one.bounds) json["bounds"] = bounds_json(*one.bounds);
   const auto* reference = compare::reference(one.solutions);
   json["reference"] = reference == nullptr ? Json() : Json(reference->id());
   return json;
@@ -141,6 +152,15 @@ BudgetRow budget_row_in(const Json& json) {
   return row;
 }
 
+compare::Bounds bounds_in(const Json& json) {
+  compare::Bounds bounds{.reason = json.at("reason"), .seconds = json.at("seconds"), .each = {}};
+  for (const auto& bound : json.at("each")) {
+    bounds.each.push_back({bound.at("functional"), number_or(-kInfinity, bound.at("lower")),
+                           number_or(kInfinity, bound.at("upper"))});
+  }
+  return bounds;
+}
+
 Case case_in(const Json& json) {
   Case one{.problem = problem_in(json),
            .solutions = {},
@@ -160,6 +180,7 @@ Case case_in(const Json& json) {
   if (json.contains("budget")) {
     for (const auto& row : json.at("budget")) one.budget.push_back(budget_row_in(row));
   }
+  if (json.contains("bounds")) one.bounds = bounds_in(json.at("bounds"));
   return one;
 }
 

@@ -51,6 +51,7 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
       row += v_points[j].weight * p;
       result.p_v[j] += weight * p;
     }
+    result.y.push_back(y);
     result.weight_y.push_back(weight);
     result.p_y.push_back(row);
     result.mass += weight * row;
@@ -66,6 +67,14 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
     result.moments.v4 += share * v * v * v * v;
   }
   return result;
+}
+
+double mean_of(const PanelMarginals& marginals, const problem::Polynomial& g) {
+  double sum = 0;
+  for (std::size_t i = 0; i < marginals.y.size(); ++i) {
+    sum += marginals.weight_y[i] * marginals.p_y[i] * g(marginals.y[i]);
+  }
+  return sum;
 }
 
 double distance(const PanelMarginals& a, const PanelMarginals& b) {

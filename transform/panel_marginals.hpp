@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "problem/polynomial.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::transform {
@@ -13,6 +14,7 @@ enum class Panels { even, graded };
 /// A density's marginals at the points of a composite Gauss-Legendre rule on
 /// [0, y_max] x [-v_max, 0] x [0, v_max], with what can be had from the same values.
 struct PanelMarginals {
+  std::vector<double> y;         ///< the rule's points in y
   std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the rule's points
   std::vector<double> weight_y, weight_v;
   double mass = 0;
@@ -22,6 +24,9 @@ struct PanelMarginals {
 /// The box may be that of another density, so that two can be compared.
 PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
                                Panels panels = Panels::even);
+
+/// E[g(y)] for a polynomial g.
+double mean_of(const PanelMarginals& marginals, const problem::Polynomial& g);
 
 /// L1 distance of p(y) plus that of p(y'), of marginals at the same points.
 double distance(const PanelMarginals& a, const PanelMarginals& b);

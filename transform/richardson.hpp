@@ -22,15 +22,6 @@ inline constexpr double kLevelRatio = 1.4142135623730951;
 /// the error then, but no limit.
 inline constexpr double kLeastOrderOfALimit = 1.5;
 
-/// The moments by their names in files.
-struct NamedMoment {
-  const char* name;
-  double Moments::*moment;
-};
-inline constexpr NamedMoment kMoments[] = {{"y1", &Moments::y1}, {"y2", &Moments::y2},
-                                           {"y4", &Moments::y4}, {"v1", &Moments::v1},
-                                           {"v2", &Moments::v2}, {"v4", &Moments::v4}};
-
 /// What of a solution converges: its marginals and its moments.
 struct Level {
   Marginal y;

@@ -17,11 +17,11 @@ struct ImpulseTable {
   double remainder = 0;
 
   std::span<Interval> of(int piece, int function) {
-    return {&coefficients[static_cast<std::size_t>((piece * functions + function) * order)],
+    return {&coefficients[(static_cast<std::size_t>(piece) * functions + function) * order],
             static_cast<std::size_t>(order)};
   }
   std::span<const Interval> of(int piece, int function) const {
-    return {&coefficients[static_cast<std::size_t>((piece * functions + function) * order)],
+    return {&coefficients[(static_cast<std::size_t>(piece) * functions + function) * order],
             static_cast<std::size_t>(order)};
   }
 };

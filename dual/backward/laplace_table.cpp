@@ -11,6 +11,7 @@
 // which for n > p are the terms of an exponential: what follows the last term kept, n = N - 1, is
 // at most |q_N| exp(e/s).
 #include <algorithm>
+#include <cmath>
 
 #include "dual/backward/impulse_table.hpp"
 
@@ -127,6 +128,9 @@ ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
   }
   // A function misrepresented by an amount everywhere changes K B by no more.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * Interval(overhang)).upper();
+  // An image that lies beyond the basis altogether leaves a stretch between that is not there.
+  const double reach = (pieces.back().to - pieces.front().from).lower();
+  if (!(std::abs(law.mean) < reach)) table.remainder = HUGE_VAL;
   return table;
 }
 

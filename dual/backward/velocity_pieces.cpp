@@ -72,6 +72,10 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
   // end: they part by no more than the sum of their slopes allows.
   functions.overhang_error =
       (Interval(piece.overhang) * (Interval(slope) + steepest(basis))).upper();
+  // A piece whose length is not known to be positive has no slope.
+  if (!(piece.length().lower() > 0)) {
+    functions.overhang_error = piece.overhang > 0 ? HUGE_VAL : 0;
+  }
   return functions;
 }
 

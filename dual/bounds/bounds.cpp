@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include "dual/backward/least_squares.hpp"
 #include "dual/bounds/one_grid.hpp"
@@ -15,12 +16,10 @@ namespace {
 
 constexpr int kWeightPower = 12;
 
-void validate_all(const Options& options) {
-  for (const Functional& f : options.functionals) validate(f);
-  if (!(options.half_width >= 0) || !(options.relative_half_width >= 0)) {
-    throw InputError("a half-width that is asked for must be >= 0");
-  }
-  if (options.threads < 1) throw InputError("bounds need at least one thread");
+// One per processor where nobody says.
+int threads_of(const Options& options) {
+  return options.threads.value_or(
+      static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
 }
 
 bool narrow_enough(const Bound& bound, const Options& options) {
@@ -44,7 +43,7 @@ std::vector<std::size_t> too_wide(const Bounds& bounds, const Options& options, 
 
 Bounds bounds(const problem::Problem& problem, const Options& options) {
   using Clock = std::chrono::steady_clock;
-  validate_all(options);
+  validate(options);
   Bounds result;
   result.reason = weight_refused(problem);
   if (!result.reason.empty()) {
@@ -70,7 +69,8 @@ Bounds bounds(const problem::Problem& problem, const Options& options) {
       OneGridReport report;
       GridRecord record{grid, 0, 0, numbers, {}};
       try {
-        record.values = bounds_on_grid(problem, tau, grid, functionals, options.threads, &report);
+        record.values =
+            bounds_on_grid(problem, tau, grid, functionals, threads_of(options), &report);
       } catch (const FitBrokeDown& broken) {
         result.reason = broken.what();
         last = HUGE_VAL;  // no finer one either

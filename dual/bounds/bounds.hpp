@@ -5,22 +5,11 @@
 
 #include "dual/bounds/functional.hpp"
 #include "dual/bounds/grid.hpp"
+#include "dual/bounds/options.hpp"
 #include "dual/interval/enclosure.hpp"
 #include "parameters/names.hpp"
 
 namespace fpkcheck::dual {
-
-struct Options {
-  std::vector<Functional> functionals = standard_functionals();
-  /// Grids are refined until every half-width is below `half_width` or below `relative_half_width`
-  /// of the value, whichever is larger; with both 0 until the time is used up.
-  double half_width = 0;
-  double relative_half_width = 0;
-  /// No grid is begun that is likely to end later than this many seconds (wall clock). The first
-  /// one always is.
-  double seconds = 10;
-  int threads = 2;  ///< bounds do not depend on it
-};
 
 enum class BoundsStatus {
   ok,             ///< as narrow as asked for

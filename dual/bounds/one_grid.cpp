@@ -38,6 +38,10 @@ std::vector<double> breaks_on(Axis axis, const std::vector<Functional>& function
 // U + least E[tau] <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
 Enclosure mean_enclosure(double mean, const Range& range, double outside, const Weight& weight) {
   const Interval tau = weight.mean_bound;
+  // What is not a number bounds nothing.
+  if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
+    return {-HUGE_VAL, HUGE_VAL};
+  }
   const double least = std::min(range.least, -outside), largest = std::max(range.largest, outside);
   return {(Interval(mean) + Interval(least) * tau).lower(),
           (Interval(mean) + Interval(largest) * tau).upper()};

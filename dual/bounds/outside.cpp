@@ -122,7 +122,9 @@ class Outside {
                                std::abs(candidate_.mean) + v * region.y_slope +
                                (c() * v + force) * region.v_slope +
                                Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
-    return (numerator / power(Interval(least) / s_.weight.scale, s_.weight.power)).upper();
+    const double bound =
+        (numerator / power(Interval(least) / s_.weight.scale, s_.weight.power)).upper();
+    return std::isnan(bound) ? HUGE_VAL : bound;  // std::max would drop it
   }
 
   const CheckSetting& s_;

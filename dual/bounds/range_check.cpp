@@ -185,6 +185,10 @@ class Search {
 Range residual_range(const CheckSetting& s, const Functional& functional,
                      const Candidate& candidate, std::pair<double, double> expected, double slack) {
   const Eigen::MatrixXd& c = candidate.coefficients;
+  // Condition (1) of docs/bounds.md: nothing is trusted that was not looked at.
+  for (int b = 0; b < s.velocity.size(); ++b) {
+    if (c(0, b) != c(0, s.velocity.mirrored(b))) return {-HUGE_VAL, HUGE_VAL};
+  }
   const int rows = s.displacement.degree() + 4, columns = s.v.order();
   const int y_functions = static_cast<int>(c.rows());
   const Contracted v = contracted(s, c);

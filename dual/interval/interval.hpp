@@ -7,7 +7,7 @@
 
 /// Outward-rounded interval arithmetic by Boost.Interval.
 ///
-/// Only for sources compiled with -frounding-math -ffp-contract=off (list them in CMakeLists.txt):
+/// Only for this room and its tests, which are compiled with -frounding-math -ffp-contract=off:
 /// elsewhere the compiler may evaluate in the wrong direction, and the linker may keep the wrong
 /// copy of a template. Every use stands inside `rounded_upward`, which sets the thread's rounding
 /// mode once; lower ends are computed as -(upward rounding of the opposite).
@@ -59,7 +59,12 @@ class UpwardRounding {
 /// Calls `work` with upward rounding. It is a call that the compiler cannot see through, so that no
 /// arithmetic of `work` moves out of the guard.
 template <class Work>
-[[gnu::noinline]] auto called(const Work& work) {
+#if defined(__GNUC__) && !defined(__clang__)
+[[gnu::noipa]]
+#else
+[[gnu::noinline]]
+#endif
+auto called(const Work& work) {
   return work();
 }
 template <class Work>

@@ -83,8 +83,7 @@ void judge(const problem::Problem& problem, const Polynomial& q,
                      .cut_off = support.cut_off()};
 
   const transform::SmoothDensity density = density_of(q, support);
-  const transform::PanelMarginals marginals =
-      put_density(problem, Impact::delta, density, solution);
+  const transform::PanelMarginals marginals = put_density(problem, Impact::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const Support before(*previous, sigma);

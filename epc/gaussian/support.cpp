@@ -13,7 +13,7 @@ namespace {
 
 // The peak is sought within two deviations: a rise further out is no peak but a failure of (19).
 constexpr double kCore = 2;
-constexpr int kPanels = 6;
+constexpr int kPanelsOfARay = 6;
 
 // Where Q_n along the ray changes from falling to rising between two radii.
 double minimum_between(const Ray& slope, double low, double high) {
@@ -105,7 +105,7 @@ void Support::measure(const std::vector<Ray>& rays) {
   least_radius_ = least;
   greatest_radius_ = greatest;
 
-  const auto unit = transform::panel_points(0.0, 1.0, kPanels);
+  const auto unit = transform::panel_points(0.0, 1.0, kPanelsOfARay);
   double edge_sum = 0, sum = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const double radius = radius_[k];

@@ -53,7 +53,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& [solution, summary] = result;
   const Shape& shape = root.shape;
   const transform::SmoothDensity density = density_of(problem, shape, options.tail);
-  const auto marginals = put_density(problem, Impact::map, density, solution);
+  const auto marginals = put_density(problem, Impact::map, density, result);
   if (root.previous) {
     const auto before = density_of(problem, *root.previous, options.tail);
     summary.distance_to_previous =

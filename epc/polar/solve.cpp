@@ -89,7 +89,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const auto confinement = half_plane::confinement_of(shape.level, options.tail);
   const transform::SmoothDensity density = density_of(coordinates, shape, confinement);
   const auto marginals =
-      put_density(problem, Impact::map, density, solution, transform::Panels::graded);
+      put_density(problem, Impact::map, density, result, transform::Panels::graded);
   if (root.previous) {
     summary.distance_to_previous =
         distance(marginals, marginals_before(coordinates, *root.previous, density));

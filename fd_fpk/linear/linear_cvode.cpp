@@ -100,8 +100,14 @@ LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
   check(CVodeInit(cvode, right_hand_side, 0.0, handles_->averages.get()), "CVodeInit");
   check(CVodeSetErrHandlerFn(cvode, keep_message, data), "CVodeSetErrHandlerFn");
   check(CVodeSetUserData(cvode, data), "CVodeSetUserData");
-  check(CVodeSStolerances(cvode, control.relative_tolerance, control.absolute_tolerance),
-        "CVodeSStolerances");
+  if (const auto& of_cells = control.absolute_tolerances) {
+    const Owned<N_Vector> tolerances = vector_of(*of_cells, handles_->context);  // CVODE copies it
+    check(CVodeSVtolerances(cvode, control.relative_tolerance, tolerances.get()),
+          "CVodeSVtolerances");
+  } else {
+    check(CVodeSStolerances(cvode, control.relative_tolerance, control.absolute_tolerance),
+          "CVodeSStolerances");
+  }
   check(CVodeSetMaxOrd(cvode, control.max_order), "CVodeSetMaxOrd");
   check(CVodeSetLinearSolver(cvode, handles_->gmres.get(), nullptr), "CVodeSetLinearSolver");
   check(CVodeSetJacTimes(cvode, nullptr, times), "CVodeSetJacTimes");

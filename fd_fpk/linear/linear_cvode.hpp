@@ -25,6 +25,8 @@ struct BdfControl {
   double relative_tolerance;  ///< of the local error of a cell's average, in the RMS over the cells
   double absolute_tolerance;  ///< likewise, in units of the density
   double linear_tolerance;    ///< of GMRES, as a fraction of the local error
+  /// In place of the absolute one, cell by cell: shape of the start.
+  std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> longest_step = {};
   std::optional<double> step_growth = {};            ///< largest factor from one step to the next

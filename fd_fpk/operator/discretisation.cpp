@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -27,12 +28,36 @@ constexpr double kPadeReach = 28;
 constexpr double kX1Step = 0.15;
 constexpr double kX2Step = 0.16;
 
-// Cells at the origin narrower by this factor than far from it; they have grown to half of the full
-// width at about kReach deviations.
+// Cells of a graded grid have grown to half of their full width at about as many deviations: x1
+// where it follows a singularity, and all else.
+constexpr double kLongReach = 2;
+constexpr double kReach = 0.75;
+
+// Where the density at the wall goes as u^-beta (exact::wall_exponent) and cells may follow it:
+// centred orders and the seventh ring on cells as uneven as that takes.
+bool follows_singularity(const problem::Problem& problem, const Options& options) {
+  return options.equation == Equation::white && options.impact == Impact::map &&
+         problem.system.restitution() < 1 && (options.order == 3 || options.order == 5);
+}
+
+// Cells at the origin narrower by this factor than far from it.
 Grading grading(double factor, double deviation) {
-  constexpr double kReach = 0.75;
   if (factor == 1) return {};
   return {.reach = kReach * deviation, .core = kReach * deviation / (factor - 1)};
+}
+
+// Of x1, given that of x2. Under white noise with losses the density near the origin is v^-beta
+// times a function of D2 y / v^3 (Cornell, Swift, Bray 1998): where x2 is resolved down to its
+// core, x1 must be down to core^3 / D2. On cells graded alike the density at the wall is flat
+// instead, and the impact rate too small (by 1 % at r = 0.6). Impulses that come one by one leave
+// a mere step at the origin. Cells that grow by more than a quarter from one to the next let a
+// ripple of the grid grow with them, by 4 % of p(y) in the end: hence the long reach, which leaves
+// a factor of 2 for the coarser grids of an error estimate.
+Grading x1_grading(const problem::Problem& problem, const Options& options, double factor,
+                   const Grading& of_x2, double deviation) {
+  if (factor == 1 || !follows_singularity(problem, options)) return grading(factor, deviation);
+  const double d2 = problem.impulses.intensity() / 2;
+  return {.reach = kLongReach * deviation, .core = std::pow(of_x2.core, 3) / d2};
 }
 
 Excitation excitation(const problem::ImpulseTrain& impulses, const Options& options,
@@ -66,6 +91,10 @@ double cells_over(double length, double step, const Grading& grading) {
 // Why a grid cannot be made or would not do; empty when it can.
 std::string objection(const problem::Problem& problem, const Options& options, const Box& box,
                       double nx, double nv) {
+  if (options.impact == Impact::map) {
+    std::string collapse = problem::collapse_objection(problem, options.equation);
+    if (!collapse.empty()) return collapse;
+  }
   if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
     return "the Pade approximant of the truncated series does not exist for so skew a law, "
            "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2 (solve km4 or kf)";
@@ -111,28 +140,33 @@ bool unbounded_at_origin(const problem::Problem& problem) {
 double origin_refinement(const problem::Problem& problem, const Options& options) {
   constexpr double kSmallJump = 0.1;
   const double r = problem.system.restitution();
-  // High orders ring on narrow cells at a spike; wide ones hold it as the mass that it is.
-  const bool bounded = !unbounded_at_origin(problem);
   const bool jumps = 1 / (r * r) - 1 > kSmallJump;
-  return options.origin_refinement.value_or(bounded && jumps ? kRefinedOrigin : 1);
+  // High orders ring on narrow cells at the spike that rare impulses leave; wide ones hold it as
+  // the mass that it is. White noise leaves none.
+  const bool singular = follows_singularity(problem, options);
+  const bool narrow = jumps && (singular || !unbounded_at_origin(problem));
+  return options.origin_refinement.value_or(!narrow    ? 1
+                                            : singular ? kOriginUnderWhiteNoise
+                                                       : kRefinedOrigin);
 }
 
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double at_origin = origin_refinement(problem, options);
-  const Grading x1_grading = grading(at_origin, linear.displacement_deviation);
-  const Grading x2_grading = grading(at_origin, linear.velocity_deviation);
+  const Grading of_x2 = grading(at_origin, linear.velocity_deviation);
+  const Grading of_x1 =
+      x1_grading(problem, options, at_origin, of_x2, linear.displacement_deviation);
   const double width = (at_origin == 1 ? 1 : kGradedWidth) / options.refinement;
   const double nx = options.nx.value_or(
-      cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation, x1_grading));
+      cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation, of_x1));
   const double nv = options.nv.value_or(
-      2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation, x2_grading));
+      2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation, of_x2));
   const std::string refusal = objection(problem, options, box, nx, nv);
   if (!refusal.empty()) {
     return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};
   }
-  Grid grid = make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max,
-                        x1_grading, x2_grading);
+  Grid grid =
+      make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max, of_x1, of_x2);
   const double length = regularisation_length(problem, options, grid.x2.smallest_width());
   Excitation terms = excitation(problem.impulses, options, grid.x2, length);
   return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};

@@ -33,6 +33,9 @@ bool unbounded_at_origin(const problem::Problem& problem);
 
 /// How much narrower cells are at the origin where it is refined without being asked to.
 inline constexpr double kRefinedOrigin = 16;
+/// The same in x2 under white noise with losses, where the density at the wall goes as u^-beta and
+/// cells of x1 are graded as the cube of those of x2 (orders 3 and 5).
+inline constexpr double kOriginUnderWhiteNoise = 32;
 
 /// options.origin_refinement, or the automatic choice.
 double origin_refinement(const problem::Problem& problem, const Options& options);

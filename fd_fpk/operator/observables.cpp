@@ -6,6 +6,7 @@
 
 #include "fd_fpk/line/line_operators.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/motion_balances.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -72,6 +73,20 @@ double energy_residual(const problem::Problem& problem, problem::Impact impact, 
                        const Eigen::VectorXd& averages, int order) {
   return problem::energy_residual(
       problem, impact, energy_terms(moments(grid, averages, order), grid, averages, order));
+}
+
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
+                                              const Eigen::VectorXd& averages, int order) {
+  const auto [y, v] = marginals(grid, averages);
+  const auto& force = problem.system.force();
+  const auto virial = problem::virial_balance(
+      problem, {.mean_displacement = integral(grid.x1, y, order, monomial(1)),
+                .mean_square_velocity = integral(grid.x2, v, order, monomial(2)),
+                .mean_virial = integral(grid.x1, y, order, force.times_argument())});
+  const auto momentum = problem::momentum_balance(
+      problem, {.mean_force = integral(grid.x1, y, order, force),
+                .impact_momentum = impact_flux(grid, averages, order, 2)});
+  return {.virial = virial.residual(), .momentum = momentum.residual()};
 }
 
 WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,

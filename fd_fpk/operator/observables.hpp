@@ -4,6 +4,7 @@
 
 #include "fd_fpk/operator/grid.hpp"
 #include "problem/energy_balance.hpp"
+#include "transform/balance_residuals.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -34,6 +35,11 @@ problem::EnergyTerms energy_terms(const transform::Moments& moments, const Grid&
 /// problem::energy_residual of cell averages.
 double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
                        const Eigen::VectorXd& averages, int order);
+
+/// problem::virial_balance and problem::momentum_balance of cell averages. The force is averaged
+/// over the cells as the operator averages it.
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
+                                              const Eigen::VectorXd& averages, int order);
 
 /// Density on the outer walls relative to the peak, or to the peak of equivalent linearisation
 /// where that is lower: a spike at rest must not hide a tail.

@@ -108,6 +108,7 @@ void observe(const problem::Problem& problem, const Options& options, const Grid
   summary.wall = relative_wall_density(problem, grid, averages);
   summary.impact_rate = impact_flux(grid, averages, order, 1);
   solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
+  summary.balances = balance_residuals(problem, grid, averages, order);
 }
 
 void describe(const Discretisation& discretisation, Summary& summary) {

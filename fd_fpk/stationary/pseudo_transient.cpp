@@ -14,6 +14,11 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   // Local errors are no aim here: a step may change the density by as much as itself.
   constexpr double kRelativeTolerance = 1;
   const double absolute_tolerance = start.maxCoeff();
+  // Errors count by their mass. Narrow cells at a singularity hold next to none, and would shorten
+  // the steps by what their density does on the way: white noise at r = 0.6 took 860 iterations of
+  // GMRES for 372.
+  const Eigen::VectorXd absolute_tolerances =
+      absolute_tolerance * op.areas.mean() / op.areas.array();
   // The residual of the last step's linear system is what remains of L P: they are solved far below
   // the error test.
   constexpr double kLinearTolerance = 1e-11;
@@ -26,6 +31,7 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
                      .relative_tolerance = kRelativeTolerance,
                      .absolute_tolerance = absolute_tolerance,
                      .linear_tolerance = kLinearTolerance,
+                     .absolute_tolerances = absolute_tolerances,
                      .first_step = scales.first_step,
                      .longest_step = scales.longest_step,
                      .step_growth = kStepGrowth});

@@ -12,6 +12,16 @@ double moment(const Simulation& simulation, const StreamRecord& record, int p, i
   return record.powers[static_cast<std::size_t>(place)] / simulation.stream_samples();
 }
 
+double mean_of(const Simulation& simulation, const StreamRecord& record,
+               const problem::Polynomial& g) {
+  double mean = g.coefficient(0);
+  for (std::size_t n = 1; n <= g.degree(); ++n) {
+    if (g.coefficient(n) == 0) continue;
+    mean += g.coefficient(n) * moment(simulation, record, static_cast<int>(n), 0);
+  }
+  return mean;
+}
+
 std::vector<double> moments(const Simulation& simulation, int p, int q) {
   return each(simulation.streams(),
               [&](const StreamRecord& record) { return moment(simulation, record, p, q); });

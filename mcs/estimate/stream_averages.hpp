@@ -3,13 +3,18 @@
 #include <vector>
 
 #include "mcs/simulation/simulation.hpp"
+#include "problem/polynomial.hpp"
 
 namespace fpkcheck::mcs {
 
 /// The mean of y^p y'^q in one stream, p and q among kPowers.
 double moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
 
-/// The same of every stream.
+/// The mean of a polynomial of y in one stream. @pre y to its degree is among kPowers
+double mean_of(const Simulation& simulation, const StreamRecord& record,
+               const problem::Polynomial& g);
+
+/// E[y^p y'^q] of every stream, p and q among kPowers.
 std::vector<double> moments(const Simulation& simulation, int p, int q);
 
 /// Power that the impulses of each stream happened to bring beyond its expectation.

@@ -62,7 +62,7 @@ struct Lanes {
   double* cells[W];  // of the streams' histograms
   Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
   Real powers[kPowers.size()]{};
-  Real samples{}, impacts{}, impact_energy{}, flights{};
+  Real samples{}, impacts{}, impact_speed{}, impact_energy{}, flights{};
   Real beyond_wall{};  // y of the flight's polynomial at the impact that comes next: rounding
 
   FPKCHECK_INLINE Lanes(const Motion& m, Stream* const* s) : motion(m), streams(s) {
@@ -103,6 +103,7 @@ struct Lanes {
       for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += lane(powers[p], i);
       record.samples += lane(samples, i);
       record.impacts += lane(impacts, i);
+      record.impact_speed += lane(impact_speed, i);
       record.impact_energy += lane(impact_energy, i);
       record.flights += static_cast<std::uint64_t>(lane(flights, i));
     }
@@ -115,6 +116,7 @@ struct Lanes {
     if constexpr (kRecords) {
       const Real counted = where(impact, weight);
       impacts = impacts + counted;
+      impact_speed = impact_speed - counted * v;
       impact_energy = impact_energy + counted * (v * v);
     }
     const Real after = select(impact, -motion.oscillator.restitution * v, v);

@@ -18,7 +18,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 2\n";
+constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 3\n";
 
 /// FNV-1a.
 std::uint64_t checksum(std::string_view text) {

@@ -11,7 +11,8 @@
 
 namespace fpkcheck::mcs {
 
-/// The powers y^p y'^q, 1 <= p + q <= 4, whose means are estimated.
+/// The powers y^p y'^q, 1 <= p + q <= kHighestPower, whose means are estimated.
+inline constexpr std::size_t kHighestPower = 4;
 inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {0, 1},
                                                               {2, 0},
@@ -36,6 +37,7 @@ struct StreamRecord {
   std::array<double, kPowers.size()> powers{};
   double samples = 0;
   double impacts = 0;
+  double impact_speed = 0;     ///< sum of |v| over impacts
   double impact_energy = 0;    ///< sum of v^2 over impacts
   double work = 0;             ///< of the impulses, see Excitation::work
   std::uint64_t impulses = 0;  ///< of the stream itself, without its branches
@@ -55,6 +57,7 @@ void for_each_sum(Record& record, Visit visit) {
   visit(record.powers);
   visit(record.samples);
   visit(record.impacts);
+  visit(record.impact_speed);
   visit(record.impact_energy);
   visit(record.work);
   visit(record.impulses);

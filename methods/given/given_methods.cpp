@@ -11,7 +11,9 @@
 #include "methods/given/given_marginal.hpp"
 #include "methods/look.hpp"
 #include "parameters/input_error.hpp"
+#include "problem/motion_balances.hpp"
 #include "results/directory.hpp"
+#include "transform/balance_residuals.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -101,7 +103,28 @@ void add_sampling(const GivenMarginal& marginal, const std::vector<double>& bins
   (of_y ? sampling.y_99 : sampling.ydot_99) = in_99;
 }
 
-transform::Solution solution_of(const std::vector<GivenMarginal>& marginals,
+// Of one with both marginals: what arrives at the wall is in neither.
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                              const std::vector<GivenMarginal>& marginals) {
+  const auto of = [&](Variable variable) {
+    return std::ranges::find(marginals, variable, &GivenMarginal::variable);
+  };
+  const auto y = of(Variable::y), ydot = of(Variable::ydot);
+  if (y == marginals.end() || ydot == marginals.end()) return {};
+  const auto virial = problem.system.force().times_argument();
+  double mean_virial = 0;
+  for (std::size_t n = 1; n <= virial.degree(); ++n) {
+    if (virial.coefficient(n) == 0) continue;
+    mean_virial += virial.coefficient(n) * y->moment(static_cast<int>(n));
+  }
+  return {.virial = problem::virial_balance(problem, {.mean_displacement = y->moment(1),
+                                                      .mean_square_velocity = ydot->moment(2),
+                                                      .mean_virial = mean_virial})
+                        .residual()};
+}
+
+transform::Solution solution_of(const problem::Problem& problem,
+                                const std::vector<GivenMarginal>& marginals,
                                 const compare::ComparisonAxes& axes) {
   transform::Solution solution;
   solution.status = transform::Status::ok;
@@ -127,6 +150,7 @@ transform::Solution solution_of(const std::vector<GivenMarginal>& marginals,
     observe(marginal, bins, mass, min_density, k, observer);
     solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
   }
+  observe(observer, balance_residuals(problem, marginals));
   solution.observations = observer.take();
   return solution;
 }
@@ -166,8 +190,8 @@ std::vector<Method> given_methods(std::span<const std::string> arguments,
                                  "impact is known.",
                       .trust = static_cast<int>(place),
                       .look = given_look(place)},
-         .solve = [marginals = marginals](const problem::Problem&, const Setting& setting) {
-           return solution_of(marginals, setting.axes);
+         .solve = [marginals = marginals](const problem::Problem& problem, const Setting& setting) {
+           return solution_of(problem, marginals, setting.axes);
          }});
   }
   return methods;

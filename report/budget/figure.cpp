@@ -33,7 +33,7 @@ constexpr double kGroupWidth = 0.8;
 constexpr double kSmallestShare = 1e-4;
 
 /// One panel: a variable, and one of the two measures.
-struct Panel {
+struct BudgetPanel {
   const char* title;
   const char* label;
   Variable variable;
@@ -43,20 +43,20 @@ struct Panel {
   int column, row;
 };
 constexpr std::array kPanels{
-    Panel{"(a) displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
-          &BudgetRow::total, &BudgetPart::l1, "y_l1", 0, 0},
-    Panel{"(b) displacement, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
-          Variable::y, &BudgetRow::total_tail, &BudgetPart::tail, "y_tail", 1, 0},
-    Panel{"(c) velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance", Variable::ydot,
-          &BudgetRow::total, &BudgetPart::l1, "v_l1", 0, 1},
-    Panel{"(d) velocity, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
-          Variable::ydot, &BudgetRow::total_tail, &BudgetPart::tail, "v_tail", 1, 1}};
+    BudgetPanel{"(a) displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance",
+                Variable::y, &BudgetRow::total, &BudgetPart::l1, "y_l1", 0, 0},
+    BudgetPanel{"(b) displacement, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+                Variable::y, &BudgetRow::total_tail, &BudgetPart::tail, "y_tail", 1, 0},
+    BudgetPanel{"(c) velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance",
+                Variable::ydot, &BudgetRow::total, &BudgetPart::l1, "v_l1", 0, 1},
+    BudgetPanel{"(d) velocity, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+                Variable::ydot, &BudgetRow::total_tail, &BudgetPart::tail, "v_tail", 1, 1}};
 
-std::string block(const Panel& panel, std::size_t part, bool ok) {
+std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {
   return fmt::format("${}_{}{}", panel.block, part, ok ? "" : "_not_ok");
 }
 
-std::string totals_block(const Panel& panel) { return fmt::format("${}_total", panel.block); }
+std::string totals_block(const BudgetPanel& panel) { return fmt::format("${}_total", panel.block); }
 
 /// A bar: where it stands among the closures 1, 2, .. and how wide it is.
 struct Bar {
@@ -64,7 +64,7 @@ struct Bar {
 };
 
 // The bars of a closure share the width of its group, whatever their number.
-std::vector<std::pair<std::string, Bar>> bars(const Panel& panel, const ClosureBudget& budget,
+std::vector<std::pair<std::string, Bar>> bars(const BudgetPanel& panel, const ClosureBudget& budget,
                                               std::size_t place) {
   std::vector<std::pair<std::string, Bar>> result;
   const BudgetRow* row = budget.row(panel.variable);
@@ -78,7 +78,7 @@ std::vector<std::pair<std::string, Bar>> bars(const Panel& panel, const ClosureB
   return result;
 }
 
-std::string data(const Panel& panel, const std::vector<ClosureBudget>& budgets,
+std::string data(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets,
                  const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t n = 0; n < names.size(); ++n) {
@@ -108,7 +108,7 @@ std::string data(const Panel& panel, const std::vector<ClosureBudget>& budgets,
 struct Range {
   double from, to;
 };
-Range range(const Panel& panel, const std::vector<ClosureBudget>& budgets) {
+Range range(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
   const auto include = [&](double value) {
     if (!(value > 0)) return;
@@ -137,7 +137,7 @@ std::string tic_label(const results::Case& one, const ClosureBudget& budget) {
   return budget.status == Status::ok ? label : label + " *";
 }
 
-std::string axes(const Panel& panel, const std::vector<ClosureBudget>& budgets,
+std::string axes(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets,
                  const results::Case& one, const FigureSize& size) {
   std::vector<std::string> tics;
   for (std::size_t place = 0; place < budgets.size(); ++place) {
@@ -157,7 +157,7 @@ std::string axes(const Panel& panel, const std::vector<ClosureBudget>& budgets,
       static_cast<double>(budgets.size()) + 0.6, y.from, y.to);
 }
 
-std::string plot(const Panel& panel, const std::vector<std::string>& names) {
+std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names) {
   std::vector<std::string> plots;
   for (std::size_t n = 0; n < names.size(); ++n) {
     for (const bool ok : {true, false}) {

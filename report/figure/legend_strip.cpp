@@ -14,14 +14,15 @@ namespace {
 // What gnuplot reckons with for the font of the SVG, the larger one, in pixels.
 constexpr double kLetter = 10.5, kLine = 25.2;
 constexpr double kMargin = 16;
-constexpr double kLeft = 0.02, kRight = 0.98;  // of the width
+constexpr double kStripLeft = 0.02, kStripRight = 0.98;  // of the width
 constexpr int kMostColumns = 4;
 
 int columns(const Legend& legend, int width) {
   std::size_t longest = 0;
   for (const auto& entry : legend.entries) longest = std::max(longest, entry.label.size());
   const double entry_width = kLetter * (static_cast<double>(longest) + legend.sample_length + 1);
-  return std::clamp(static_cast<int>((kRight - kLeft) * width / entry_width), 1, kMostColumns);
+  return std::clamp(static_cast<int>((kStripRight - kStripLeft) * width / entry_width), 1,
+                    kMostColumns);
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ std::string legend_strip(const Legend& legend, const FigureSize& size) {
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
       "set key center center horizontal maxcols {} Left reverse samplen {} spacing 1.2\n"
       "plot [0:1] [0:1] {}\n",
-      kLeft, kRight, top / size.height, bottom / size.height, columns(legend, size.width),
+      kStripLeft, kStripRight, top / size.height, bottom / size.height, columns(legend, size.width),
       legend.sample_length, fmt::join(plots, ", \\\n     "));
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "report/page/number_text.hpp"
 #include "report/page/plot.hpp"
 #include "report/references.hpp"
+#include "report/text/outward.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -19,6 +21,13 @@ namespace {
 using transform::Moments;
 using transform::Solution;
 using transform::Variable;
+
+constexpr std::pair<const char*, double Moments::*> kShownMoments[] = {
+    {"E[y]", &Moments::y1},
+    {"E[y\u00b2]", &Moments::y2},
+    {"E[y\u2032\u00b2]", &Moments::v2},
+    {"E[y\u2074]", &Moments::y4},
+    {"E[y\u2032\u2074]", &Moments::v4}};
 
 /// A table with a row for each solution, and a column for each question put to them.
 class SolutionsTable {
@@ -76,12 +85,7 @@ std::string results_table(const results::Case& one) {
   SolutionsTable table(one);
   table.add_text("solves", [](const Solution& s) { return solves_text(s.identity); });
   table.add_status();
-  const std::pair<const char*, double Moments::*> moments[] = {{"E[y]", &Moments::y1},
-                                                               {"E[y\u00b2]", &Moments::y2},
-                                                               {"E[y\u2032\u00b2]", &Moments::v2},
-                                                               {"E[y\u2074]", &Moments::y4},
-                                                               {"E[y\u2032\u2074]", &Moments::v4}};
-  for (const auto& [header, member] : moments) {
+  for (const auto& [header, member] : kShownMoments) {
     table.add_of_density(header, 4, [&](const Solution& s) { return s.moments.*member; });
   }
   for (const Solution* measure : references(one)) {
@@ -94,6 +98,24 @@ std::string results_table(const results::Case& one) {
   table.add_mass_and_energy();
   table.add_number("seconds", [](const Solution& s) { return seconds_text(s.seconds); });
   return std::move(table).html("All solutions");
+}
+
+std::string moment_errors_table(const results::Case& one) {
+  if (!one.bounds || one.bounds->each.empty()) return "";
+  SolutionsTable table(one);
+  for (const auto& [header, member] : kShownMoments) {
+    const compare::Bound* bound = compare::bound_of(*one.bounds, member);
+    if (bound == nullptr) continue;
+    const auto [lower, upper] = outward(bound->lower, bound->upper);
+    const auto error = [&](const Solution& s) -> std::string {
+      const double value = s.moments.*member;
+      if (!s.has_density() || !std::isfinite(value)) return std::string(kNoValue);
+      if (bound->lower <= value && value <= bound->upper) return "within";
+      return number_text(value - (bound->lower + bound->half_width()), 2);
+    };
+    table.add_number(fmt::format("{} in [{}, {}]", header, lower, upper), error);
+  }
+  return std::move(table).html("Errors of moments, by the guaranteed bounds");
 }
 
 std::string reasons_html(const results::Case& one) {

@@ -11,6 +11,10 @@ namespace fpkcheck::report {
 /// other solutions of the problem itself, energy, seconds.
 std::string results_table(const results::Case& one);
 
+/// By how much each solution's moments are off, where they are outside the guaranteed bounds: the
+/// distance from the middle, known to the half-width. Empty where there are no bounds.
+std::string moment_errors_table(const results::Case& one);
+
 /// Why solutions are not ok, as a list; empty when all are.
 std::string reasons_html(const results::Case& one);
 

@@ -47,7 +47,7 @@ class CaseSection {
     html_ = fmt::format("<section id=\"{}\" class=\"case\">\n", id) + element("h2", one.name()) +
             element("p", problem::parameters_text(one.problem, true) + '.') +
             element("h3", "Results") + element("p", reference) + results_table(one) +
-            reasons_html(one);
+            moment_errors_table(one) + reasons_html(one);
     auto said = findings(one);
     std::erase(said, reference);  // stands above the table
     if (!one.limits.empty()) said.push_back(one.limits);

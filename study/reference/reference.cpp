@@ -99,7 +99,7 @@ Reference reference(const problem::Problem& problem, const ReferenceOptions& opt
   simulation.v_edges = axes.v_edges;
   const auto simulated = mcs::solve(problem, simulation);
 
-  for (const auto& [name, moment] : transform::kMoments) {
+  for (const auto& [name, symbol, moment] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // 0 whatever the density
     result.moments.push_back(
         {name,

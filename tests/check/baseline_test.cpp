@@ -232,7 +232,7 @@ TEST(RunAgain, FindsEveryResultOfAClosureThatMovesByAMillionth) {
 }
 
 /// A simulation alone, saved as a run is.
-results::Run simulated(std::uint64_t seed, double intensity = 0.1) {
+results::Run simulated_run(std::uint64_t seed, double intensity = 0.1) {
   const auto problem = tests::make_problem({.intensity = intensity});
   const auto method = methods::builtin().by_id(
       "mcs",
@@ -241,19 +241,19 @@ results::Run simulated(std::uint64_t seed, double intensity = 0.1) {
 }
 
 TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
-  const auto baseline = simulated(1);
+  const auto baseline = simulated_run(1);
   for (const std::uint64_t seed : {2, 3, 4, 5, 6}) {
-    const auto other = check(baseline, simulated(seed), {});
+    const auto other = check(baseline, simulated_run(seed), {});
     for (const auto& figure : other.moved()) ADD_FAILURE() << seed << " " << figure.name;
     // Chance enters: it is not the same run.
     EXPECT_TRUE(std::ranges::any_of(other.figures, [](const Figure& f) { return f.change > 0.5; }));
   }
-  const auto same = check(baseline, simulated(1), {});
+  const auto same = check(baseline, simulated_run(1), {});
   EXPECT_TRUE(std::ranges::all_of(same.figures, [](const Figure& f) { return f.change == 0; }));
 }
 
 TEST(SimulationCheck, ImpulsesFivePercentStrongerAreFound) {
-  EXPECT_GE(check(simulated(1), simulated(2, 0.105), {}).moved().size(), 2u);
+  EXPECT_GE(check(simulated_run(1), simulated_run(2, 0.105), {}).moved().size(), 2u);
 }
 
 }  // namespace

@@ -118,6 +118,11 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"check", FPKCHECK_BASELINES "/case1", "--set", "system.cubic=1"}, "--set"},
       {{"fd", "case1", "--set", "system.stiffness=1e300"}, "system.stiffness = 1e+300 (magnitudes"},
       {{"mcs", "case1", "--set", "impulse.intensity=1e-300"}, "impulse.intensity = 1e-300 (magn"},
+      {{"bounds"}, "no case"},
+      {{"bounds", "case1", "--width", "-1"}, "--width -1 (must be"},
+      {{"bounds", "case1", "--bin", "y:0.5"}, "--bin 'y:0.5' (must be y:CENTRE:SPACING"},
+      {{"bounds", "case1", "--bin", "v:0.5:0.1"}, "--bin 'v:0.5:0.1'"},
+      {{"bounds", "case1", "--bin", "y:0.1:0.5"}, "y"},
       {{"study"}, "study of what"},
       {{"study", "colour", "case1"},
        "'colour' is no subject of a study (use grid, order or regularisation"},
@@ -137,6 +142,15 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
     EXPECT_EQ(standard_out, "") << expected;
     EXPECT_FALSE(fs::exists(out)) << expected;
   }
+}
+
+TEST_F(Program, BoundsAreGuaranteedOrTheReasonIsSaid) {
+  const auto [done, table, none] = program({"bounds", "case1", "--width", "1e-2"});
+  EXPECT_EQ(done, kDone) << none;
+  EXPECT_NE(table.find("\nE[y'^2]"), std::string::npos) << table;
+  const auto [refused, reason, nothing] = program({"bounds", "case1", "--set", "system.damping=2"});
+  EXPECT_EQ(refused, kNotReached);
+  EXPECT_NE(reason.find("none: "), std::string::npos) << reason;
 }
 
 TEST_F(Program, AnUnwritableDirectoryIsFoundOutBeforeSolving) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
@@ -181,6 +182,27 @@ TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(std::abs(solution.energy_residual), 3e-4);
     EXPECT_NEAR(solution.moments.v1, 0.0, 5e-5);  // dE[y]/dt = E[y'] = 0
+  }
+}
+
+// Whatever the equation, the law and the impact: problem/motion_balances.hpp. A wrong sign of the
+// mean or factor of the impact would leave a few per cent and more.
+TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
+  for (const double mean : {0.1, -0.1}) {
+    const auto p = tests::make_problem({.restitution = 0.9, .mean = mean});
+    for (const auto impact : {Impact::map, Impact::delta}) {
+      for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+        SCOPED_TRACE(std::string(name(equation)) + "/" + std::string(name(impact)));
+        Options options = direct(equation);
+        options.impact = impact;
+        const auto [solution, summary] = solve(p, options);
+        ASSERT_TRUE(solution.density.has_value()) << solution.reason;
+        EXPECT_LT(std::abs(*summary.balances.virial), 5e-5);
+        EXPECT_LT(std::abs(*summary.balances.momentum), 5e-5);
+        EXPECT_EQ(transform::number(solution.observations, "balances.virial"),
+                  summary.balances.virial);
+      }
+    }
   }
 }
 

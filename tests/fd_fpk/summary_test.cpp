@@ -38,7 +38,9 @@ const std::vector<std::string> kWithoutEstimate{"nx",
                                                 "growth_wavenumber",
                                                 "wall_density.y",
                                                 "wall_density.ydot",
-                                                "impact_rate"};
+                                                "impact_rate",
+                                                "balances.virial",
+                                                "balances.momentum"};
 
 TEST(Summary, IsObservedInTheOrderOfSummaryFiles) {
   EXPECT_EQ(paths(observations({})), kWithoutEstimate);

@@ -65,6 +65,23 @@ TEST(StationaryMoments, WithLossesAtTheImpactKeepTheBalanceOfPower) {
   }
 }
 
+TEST(StationaryMoments, WithLossesAndAMeanKeepTheBalancesOfVirialAndMomentum) {
+  for (const double r : {0.98, 0.6, 0.1}) {
+    for (const double mean : {0.0, 0.2, -0.2}) {
+      SCOPED_TRACE(fmt::format("r = {}, mean {}", r, mean));
+      const auto summary =
+          tests::simulate(tests::make_problem({.restitution = r, .mean = mean}), 2e5).summary;
+      const auto& [virial, momentum] = summary.balances;
+      const auto& [virial_error, momentum_error] = summary.balance_errors;
+      expect_near(*virial, 0, *virial_error, "virial");
+      expect_near(*momentum, 0, *momentum_error, "momentum");
+      // Small enough to tell r from 1 - r, or the sign of a mean.
+      EXPECT_LT(*virial_error, 0.01);
+      EXPECT_LT(*momentum_error, 0.01);
+    }
+  }
+}
+
 // The weights would hide a wrong rate or law of the impulses from the moments: look before them.
 TEST(StationaryMoments, AreThoseOfImpulsesThatBringThePowerOfTheirLaw) {
   for (const auto& [law, mean] :

@@ -75,6 +75,7 @@ TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
                                               "burn_in",
                                               "impact_rate",
                                               "impact_rate_error",
+                                              "balances",
                                               "impulses",
                                               "flights",
                                               "rounds",

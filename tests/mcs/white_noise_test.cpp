@@ -56,5 +56,18 @@ TEST(WhiteNoise, WithLossesHasAnErrorOfTheFirstOrderInTheStep) {
   EXPECT_NEAR(second, first / 2, 4 * error);
 }
 
+TEST(WhiteNoise, IsRefusedWhereImpactsAccumulate) {
+  const auto problem = tests::make_problem({.restitution = 0.15});
+  const auto solution = under_white_noise(problem, 1e4).solution;
+  EXPECT_EQ(solution.status, transform::Status::failed);
+  EXPECT_EQ(solution.id(), "mcs-white");
+  EXPECT_FALSE(solution.has_density());
+  EXPECT_NE(solution.reason.find("accumulate"), std::string::npos) << solution.reason;
+  // Impulses that come one by one do not collapse.
+  EXPECT_TRUE(solve(problem, {.time = 1e4}).solution.has_density());
+  EXPECT_TRUE(
+      under_white_noise(tests::make_problem({.restitution = 0.2}), 1e4).solution.has_density());
+}
+
 }  // namespace
 }  // namespace fpkcheck::mcs

@@ -57,7 +57,18 @@ results::Run full_run() {
   solutions[6].error = {.y_l1 = 1e-5, .ydot_l1 = 2e-5, .moments = {1, 2, 3, 4, 5, 6}};
   solutions[6].observations = Observer().result("error.observed_order", 4.9).take();
   solutions[7].sampling = {.y = 1e-4, .ydot = {}, .y_99 = 2e-4, .ydot_99 = {}};
+  run.cases[0].bounds = compare::Bounds{.reason = "wider than asked for",
+                                        .seconds = 0.5,
+                                        .each = {{"E[y^2]", 0.125, 0.25}, {"w1", 1, 2}}};
   return run;
+}
+
+TEST(Summary, BoundsAreReadBack) {
+  const auto bounds = read(summary_text(full_run())).cases[0].bounds;
+  ASSERT_TRUE(bounds);
+  EXPECT_EQ(bounds->reason, "wider than asked for");
+  EXPECT_EQ(bounds->each, full_run().cases[0].bounds->each);
+  EXPECT_FALSE(read(summary_text(tests::made_up_run())).cases[0].bounds);
 }
 
 TEST(Summary, HasEveryFieldOfTheContract) {

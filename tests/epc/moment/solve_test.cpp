@@ -19,7 +19,7 @@ using tests::make_problem;
 using tests::paper_case;
 using transform::Status;
 
-Options of_order(int order, std::optional<Equation> equation = {}) {
+Options moment_of_order(int order, std::optional<Equation> equation = {}) {
   return tests::closure(Formulation::moment, order, equation);
 }
 
@@ -29,12 +29,14 @@ INSTANTIATE_TEST_SUITE_P(Each, MomentCase, testing::Values(1, 2, 3, 4));
 TEST_P(MomentCase, EveryOrderConverges) {
   const auto p = paper_case(GetParam());
   for (int order = 2; order <= greatest_order(Formulation::moment); order += 2) {
-    const auto [solution, summary] = solve(p, of_order(order));
+    const auto [solution, summary] = solve(p, moment_of_order(order));
     EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
     EXPECT_LT(summary.residual, 1e-10) << order;
     // The mass and the balance are by another quadrature, with panels that miss the domain's edge.
     EXPECT_NEAR(solution.mass, 1, 1e-7) << order;
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6) << order;
+    EXPECT_LT(std::abs(*summary.balances.virial), 1e-6) << order;
+    EXPECT_LT(std::abs(*summary.balances.momentum), 1e-6) << order;
     EXPECT_LT(summary.half_plane->quadrature_change, 1e-8) << order;
     EXPECT_LT(*summary.condition, 1e4) << order;
     EXPECT_EQ(summary.half_plane->homotopies, 0) << order;
@@ -44,8 +46,8 @@ TEST_P(MomentCase, EveryOrderConverges) {
 // Theory, section 1: p_3(y) = sqrt(10) p_2(sqrt(10) y), which every part of the method respects.
 TEST(MomentClosure, CasesTwoAndThreeAreOneProblem) {
   for (const int order : {4, 8}) {
-    const auto two = solve(paper_case(2), of_order(order));
-    const auto three = solve(paper_case(3), of_order(order));
+    const auto two = solve(paper_case(2), moment_of_order(order));
+    const auto three = solve(paper_case(3), moment_of_order(order));
     EXPECT_NEAR(three.solution.moments.y2 * 10 / two.solution.moments.y2, 1, 1e-10);
     EXPECT_NEAR(three.solution.moments.v4 * 100 / two.solution.moments.v4, 1, 1e-10);
     auto scaled = by_power(two.summary);
@@ -63,7 +65,7 @@ TEST(MomentClosure, IsExactForWhiteNoiseAtAnImpactWithoutLoss) {
   const std::map<std::pair<int, int>, double> exact{
       {{2, 0}, -beta / 2}, {{0, 2}, -beta / 2}, {{4, 0}, -beta * 0.7 / 4}};
   for (const int order : {4, 6, 8}) {
-    const auto [solution, summary] = solve(p, of_order(order, Equation::white));
+    const auto [solution, summary] = solve(p, moment_of_order(order, Equation::white));
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     const double tolerance = order == 4 ? 1e-10 : 1e-8;
     const double s1 = std::sqrt(solution.moments.y2), s2 = std::sqrt(solution.moments.v2);
@@ -87,7 +89,7 @@ TEST(MomentClosure, GivesTheExactMomentsOfTheLinearProcess) {
     const double v6 = exact::linear_cumulant(p, 0, 6) + 15 * exact::linear_cumulant(p, 0, 4) * v2 +
                       15 * v2 * v2 * v2;
     for (const int order : {4, 6, 8}) {
-      const auto [solution, summary] = solve(p, of_order(order));
+      const auto [solution, summary] = solve(p, moment_of_order(order));
       EXPECT_EQ(solution.status, Status::ok) << law << ": " << solution.reason;
       EXPECT_NEAR(solution.moments.y2 / y2, 1, 1e-8) << law << order;
       EXPECT_NEAR(solution.moments.v2 / v2, 1, 1e-8) << law << order;
@@ -106,13 +108,13 @@ TEST(MomentClosure, GivesTheExactMomentsOfTheLinearProcess) {
 // r = 1, any even potential: E[v^2] = lambda E[Y^2] / (2c), though not with a mean.
 TEST(MomentClosure, HasTheExactVelocityWithoutLosses) {
   const auto p = make_problem({.cubic = 3, .restitution = 1, .law = "laplace"});
-  EXPECT_NEAR(solve(p, of_order(6)).solution.moments.v2, 0.5, 1e-8);
+  EXPECT_NEAR(solve(p, moment_of_order(6)).solution.moments.v2, 0.5, 1e-8);
 }
 
 TEST(MomentClosure, HoldsAMeanOfTheImpulsesOfEitherSign) {
   for (const double mean : {-0.2, 0.2}) {
     const auto p = make_problem({.restitution = 0.9, .mean = mean});
-    const auto [solution, summary] = solve(p, of_order(6));
+    const auto [solution, summary] = solve(p, moment_of_order(6));
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6);
     // Stationary: E[v] is what impacts give back, E[v] = 0 as y does not drift.
@@ -120,7 +122,7 @@ TEST(MomentClosure, HoldsAMeanOfTheImpulsesOfEitherSign) {
   }
   // Far from the wall the linear oscillator stands at lambda E[Y] / k with its own deviations.
   const auto held = make_problem({.cubic = 0, .rate = 1000, .intensity = 0.1, .mean = 0.008});
-  const auto [solution, summary] = solve(held, of_order(4));
+  const auto [solution, summary] = solve(held, moment_of_order(4));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_NEAR(solution.moments.y1, 8, 1e-6);
   EXPECT_NEAR(solution.moments.v2, 0.1 / 0.2, 1e-6);
@@ -143,7 +145,7 @@ TEST(MomentClosure, FortyRandomProblemsConvergeAtEveryOrder) {
                                  .intensity = intensity,
                                  .law = k % 2 == 0 ? "gaussian" : "laplace"});
     for (int order = 2; order <= 8; order += 2) {
-      const auto [solution, summary] = solve(p, of_order(order));
+      const auto [solution, summary] = solve(p, moment_of_order(order));
       EXPECT_EQ(solution.status, Status::ok)
           << "problem " << k << ", r = " << restitution << ", lambda = " << rate
           << ", mu = " << cubic << ", n = " << order << ": " << solution.reason;
@@ -156,7 +158,7 @@ TEST(MomentClosure, FortyRandomProblemsConvergeAtEveryOrder) {
 // of that order, here against n = 12, which is nearer to the truth by a factor.
 TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   const auto p = paper_case(1);
-  const auto fine = solve(p, of_order(12)).solution;
+  const auto fine = solve(p, moment_of_order(12)).solution;
   const auto edges = [](double from, double to) {
     std::vector<double> result;
     for (int i = 0; i <= 200; ++i) result.push_back(from + (to - from) * i / 200);
@@ -174,10 +176,10 @@ TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
     }
     return sum;
   };
-  EXPECT_FALSE(solve(p, of_order(2)).summary.distance_to_previous.has_value());
+  EXPECT_FALSE(solve(p, moment_of_order(2)).summary.distance_to_previous.has_value());
   for (const int order : {4, 6, 8}) {
-    const double before = l1(solve(p, of_order(order - 2)).solution);
-    const auto here = solve(p, of_order(order));
+    const double before = l1(solve(p, moment_of_order(order - 2)).solution);
+    const auto here = solve(p, moment_of_order(order));
     EXPECT_GT(*here.summary.distance_to_previous, 0.5 * before) << order;
     EXPECT_LT(*here.summary.distance_to_previous, 1.5 * before) << order;
     EXPECT_LT(l1(here.solution), *here.summary.distance_to_previous) << order;
@@ -187,13 +189,13 @@ TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
 // Rates of the motion are 1; what damping of 1e-7 leaves of a residual is its rounding.
 TEST(MomentClosure, ConvergesAtTheLeastDamping) {
   const auto p = make_problem({.damping = 1e-7, .restitution = 1, .intensity = 1e-7});
-  const auto [solution, summary] = solve(p, of_order(8));
+  const auto [solution, summary] = solve(p, moment_of_order(8));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_NEAR(solution.moments.v2, 0.5, 1e-5);
 }
 
 TEST(MomentClosure, SaysWhenACutDensityHasNotDecayedAtItsEdge) {
-  auto options = of_order(4);
+  auto options = moment_of_order(4);
   options.tail = Tail::cut;
   const auto [solution, summary] = solve(paper_case(1), options);
   EXPECT_EQ(solution.id(), "epc-moment-cut-n4");
@@ -208,7 +210,7 @@ TEST(MomentClosure, SaysWhenACutDensityHasNotDecayedAtItsEdge) {
 
 // The confinement gives the same Q_n a tail: little of the probability is there.
 TEST(MomentClosure, AConfinementHoldsTheTailDown) {
-  const auto [solution, summary] = solve(paper_case(1), of_order(4));
+  const auto [solution, summary] = solve(paper_case(1), moment_of_order(4));
   EXPECT_EQ(solution.status, Status::ok);
   EXPECT_FALSE(summary.leading_form->negative);  // Q_n itself rises
   EXPECT_LT(summary.support->edge_density, 1e-6);
@@ -218,7 +220,7 @@ TEST(MomentClosure, AConfinementHoldsTheTailDown) {
 // Where Q_n falls by itself the confinement moves out of the way: a density that has decayed to
 // rounding there does not know of it.
 TEST(MomentClosure, TheConfinementGivesWayToAFallingExponent) {
-  const auto [solution, summary] = solve(paper_case(1), of_order(6));
+  const auto [solution, summary] = solve(paper_case(1), moment_of_order(6));
   EXPECT_TRUE(summary.leading_form->negative);
   EXPECT_GT(summary.half_plane->level_deviations, 9);
   EXPECT_LT(summary.half_plane->beyond_level, 1e-15);
@@ -228,13 +230,13 @@ TEST(MomentClosure, TheConfinementGivesWayToAFallingExponent) {
 TEST(MomentClosure, AHomotopyRescuesWhereNewtonIsLost) {
   const auto p = make_problem(
       {.cubic = 1.19, .restitution = 0.40, .rate = 2.66, .intensity = 0.22, .mean = -0.264});
-  const auto [solution, summary] = solve(p, of_order(6));
+  const auto [solution, summary] = solve(p, moment_of_order(6));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_GT(summary.half_plane->homotopies, 0);
 }
 
 TEST(MomentClosure, ReportsTheOrderAtWhichItIsLost) {
-  auto options = of_order(8);
+  auto options = moment_of_order(8);
   options.max_iterations = 1;
   const auto [solution, summary] = solve(paper_case(4), options);
   EXPECT_EQ(solution.status, Status::not_converged);

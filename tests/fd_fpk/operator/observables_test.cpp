@@ -50,5 +50,20 @@ TEST(Observables, ImpactFluxIsThatOfTheOutgoingHalf) {
               1e-5);
 }
 
+// A linear elastic oscillator under white noise has it as its density where w = sqrt(k) s.
+TEST(Observables, BalancesOfVirialAndMomentumAreThoseOfTheFoldedGaussian) {
+  const double k = 1.7, s = 0.7, w = std::sqrt(k) * s;
+  const auto p = tests::make_problem({.stiffness = k, .cubic = 0, .restitution = 1});
+  const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
+  const auto of = [&](double velocity_deviation) {
+    return balance_residuals(p, grid, folded_gaussian(grid, s, velocity_deviation), 5);
+  };
+  EXPECT_NEAR(*of(w).virial, 0, 1e-6);
+  EXPECT_NEAR(*of(w).momentum, 0, 1e-5);
+  // E[v^2] and the momentum at the wall both go as the square of the deviation.
+  EXPECT_NEAR(*of(1.1 * w).virial, 1 - 1 / 1.21, 1e-5);
+  EXPECT_NEAR(*of(1.1 * w).momentum, 1 / 1.21 - 1, 1e-4);
+}
+
 }  // namespace
 }  // namespace fpkcheck::fd_fpk

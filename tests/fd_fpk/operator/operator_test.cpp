@@ -15,7 +15,7 @@ using problem::Impact;
 
 // Cell averages of a function by 3 x 3 Gauss points a cell.
 template <class Function>
-Eigen::VectorXd averages_of(const Grid& grid, const Function& f) {
+Eigen::VectorXd three_point_averages(const Grid& grid, const Function& f) {
   const double node = std::sqrt(0.6) / 2, weight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
   Eigen::VectorXd averages = Eigen::VectorXd::Zero(grid.size());
   for (int i = 0; i < grid.nx(); ++i) {
@@ -59,7 +59,8 @@ TEST(Operator, AnnihilatesTheExactWhiteNoiseDensityToItsOrder) {
     const Grid grid = make_grid(cells, 2 * cells, 4.5, 5.0);
     const auto op =
         fokker_planck_operator(p.system, white_noise(p.impulses), Impact::map, grid, order);
-    const auto averages = averages_of(grid, [&](double x, double v) { return 2 * exact(x, v); });
+    const auto averages =
+        three_point_averages(grid, [&](double x, double v) { return 2 * exact(x, v); });
     return grid.areas().dot((op * averages).cwiseAbs());
   };
   for (const int order : {3, 4, 5}) {
@@ -86,7 +87,7 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
     const auto density = [](double x, double v) {
       return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
     };
-    Eigen::VectorXd averages = averages_of(grid, density);
+    Eigen::VectorXd averages = three_point_averages(grid, density);
     averages /= grid.areas().dot(averages);
     const int order = 5;
     for (const Excitation& e :
@@ -125,8 +126,9 @@ TEST(Operator, TakesTheOutgoingFluxFromOutgoingVelocitiesAlone) {
 // Averages over a density that is not normalised.
 template <class Density, class Function>
 double mean(const Grid& grid, const Density& density, const Function& g) {
-  return averages_of(grid, [&](double x, double v) { return g(x, v) * density(x, v); }).sum() /
-         averages_of(grid, density).sum();
+  return three_point_averages(grid, [&](double x, double v) { return g(x, v) * density(x, v); })
+             .sum() /
+         three_point_averages(grid, density).sum();
 }
 
 TEST(Operator, MovesTheMeanVelocityByDampingForceImpulsesAndImpacts) {
@@ -136,7 +138,7 @@ TEST(Operator, MovesTheMeanVelocityByDampingForceImpulsesAndImpacts) {
   const auto density = [](double x, double v) {
     return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
   };
-  Eigen::VectorXd averages = averages_of(grid, density);
+  Eigen::VectorXd averages = three_point_averages(grid, density);
   averages /= grid.areas().dot(averages);
   const auto op =
       fokker_planck_operator(p.system, jumps(p.impulses, grid.x2), Impact::map, grid, 5);
@@ -154,7 +156,7 @@ TEST(Operator, MovesTheDisplacementByTheVelocity) {
   const auto density = [](double x, double v) {
     return x * x * std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
   };
-  Eigen::VectorXd averages = averages_of(grid, density);
+  Eigen::VectorXd averages = three_point_averages(grid, density);
   averages /= grid.areas().dot(averages);
   const auto op = fokker_planck_operator(p.system, white_noise(p.impulses), Impact::map, grid, 5);
   EXPECT_NEAR(moments(grid, op * averages, 5).y2,

@@ -78,6 +78,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
         EXPECT_EQ(a.record.troughs, b.record.troughs);
         EXPECT_EQ(a.record.work, b.record.work);
         EXPECT_EQ(a.record.impacts, b.record.impacts);
+        EXPECT_EQ(a.record.impact_speed, b.record.impact_speed);
         EXPECT_EQ(a.record.impact_energy, b.record.impact_energy);
         EXPECT_EQ(a.record.flights, b.record.flights);
       }
@@ -88,7 +89,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
 /// Counts what the record of a stream holds, from the plain trajectory.
 struct Tally {
   double until_sample = kInterval / 2;
-  double samples = 0, yyv = 0, impacts = 0, impact_energy = 0, work = 0;
+  double samples = 0, yyv = 0, impacts = 0, impact_speed = 0, impact_energy = 0, work = 0;
   void flight(const Flight& flight, double duration) {
     for (; until_sample < duration; until_sample += kInterval) {
       const State at = flight.at(until_sample);
@@ -99,6 +100,7 @@ struct Tally {
   }
   void impact(double v) {
     ++impacts;
+    impact_speed += std::abs(v);
     impact_energy += v * v;
   }
   void impulse(double v, double amplitude) { work += amplitude * (v + amplitude / 2); }
@@ -126,6 +128,7 @@ TEST(Advance, DoesWhatTheTrajectoryDoes) {
       EXPECT_NEAR(stream.record.powers[6], tally.yyv, 1e-9);  // y^2 v
       EXPECT_EQ(stream.record.samples, tally.samples);
       EXPECT_EQ(stream.record.impacts, tally.impacts);
+      EXPECT_NEAR(stream.record.impact_speed, tally.impact_speed, 1e-9);
       EXPECT_NEAR(stream.record.impact_energy, tally.impact_energy, 1e-9);
       EXPECT_NEAR(stream.record.work, tally.work, 1e-9);
     }

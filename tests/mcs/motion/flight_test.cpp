@@ -165,12 +165,12 @@ TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
 }
 
 /// Springs of all degrees, with their motion scaled: from y = 0 with v to about the excursion y.
-struct Motion {
+struct KnownMotion {
   Oscillator oscillator;
   double v, y;
 };
-std::vector<Motion> motions_of_other_springs() {
-  std::vector<Motion> list;
+std::vector<KnownMotion> motions_of_other_springs() {
+  std::vector<KnownMotion> list;
   for (const double v : {0.01, 0.3, 3.0, 300.0}) {
     list.push_back({with_spring({1, 0.5}), v, std::min(v, std::cbrt(3 * v * v))});
     list.push_back({with_spring({1, -1, 0.5}), v, std::min(v, std::pow(4 * v * v, 0.25))});

@@ -14,7 +14,7 @@ namespace {
 using tests::contains;
 using tests::made_up_case;
 
-std::vector<std::string> cells_of(const std::string& text, const std::string& start) {
+std::vector<std::string> cells_after(const std::string& text, const std::string& start) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
     if (!line.starts_with(start)) continue;
@@ -42,7 +42,7 @@ results::Case with_known_numbers() {
 TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
   const std::string text = budget_table(with_known_numbers(), 120);
   // Names, then total, closure + impact, truncation of p(y), of p(y'), and the tails.
-  const auto n6 = cells_of(text, "epc-gaussian-n6");
+  const auto n6 = cells_after(text, "epc-gaussian-n6");
   ASSERT_EQ(n6.size(), 9u) << text;
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
             (std::vector<std::string>{"0.01111", "0.03333", "4e-06", "0.222"}));
@@ -53,8 +53,8 @@ TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsWhatIsTheSameForAllBelow) {
   auto one = with_known_numbers();
   one.budget[0].parts.back().l1 = 0.00777;
   const std::string text = budget_table(one, 120);
-  EXPECT_EQ(cells_of(text, "epc-gaussian-n4")[0], "epc-gaussian-n4*");
-  const auto below = cells_of(text, "discretisation + sampling");
+  EXPECT_EQ(cells_after(text, "epc-gaussian-n4")[0], "epc-gaussian-n4*");
+  const auto below = cells_after(text, "discretisation + sampling");
   ASSERT_GT(below.size(), 4u) << text;
   EXPECT_EQ(below[3], "0.00777") << text;
   EXPECT_EQ(below[4], "-") << text;  // of no column of a part
@@ -63,9 +63,9 @@ TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsWhatIsTheSameForAllBelow) {
 TEST(BudgetTable, ShowsADashForWhatIsNoNumberAndForAMissingVariable) {
   auto one = with_known_numbers();
   one.budget[5].total_tail = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(cells_of(budget_table(one, 120), "epc-gaussian-n6")[8], "-");
+  EXPECT_EQ(cells_after(budget_table(one, 120), "epc-gaussian-n6")[8], "-");
   one.budget.erase(one.budget.begin() + 5);
-  const auto n6 = cells_of(budget_table(one, 120), "epc-gaussian-n6");
+  const auto n6 = cells_after(budget_table(one, 120), "epc-gaussian-n6");
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
             (std::vector<std::string>{"-", "-", "-", "-"}));
 }
@@ -74,7 +74,7 @@ TEST(BudgetTable, WithLittleRoomHasTheTotalsAlone) {
   const std::string text = budget_table(with_known_numbers(), 60);
   EXPECT_FALSE(contains(text, "tail"));
   EXPECT_FALSE(contains(text, "trunc."));
-  EXPECT_EQ(cells_of(text, "epc-gaussian-n6").back(), "0.01111") << text;
+  EXPECT_EQ(cells_after(text, "epc-gaussian-n6").back(), "0.01111") << text;
 }
 
 TEST(BudgetTable, IsEmptyWithoutABudget) {

@@ -32,6 +32,20 @@ TEST(ResultsTable, FollowsTheRuleForTheReference) {
   EXPECT_FALSE(tests::contains(results_table(one), "L1 to"));
 }
 
+TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
+  auto one = whole_case();
+  EXPECT_EQ(moment_errors_table(one), "");
+  const double y2 = one.find("fd-kf")->moments.y2;
+  one.bounds = compare::Bounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
+  solution_of(one, "fd-white").moments.y2 = y2 + 5e-3;
+  const std::string html = moment_errors_table(one);
+  const std::string caption = "Errors of moments, by the guaranteed bounds";
+  EXPECT_TRUE(tests::contains(headers_in(html, caption), "solution|E[y\u00b2] in ["));
+  EXPECT_FALSE(tests::contains(html, "w1"));
+  EXPECT_EQ(row_in(html, caption, "fd-kf"), "within");
+  EXPECT_EQ(row_in(html, caption, "fd-white"), "0.0040");
+}
+
 TEST(Reasons, AreOfThoseThatAreNotOk) {
   auto one = whole_case();
   solution_of(one, "epc-gaussian-n4").reason = "because 1 < 2";

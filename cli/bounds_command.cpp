@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/lists.hpp"
+#include "cli/parameter_options.hpp"
+#include "cli/program.hpp"
+#include "cli/solve_and_report.hpp"
+#include "methods/bounds.hpp"
+#include "parameters/input_error.hpp"
+#include "report/bounds.hpp"
+#include "results/directory.hpp"
+#include "results/run_json.hpp"
+#include "results/saved_run.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kBoundsUsage = R"(usage: fpkcheck bounds CASE ... [options]
+
+Guaranteed lower and upper bounds of stationary expectations of the oscillator under the impulses
+themselves (equation kf, exact impact): E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and the momentum of
+the impacts w1 = int u^2 p(0,-u) du. They trust no solver: an approximate solution of the backward
+equation is checked by outward-rounded interval arithmetic. docs/bounds.md has theorem and proof.
+Exit code 0 when all are as narrow as asked for, 1 when they are not or there are none.
+
+examples:
+  fpkcheck bounds case1
+  fpkcheck bounds case1 --width 1e-6 --seconds 60
+  fpkcheck bounds case1 --bin ydot:0.5:0.3          an average of p(y') about 0.5
+)";
+
+// VARIABLE:CENTRE:SPACING
+dual::Functional bin_from(const std::string& text) {
+  const auto refuse = [&] {
+    throw InputError(fmt::format(
+        "--bin '{}' (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)", text));
+  };
+  const auto first = text.find(':'), second = text.find(':', first + 1);
+  if (first == std::string::npos || second == std::string::npos) refuse();
+  const std::string variable = text.substr(0, first);
+  if (variable != "y" && variable != "ydot") refuse();
+  const auto number = [&](const std::string& part) {
+    const auto found = parameters::Parameter{.name = "bin", .help = {}}.parsed(part);
+    if (!found) refuse();
+    return std::get<double>(*found);
+  };
+  return dual::SmoothBin::cardinal(
+      variable == "y" ? dual::Axis::displacement : dual::Axis::velocity,
+      number(text.substr(first + 1, second - first - 1)), number(text.substr(second + 1)));
+}
+
+}  // namespace
+
+int bounds_command(const Call& call) {
+  namespace po = boost::program_options;
+  CommonArguments common;
+  const auto& description = dual::description();
+  parameters::Values values = description.values(dual::Options{});
+  std::vector<std::string> bins;
+  po::options_description own = options_for(description, values);
+  own.add_options()(
+      "bin", po::value(&bins)->value_name("V:X:H")->composing(),
+      "also the average of p(y) or p(y') with a cubic B-spline about X, knots H apart; "
+      "V is y or ydot; may be repeated");
+  if (!parse(call.arguments, kBoundsUsage,
+             with_common_options(own, common, "write summary.json there"), common.cases)) {
+    return kDone;
+  }
+  if (common.cases.empty()) throw InputError("no case (give one, e.g. case1)");
+  dual::Options options = description.read(values, "options");
+  for (const auto& bin : bins) options.functionals.push_back(bin_from(bin));
+  dual::validate(options);
+  const auto problems = load_cases(common);
+  results::MadeDirectories made;
+  if (common.out) made = results::make_writable(*common.out);
+
+  results::Run run{results::this_program(call.command_line), {}};
+  bool reached = true;
+  for (const auto& problem : problems) {
+    run.cases.push_back({.problem = problem,
+                         .solutions = {},
+                         .pairs = {},
+                         .budget = {},
+                         .limits = {},
+                         .curves = {},
+                         .joints = {},
+                         .bounds = methods::guaranteed_bounds(problem, options)});
+    const auto& bounds = *run.cases.back().bounds;
+    reached = reached && bounds.reason.empty() && !bounds.each.empty();
+    if (common.json || common.quiet) continue;
+    fmt::print("{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()),
+               bounds.seconds);
+  }
+  if (common.json) fmt::print("{}\n", results::summary_text(run));
+  if (common.out) {
+    results::PendingFiles files;
+    files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
+              results::summary_text(run) + '\n');
+    files.commit();
+  }
+  return reached ? kDone : kNotReached;
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,56 @@
+#include "compare/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/reference.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+using transform::Moments;
+using transform::Solution;
+
+double stated_error(const Solution& solution, double Moments::*moment) {
+  const double stated = solution.error ? std::abs(solution.error->moments.*moment) : 0;
+  const double by_chance =
+      solution.standard_errors ? kSureErrors * solution.standard_errors->moments.*moment : 0;
+  return std::max(stated, by_chance);
+}
+
+}  // namespace
+
+const Bound* bound_of(const Bounds& bounds, double Moments::*moment) {
+  const auto* named =
+      std::ranges::find(transform::kMoments, moment, &transform::NamedMoment::moment);
+  if (named == std::end(transform::kMoments)) return nullptr;
+  const auto found = std::ranges::find(bounds.each, named->symbol, &Bound::functional);
+  return found == bounds.each.end() ? nullptr : &*found;
+}
+
+std::vector<Outside> outside(const Bounds& bounds, std::span<const Solution> solutions) {
+  std::vector<Outside> found;
+  for (const Solution& solution : solutions) {
+    if (!solution.has_density()) continue;
+    for (const auto& [name, symbol, moment] : transform::kMoments) {
+      const Bound* bound = bound_of(bounds, moment);
+      if (bound == nullptr) continue;
+      const double value = solution.moments.*moment;
+      const double by = std::max(bound->lower - value, value - bound->upper);
+      // A file of one marginal leaves the moments of the other unknown.
+      if (!std::isfinite(value) || !(by > 0)) continue;
+      found.push_back({&solution, bound, value, by, stated_error(solution, moment)});
+    }
+  }
+  return found;
+}
+
+std::vector<Outside> contradictions(const Bounds& bounds, std::span<const Solution> solutions) {
+  std::vector<Outside> found = outside(bounds, solutions);
+  std::erase_if(found, [](const Outside& one) {
+    return !solves_the_problem(*one.solution) || !one.is_contradiction();
+  });
+  return found;
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "compare/bounds.hpp"
+#include "dual/bounds/bounds.hpp"
+#include "results/run.hpp"
+
+namespace fpkcheck::methods {
+
+/// dual::bounds() as comparisons and files know them.
+compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::Options& options);
+
+/// Gives every case its bounds, as narrow as a run can use them: ten times what separates the best
+/// solutions of the paper's cases.
+/// @param threads 0 for all processors
+void add_bounds(std::vector<results::Case>& cases, int threads);
+
+}  // namespace fpkcheck::methods

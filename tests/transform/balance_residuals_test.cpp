@@ -1,0 +1,47 @@
+#include "transform/balance_residuals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "transform/panel_marginals.hpp"
+
+namespace fpkcheck::transform {
+namespace {
+
+TEST(BalanceResiduals, AreObservedWithTheErrorsThatThereAre) {
+  Observer observer;
+  observe(observer, {.virial = 1e-3, .momentum = -2e-3}, {.virial = {}, .momentum = 5e-4});
+  const auto observations = observer.take();
+  EXPECT_EQ(number(observations, "balances.virial"), 1e-3);
+  EXPECT_EQ(number(observations, "balances.momentum"), -2e-3);
+  EXPECT_EQ(number(observations, "balances.momentum_error"), 5e-4);
+  EXPECT_EQ(find(observations, "balances.momentum")->error_at, "balances.momentum_error");
+  EXPECT_EQ(find(observations, "balances.virial_error"), nullptr);
+}
+
+TEST(BalanceResiduals, AreNullWhereThereAreNone) {
+  Observer observer;
+  observe(observer, {});
+  const auto observations = observer.take();
+  ASSERT_NE(find(observations, "balances.virial"), nullptr);
+  EXPECT_FALSE(number(observations, "balances.virial"));
+  EXPECT_FALSE(number(observations, "balances.momentum"));
+}
+
+// Of a folded normal law: E[y] = sqrt(2/pi), E[y^2] = 1, E[y^3] = 2 sqrt(2/pi).
+TEST(PanelMarginals, GiveTheMeanOfAPolynomial) {
+  const SmoothDensity bell{
+      [](double y, double v) { return std::exp(-(y * y + v * v) / 2) / std::numbers::pi; }, 9.0,
+      9.0};
+  const double mean = std::sqrt(2 / std::numbers::pi);
+  for (const auto panels : {Panels::even, Panels::graded}) {
+    const auto marginals = panel_marginals(bell, bell.y_max, bell.v_max, panels);
+    EXPECT_NEAR(mean_of(marginals, problem::Polynomial({0, 3, 0, 0.5})), 4 * mean, 1e-8);
+    EXPECT_NEAR(mean_of(marginals, problem::Polynomial({0, 3}).times_argument()), 3, 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::transform
