@@ -14,7 +14,8 @@ Bounds narrow() {
 }
 
 Solution with_moments(const std::string& id, double y2, double v2) {
-  Solution solution{.identity = {.id = id}};
+  Solution solution;
+  solution.identity.id = id;
   solution.had_density = true;
   solution.moments.y2 = y2;
   solution.moments.v2 = v2;
