@@ -18,7 +18,7 @@
 namespace fpkcheck::dual {
 namespace {
 
-constexpr int kOrder = 16;  // N
+constexpr int kLaplaceOrder = 16;  // N
 
 // Bernstein coefficients of the two solutions on a piece, t in [0, 1].
 struct OneSided {
@@ -40,9 +40,9 @@ OneSided one_sided(const std::vector<Coefficients>& functions, const Interval& l
   OneSided solution;
   solution.final_decay = exponential(-ratio);
   const auto series = [&](const Coefficients& forcing, const Interval& start) {
-    Coefficients q(kOrder);
+    Coefficients q(kLaplaceOrder);
     Interval next = start;
-    for (int n = 0; n < kOrder; ++n) {
+    for (int n = 0; n < kLaplaceOrder; ++n) {
       q[n] = next;
       const Interval b = n < static_cast<int>(forcing.size()) ? forcing[n] : Interval(0);
       next = ratio * (b / 2.0 - q[n]) / static_cast<double>(n + 1);
@@ -88,7 +88,7 @@ Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pi
 ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
                       const std::vector<VelocityPiece>& pieces) {
   const double s = law.scale;
-  ImpulseTable table = empty_table(basis, pieces, kOrder);
+  ImpulseTable table = empty_table(basis, pieces, kLaplaceOrder);
   double longest = 0, overhang = 0;
   for (const VelocityPiece& piece : pieces) longest = std::max(longest, piece.length().upper());
   const Axis axis = shifted_axis(basis, pieces, law.mean, longest);
@@ -111,8 +111,8 @@ ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
       if (target >= 0 && target < static_cast<int>(pieces.size())) {
         const auto add = [&](int b, const Interval& factor, const Coefficients& c) {
           const std::span<Interval> out = table.of(target, b);
-          for (int j = 0; j < kOrder; ++j) {
-            out[j] += factor * c[forward ? j : kOrder - 1 - j];
+          for (int j = 0; j < kLaplaceOrder; ++j) {
+            out[j] += factor * c[forward ? j : kLaplaceOrder - 1 - j];
           }
         };
         for (int b = 0; b < basis.size(); ++b) add(b, carried[b], solution.decay);
