@@ -19,7 +19,7 @@ constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 bool moved_by_chance(const Solution& one, const Solution& other) {
   if (!one.standard_errors || !other.standard_errors) return false;
   const auto &errors = one.standard_errors->moments, &others = other.standard_errors->moments;
-  return std::ranges::any_of(kMoments, [&](const ShownMoment& of) {
+  return std::ranges::any_of(transform::kMoments, [&](const transform::NamedMoment& of) {
     return one.moments.*of.moment != other.moments.*of.moment ||
            errors.*of.moment != others.*of.moment;
   });

@@ -12,20 +12,6 @@ constexpr const char* density_name(transform::Variable variable) {
   return variable == transform::Variable::ydot ? "p(y')" : "p(y)";
 }
 
-/// A moment in tables, and the one that has its size: E[y'] is 0 but for errors.
-struct ShownMoment {
-  const char* name;
-  double transform::Moments::*moment;
-  double transform::Moments::*size;
-};
-inline constexpr ShownMoment kMoments[] = {
-    {"E[y]", &transform::Moments::y1, &transform::Moments::y1},
-    {"E[y^2]", &transform::Moments::y2, &transform::Moments::y2},
-    {"E[y^4]", &transform::Moments::y4, &transform::Moments::y4},
-    {"E[y']", &transform::Moments::v1, &transform::Moments::v2},
-    {"E[y'^2]", &transform::Moments::v2, &transform::Moments::v2},
-    {"E[y'^4]", &transform::Moments::v4, &transform::Moments::v4}};
-
 /// What every solution has: equation and impact, status, moments, mass, balance of power, smallest
 /// density, stated error, and of a simulation what it says of its own errors; and what its solver
 /// alone knows. A simulation's moments, mass and balance are judged in standard errors.

@@ -22,11 +22,11 @@ void add_density(const Solution& s, const Tolerances& tolerances, const Part& de
     claim.error = error;
   };
   const auto errors = s.standard_errors.value_or(transform::StandardErrors{});
-  for (const auto& [name, moment, size] : kMoments) {
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     // E[y'] = 0 in every stationary state: where it is less than a thousandth of a deviation it is
     // an error of the method, and its last digits are rounding.
     const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
-    add(name, FigureKind::moment, s.moments.*moment, errors.moments.*moment,
+    add(symbol, FigureKind::moment, s.moments.*moment, errors.moments.*moment,
         std::max(std::abs(s.moments.*moment), least));
   }
   add("mass", FigureKind::mass, s.mass, error_of_mass(s), 1);
@@ -45,9 +45,9 @@ void add_stated_error(const Solution& s, const Tolerances& tolerances, const Par
   for (const auto variable : transform::kVariables) {
     add(density_name(variable), l1(*s.error, variable), 0);
   }
-  for (const auto& [name, moment, size] : kMoments) {
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     // The error of a moment has the moment's rounding.
-    add(name, s.error->moments.*moment, std::abs(s.moments.*size));
+    add(symbol, s.error->moments.*moment, std::abs(s.moments.*size));
   }
 }
 
@@ -55,7 +55,8 @@ void add_standard_errors(const transform::StandardErrors& errors, const Part& pa
   const auto add = [&](const std::string& of, double error) {
     part.number("standard error of " + of, FigureKind::simulated_error, error, 1);
   };
-  for (const auto& [name, moment, size] : kMoments) add(name, errors.moments.*moment);
+  for (const auto& [name, symbol, moment, size] : transform::kMoments)
+    add(symbol, errors.moments.*moment);
   add("energy residual", errors.energy_residual);
 }
 

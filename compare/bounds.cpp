@@ -32,7 +32,7 @@ std::vector<Outside> outside(const Bounds& bounds, std::span<const Solution> sol
   std::vector<Outside> found;
   for (const Solution& solution : solutions) {
     if (!solution.has_density()) continue;
-    for (const auto& [name, symbol, moment] : transform::kMoments) {
+    for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       const Bound* bound = bound_of(bounds, moment);
       if (bound == nullptr) continue;
       const double value = solution.moments.*moment;

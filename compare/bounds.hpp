@@ -20,8 +20,9 @@ struct Bound {
 };
 
 struct Bounds {
-  std::string reason = {};  ///< one sentence where there are none
-  double seconds = 0;       ///< wall-clock time
+  /// Why there are none, or why they are wider than asked for; empty otherwise.
+  std::string reason = {};
+  double seconds = 0;  ///< wall-clock time
   std::vector<Bound> each = {};
 };
 

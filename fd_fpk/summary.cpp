@@ -23,12 +23,11 @@ void observe_faint(Observer& observer, const std::string& path, double density) 
 void observe(Observer& observer, const ErrorEstimate& error) {
   // Of the logarithm of a quotient of small differences.
   observer.add({.path = "error.observed_order", .value = error.observed_order, .delicate = true});
-  for (const auto& [name, symbol, moment] : transform::kMoments) {
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     // A limit has the rounding of the moment, E[y'] that of the velocities.
-    const auto of_size = moment == &transform::Moments::v1 ? &transform::Moments::v2 : moment;
     observer.add({.path = std::string("error.extrapolated.") + name,
                   .value = error.extrapolated.*moment,
-                  .least_scale = std::max(0.1, std::abs(error.extrapolated.*of_size))});
+                  .least_scale = std::max(0.1, std::abs(error.extrapolated.*size))});
   }
 }
 

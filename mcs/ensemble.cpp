@@ -22,10 +22,6 @@ namespace {
 // nothing depends on the number of threads.
 constexpr std::uint32_t kShares = 64;
 
-constexpr double transform::Moments::*kMoments[] = {
-    &transform::Moments::y1, &transform::Moments::y2, &transform::Moments::y4,
-    &transform::Moments::v1, &transform::Moments::v2, &transform::Moments::v4};
-
 // The bins of a variable; none where it has no edges.
 using Bins = std::optional<BinFinder>;
 
@@ -40,7 +36,7 @@ struct Sums {
   void add(const State& state, const Bins& y_bins, const Bins& v_bins) {
     const double y2 = state.y * state.y, v2 = state.v * state.v;
     const transform::Moments powers{state.y, y2, y2 * y2, state.v, v2, v2 * v2};
-    for (const auto moment : kMoments) {
+    for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       first.*moment += powers.*moment;
       second.*moment += powers.*moment * powers.*moment;
     }
@@ -49,7 +45,7 @@ struct Sums {
   }
 
   void add(const Sums& other) {
-    for (const auto moment : kMoments) {
+    for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       first.*moment += other.first.*moment;
       second.*moment += other.second.*moment;
     }
@@ -96,7 +92,7 @@ transform::Marginal marginal(const Bins& bins, const std::vector<std::uint64_t>&
 EnsembleSnapshot snapshot(double time, const Sums& sums, const Bins& y_bins, const Bins& v_bins,
                           double trajectories) {
   EnsembleSnapshot s{.time = time};
-  for (const auto moment : kMoments) {
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     const double mean = sums.first.*moment / trajectories;
     const double variance = std::max(0.0, sums.second.*moment / trajectories - mean * mean);
     s.moments.*moment = mean;

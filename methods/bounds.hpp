@@ -11,8 +11,7 @@ namespace fpkcheck::methods {
 /// dual::bounds() as comparisons and files know them.
 compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::Options& options);
 
-/// Gives every case its bounds, as narrow as a run can use them: ten times what separates the best
-/// solutions of the paper's cases.
+/// Gives every case its bounds, as narrow as about a second allows.
 /// @param threads 0 for all processors
 void add_bounds(std::vector<results::Case>& cases, int threads);
 

@@ -51,8 +51,8 @@ std::vector<std::string> bounds_findings(const results::Case& one) {
     if (compare::solves_the_problem(*found.solution)) continue;
     if (ids.empty() || ids.back() != found.solution->id()) ids.push_back(found.solution->id());
   }
-  for (const Bound& bound : bounds.each) {
-    if (bound.functional == "E[y^2]" || bound.functional == "E[y'^2]") shown.push_back(text(bound));
+  for (const auto moment : {&transform::Moments::y2, &transform::Moments::v2}) {
+    if (const Bound* bound = compare::bound_of(bounds, moment)) shown.push_back(text(*bound));
   }
   sentences.push_back(fmt::format("Guaranteed: {}. Outside the bounds: {}.", fmt::join(shown, ", "),
                                   ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, ", "))));

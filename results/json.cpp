@@ -95,7 +95,9 @@ Json values_json(const parameters::Values& values) {
 }
 
 Json moments_json(const transform::Moments& m) {
-  return {{"y1", m.y1}, {"y2", m.y2}, {"y4", m.y4}, {"v1", m.v1}, {"v2", m.v2}, {"v4", m.v4}};
+  Json json;
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) json[name] = m.*moment;
+  return json;
 }
 
 void add_observations(const Observations& observations, Json& object) {

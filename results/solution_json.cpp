@@ -91,12 +91,11 @@ double number_in(const Json& object, const char* key) {
 }
 
 Moments moments_in(const Json& json) {
-  return {.y1 = number_in(json, "y1"),
-          .y2 = number_in(json, "y2"),
-          .y4 = number_in(json, "y4"),
-          .v1 = number_in(json, "v1"),
-          .v2 = number_in(json, "v2"),
-          .v4 = number_in(json, "v4")};
+  Moments moments;
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    moments.*moment = number_in(json, name);
+  }
+  return moments;
 }
 
 template <class Enum>

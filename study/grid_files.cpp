@@ -27,7 +27,7 @@ Record record(const GridLimit& limit) {
   Record record{{"order", counted(limit.order)},
                 {"l1_y", value(limit.l1, &MarginalL1::y)},
                 {"l1_ydot", value(limit.l1, &MarginalL1::ydot)}};
-  for (const auto& [name, symbol, moment] : transform::kMoments) {
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // 0 whatever the density
     const bool known = limit.density.has_value();
     record.push_back({name, known ? Value(limit.density->moments.*moment) : Value()});

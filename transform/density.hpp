@@ -35,16 +35,17 @@ struct Moments {
   double v1 = 0, v2 = 0, v4 = 0;  ///< E[y'], E[y'^2], E[y'^4]
 };
 
-/// The moments by their names in files and as people read them.
+/// A moment by its name in files and as people read it.
 struct NamedMoment {
   const char* name;
   const char* symbol;
   double Moments::*moment;
+  double Moments::*size;  ///< the moment that has its size: E[y'] is 0 but for errors
 };
 inline constexpr NamedMoment kMoments[] = {
-    {"y1", "E[y]", &Moments::y1},    {"y2", "E[y^2]", &Moments::y2},
-    {"y4", "E[y^4]", &Moments::y4},  {"v1", "E[y']", &Moments::v1},
-    {"v2", "E[y'^2]", &Moments::v2}, {"v4", "E[y'^4]", &Moments::v4}};
+    {"y1", "E[y]", &Moments::y1, &Moments::y1},    {"y2", "E[y^2]", &Moments::y2, &Moments::y2},
+    {"y4", "E[y^4]", &Moments::y4, &Moments::y4},  {"v1", "E[y']", &Moments::v1, &Moments::v2},
+    {"v2", "E[y'^2]", &Moments::v2, &Moments::v2}, {"v4", "E[y'^4]", &Moments::v4, &Moments::v4}};
 
 /// Integral of g(y, v) p(y, v) over the support, by composite Gauss-Legendre panels on
 /// [0, y_max] x [-v_max, 0] x [0, v_max].

@@ -31,7 +31,7 @@ Level level(const Solution& solution, std::span<const double> y_edges,
 Change change(const Level& coarser, const Level& finer) {
   Change change{
       .y_l1 = l1(coarser.y, finer.y), .ydot_l1 = l1(coarser.ydot, finer.ydot), .moments = {}};
-  for (const auto& [name, symbol, moment] : kMoments) {
+  for (const auto& [name, symbol, moment, size] : kMoments) {
     change.moments.*moment = finer.moments.*moment - coarser.moments.*moment;
   }
   return change;
@@ -54,7 +54,7 @@ Richardson richardson(const Change& before, const Change& last, double ratio, in
                     .fall = fall,
                     .factor = factor,
                     .error = {.y_l1 = last.y_l1 * factor, .ydot_l1 = last.ydot_l1 * factor}};
-  for (const auto& [name, symbol, moment] : kMoments) {
+  for (const auto& [name, symbol, moment, size] : kMoments) {
     result.error.moments.*moment =
         factor * std::max(std::abs(last.moments.*moment), std::abs(before.moments.*moment) / fall);
   }
@@ -63,7 +63,7 @@ Richardson richardson(const Change& before, const Change& last, double ratio, in
 
 Moments limit(const Moments& fine, const Change& last, double factor) {
   Moments limit = fine;
-  for (const auto& [name, symbol, moment] : kMoments) {
+  for (const auto& [name, symbol, moment, size] : kMoments) {
     limit.*moment += factor * last.moments.*moment;
   }
   return limit;

@@ -99,10 +99,11 @@ Reference reference(const problem::Problem& problem, const ReferenceOptions& opt
   simulation.v_edges = axes.v_edges;
   const auto simulated = mcs::solve(problem, simulation);
 
-  for (const auto& [name, symbol, moment] : transform::kMoments) {
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // 0 whatever the density
     result.moments.push_back(
         {name,
+         symbol,
          {seventh.summary.error->extrapolated.*moment, fifth.summary.error->extrapolated.*moment},
          simulated.solution.moments.*moment,
          simulated.solution.standard_errors->moments.*moment});

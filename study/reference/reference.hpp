@@ -28,7 +28,8 @@ struct ReferenceValue {
 };
 
 struct ReferenceMoment {
-  std::string name;  ///< as in summary.json: "y1" ...
+  std::string name;    ///< as in summary.json: "y1" ...
+  std::string symbol;  ///< "E[y]" ...
   ReferenceValue value;
   double simulated;
   double standard_error;

@@ -18,18 +18,12 @@ std::string digits(double x, int significant) {
                        : fmt::format("{:.{}f}", x, std::max(0, significant - 1 - exponent));
 }
 
-std::string symbol(const std::string& name) {
-  const std::string variable = name.front() == 'y' ? "y" : "y'";
-  return name.back() == '1' ? fmt::format("E[{}]", variable)
-                            : fmt::format("E[{}^{}]", variable, name.back());
-}
-
 void add_moments(const Reference& r, std::string& text) {
   text +=
       "| | value | difference of the two | simulation | in standard errors |\n"
       "|---|---|---|---|---|\n";
-  for (const auto& [name, value, simulated, error] : r.moments) {
-    text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol(name),
+  for (const auto& [name, symbol, value, simulated, error] : r.moments) {
+    text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
                         digits(value.seventh, value.agreed_digits(kMomentDigits)),
                         std::abs(value.seventh - value.fifth), simulated, error,
                         (simulated - value.seventh) / error);

@@ -49,11 +49,8 @@ void write_series(results::NetCdfWriter& file, const TransientRun& run, int time
   const auto series = [&](const char* name, const std::string& long_name, auto of) {
     file.variable(name, {time}, long_name, over_time(run, of));
   };
-  for (const auto& [name, symbol, moment] : transform::kMoments) {
-    const std::string variable = name[0] == 'y' ? "y" : "y'";
-    const std::string power = name[1] == '1' ? "" : fmt::format("^{}", name[1]);
-    series(name, fmt::format("E[{}{}]", variable, power),
-           [of = moment](const Snapshot& s) { return s.moments.*of; });
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    series(name, symbol, [of = moment](const Snapshot& s) { return s.moments.*of; });
   }
   series("energy", "mean energy E[y'^2]/2 + E[U(y)], U the potential of the spring",
          &Snapshot::energy);

@@ -53,15 +53,15 @@ TEST(Check, FindsEveryMomentThatMovesByAMillionth) {
     if (one.standard_errors) continue;
     const auto runs = tests::alone(one.id());
     const double deviation = std::sqrt(one.moments.v2);
-    for (const auto& of : kMoments) {
+    for (const auto& of : transform::kMoments) {
       const auto moved = moved_by([&](results::Run& run) {
         double& moment = solution(run, one.id()).moments.*of.moment;
         // E[y'] is 0 but for errors: a millionth of a deviation.
         moment = of.moment == of.size ? moment * (1 + 1e-6) : moment + 1e-6 * deviation;
       });
-      ASSERT_EQ(moved.size(), 1u) << one.id() << " " << of.name;
+      ASSERT_EQ(moved.size(), 1u) << one.id() << " " << of.symbol;
       EXPECT_EQ(moved[0].kind, FigureKind::moment);
-      EXPECT_EQ(moved[0].name, of.name);
+      EXPECT_EQ(moved[0].name, of.symbol);
     }
   }
 }

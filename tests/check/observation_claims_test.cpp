@@ -224,7 +224,8 @@ TEST(ObservationClaims, WhatASimulationSaysOfItsErrorsIsComparedToo) {
   // Wide errors do not hide what they would hide.
   EXPECT_GE(moved_by([](results::Run& run) {
               auto& mcs = solution(run, "mcs");
-              for (const auto& of : kMoments) mcs.standard_errors->moments.*of.moment *= 100;
+              for (const auto& of : transform::kMoments)
+                mcs.standard_errors->moments.*of.moment *= 100;
               scale(mcs.moments.y2, 0.02);
             }).size(),
             6u);

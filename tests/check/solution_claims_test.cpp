@@ -54,10 +54,10 @@ TEST(SolutionClaims, StatedErrorsAreDetails) {
   };
   EXPECT_EQ(kinds(by([](auto& error) { scale(error->y_l1, 0.5); })), Kinds{detail});
   EXPECT_EQ(kinds(by([](auto& error) { scale(error->ydot_l1, -0.2); })), Kinds{detail});
-  for (const auto& of : kMoments) {
+  for (const auto& of : transform::kMoments) {
     const auto moved = by([&](auto& error) { error->moments.*of.moment += 1e-7; });
-    ASSERT_EQ(moved.size(), 1u) << of.name;
-    EXPECT_EQ(moved[0].name, std::string("error of ") + of.name);
+    ASSERT_EQ(moved.size(), 1u) << of.symbol;
+    EXPECT_EQ(moved[0].name, std::string("error of ") + of.symbol);
     // Small as it is, it has the moment's rounding.
     EXPECT_TRUE(by([&](auto& error) { error->moments.*of.moment += 5e-10; }).empty());
   }

@@ -8,8 +8,8 @@ namespace {
 
 TEST(ReferenceText, HasDigitsThatAgreeAndNoMore) {
   Reference r{.problem = tests::paper_case(1), .failure = {}, .moments = {}, .y = {}, .ydot = {}};
-  r.moments.push_back({"y2", {0.12345678, 0.12345679}, 0.1234, 1e-4});
-  r.moments.push_back({"v4", {55.26042, 55.26082}, 55.3, 0.05});
+  r.moments.push_back({"y2", "E[y^2]", {0.12345678, 0.12345679}, 0.1234, 1e-4});
+  r.moments.push_back({"v4", "E[y'^4]", {55.26042, 55.26082}, 55.3, 0.05});
   r.y.push_back({0.25, {1.5e-5, 1.5e-5}});
   r.ydot.push_back({-0.5, {0.4, 0.4}});
   const std::string text = reference_markdown({r}, "fpkcheck reference");
