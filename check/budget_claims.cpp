@@ -31,7 +31,8 @@ void add_row(const BudgetRow& row, const transform::Solution* simulation,
   };
   const auto add_l1 = [&](const std::string& name, double l1, bool to_reference) {
     Claim& claim = add(name, l1);
-    if (to_reference) move_by_sampling(claim, simulation, row.variable, tolerances);
+    if (!to_reference || simulation == nullptr) return;
+    move_by_sampling(claim, transform::best_sampling(*simulation), row.variable, tolerances);
   };
   const auto add_tail = [&](const std::string& name, double tail) {
     // By what factor a tail, or its number of bins, may differ between two simulations: the
@@ -61,6 +62,7 @@ void add_row(const BudgetRow& row, const transform::Solution* simulation,
     add_error("uncertainty " + name, step.uncertainty, false);
     add_error("expected " + name, step.expected, true);
     add_error("in_99 " + name, step.in_99, true);
+    add_error("standard error of " + name, step.standard_error, true);
   }
 }
 

@@ -33,11 +33,11 @@ double error_of_mass(const Solution& solution) {
   return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);
 }
 
-void move_by_sampling(Claim& claim, const Solution* solution, transform::Variable variable,
-                      const Tolerances& tolerances) {
-  if (solution == nullptr || !solution->sampling) return;
-  const auto error = expected(*solution->sampling, variable);
-  const auto most = in_99(*solution->sampling, variable);
+void move_by_sampling(Claim& claim, const std::optional<transform::SamplingError>& sampling,
+                      transform::Variable variable, const Tolerances& tolerances) {
+  if (!sampling) return;
+  const auto error = expected(*sampling, variable);
+  const auto most = in_99(*sampling, variable);
   if (!error || !most) return;
   claim.kind = FigureKind::simulated_l1;
   claim.allowed = tolerances.standard_errors;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "check/claim.hpp"
 #include "check/tolerances.hpp"
 #include "transform/solution.hpp"
@@ -22,9 +24,8 @@ bool moved_by_chance(const transform::Solution& one, const transform::Solution& 
 /// always be there. NaN where it does not state its sampling.
 double error_of_mass(const transform::Solution& solution);
 
-/// Makes a claim on an L1 one that the solution's sampling moves, where there is one that states
-/// it.
-void move_by_sampling(Claim& claim, const transform::Solution* solution,
+/// Makes a claim on an L1 one that sampling moves, where it is stated.
+void move_by_sampling(Claim& claim, const std::optional<transform::SamplingError>& sampling,
                       transform::Variable variable, const Tolerances& tolerances);
 
 /// What is allowed of the error^power of a simulation, of which there are so many: ratio of the

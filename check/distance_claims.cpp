@@ -37,6 +37,13 @@ void add_tail(const compare::Distances& d, const Part& pair, double allowed) {
   }
 }
 
+void add_standard_error(const PairDistances& pair, const transform::Solution& simulation,
+                        const Tolerances& tolerances, const Part& part) {
+  constexpr std::size_t kBothVariables = 2;
+  part.number("standard error of L1 " + part.name, FigureKind::simulated_error,
+              *pair.l1_standard_error, allowed_scatter(simulation, kBothVariables, 1, tolerances));
+}
+
 }  // namespace
 
 Claims distance_claims(const results::Case& one, const results::Case& other,
@@ -52,9 +59,14 @@ Claims distance_claims(const results::Case& one, const results::Case& other,
     };
     part.begin(FigureKind::distance);
     Claim& l1 = add("L1", d.l1, 1);
-    move_by_sampling(l1, a, pair.variable, tolerances);
-    move_by_sampling(l1, b, pair.variable, tolerances);
-    if (l1.kind == FigureKind::simulated_l1) continue;
+    for (const auto* end : {a, b}) {
+      if (end == nullptr) continue;
+      move_by_sampling(l1, transform::best_sampling(*end), pair.variable, tolerances);
+    }
+    const bool by_chance = l1.kind == FigureKind::simulated_l1;
+    const bool to_a_measure = pair.l1_standard_error && b != nullptr && b->smooth_sampling;
+    if (to_a_measure) add_standard_error(pair, *b, tolerances, part);
+    if (by_chance) continue;
     const double unit = 1 / deviation(b, pair.variable);
     add("L2", d.l2, std::sqrt(unit));
     add("sup", d.sup, unit);

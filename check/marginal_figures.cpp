@@ -83,7 +83,7 @@ Claims l1_claim(const Solution& simulation, const Curve& curve, double l1,
   Claim& claim = Part{claims, curve.solution, kWhole}.number(
       fmt::format("L1 {} to baseline", density_name(curve.variable)), FigureKind::simulated_l1, l1,
       0);
-  move_by_sampling(claim, &simulation, curve.variable, tolerances);
+  move_by_sampling(claim, simulation.sampling, curve.variable, tolerances);
   return claims;
 }
 

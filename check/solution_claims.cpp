@@ -63,11 +63,11 @@ void add_standard_errors(const transform::StandardErrors& errors, const Part& pa
 void add_sampling(const transform::SamplingError& sampling, const Part& part) {
   for (const auto variable : transform::kVariables) {
     const auto add = [&](const std::string& which, const std::optional<double>& l1) {
-      part.number(which + density_name(variable), FigureKind::simulated_error,
+      part.number(part.name + which + density_name(variable), FigureKind::simulated_error,
                   l1.value_or(std::numeric_limits<double>::quiet_NaN()), 1);
     };
-    add("sampling L1 of ", expected(sampling, variable));
-    add("sampling L1 in 99 of 100 of ", in_99(sampling, variable));
+    add(" of ", expected(sampling, variable));
+    add(" in 99 of 100 of ", in_99(sampling, variable));
   }
 }
 
@@ -86,6 +86,7 @@ Claims solution_claims(const Solution& s, const Tolerances& tolerances) {
   if (s.error) add_stated_error(s, tolerances, part("stated error"));
   if (s.standard_errors) add_standard_errors(*s.standard_errors, part("standard errors"));
   if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
+  if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_observations(s.observations, tolerances, whole);
   // One may be the largest of so many; until here they have powers.
   const auto errors = std::ranges::count(claims, FigureKind::simulated_error, &Claim::kind);

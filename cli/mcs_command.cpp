@@ -41,7 +41,7 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
         "--checkpoint and --resume with several cases (a file holds one: name one case)");
   }
   return solve_and_report(common,
-                          {methods::controlled(call.registry.method(solver, values), control)},
+                          {methods::under_control(call.registry.method(solver, values), control)},
                           {.on_interruption = OnInterruption::finish_early}, call.command_line);
 }
 

@@ -8,6 +8,7 @@
 
 #include "compare/chain.hpp"
 #include "compare/distances.hpp"
+#include "compare/smooth.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::compare {
@@ -59,6 +60,7 @@ BudgetPart part_between(Variable variable, const ChainNode& from, const ChainNod
     part.expected = expected(*to.sampling, variable);
     part.in_99 = in_99(*to.sampling, variable);
   }
+  if (to.smooth != nullptr) part.standard_error = l1_standard_error(from.marginal, *to.smooth);
   return part;
 }
 

@@ -42,6 +42,8 @@ struct BudgetPart {
   std::optional<double> uncertainty{};  ///< discretisation errors of both ends, added
   std::optional<double> expected{};     ///< of a step to the simulation: its L1 sampling error
   std::optional<double> in_99{};        ///< ... and what 99 runs of 100 stay below
+  /// Of a step to the smooth measure: that of its l1.
+  std::optional<double> standard_error{};
 
   std::string name() const { return compare::name(links); }
   /// True for what every closure's chain ends with: discretisation and sampling.
@@ -68,7 +70,7 @@ struct BudgetRow {
 };
 
 /// The budgets of all closures that have a density, by solution; none without a chain's end.
-/// @param marginals of the solutions on the axes
+/// @param marginals of the solutions on the axes, or all of them in smooth bins
 std::vector<BudgetRow> error_budget(const ComparisonAxes& axes,
                                     std::span<const transform::Solution> solutions,
                                     std::span<const SolutionMarginal> marginals);

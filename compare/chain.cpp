@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/smooth.hpp"
+
 namespace fpkcheck::compare {
 namespace {
 
@@ -33,7 +35,8 @@ class Chain {
       : edges_(edges(axes, variable)),
         solutions_(solutions),
         marginals_(marginals),
-        variable_(variable) {}
+        variable_(variable),
+        measure_(smooth_measure(solutions)) {}
 
   void begin(const Solution& closure, const Marginal& marginal) {
     nodes_.push_back({closure.id(), {}, marginal, 0.0});
@@ -48,7 +51,7 @@ class Chain {
         continue;
       }
       if (const auto* m = usable(s)) {
-        append({s.id(), {}, *m, discretisation_error(s, *m)});
+        append({s.id(), {}, *m, discretisation_error(s)});
         if (equation == Equation::kf && impact == Impact::map) full_ = &s;
         return;
       }
@@ -57,18 +60,24 @@ class Chain {
 
   void limit() {
     pending_.push_back(Link::discretisation);
-    if (!full_ || !full_->extrapolation) return;
+    if (measure_ != nullptr || !full_ || !full_->extrapolation) return;
     append({full_->id() + " limit", {}, limit_of(*full_), 0.0});
   }
 
   void simulation() {
-    pending_.push_back(Link::sampling);
+    if (measure_ == nullptr) pending_.push_back(Link::sampling);
     // Without an equation on the way nothing was discretised.
     if (nodes_.size() == 1) std::erase(pending_, Link::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != Role::simulation || s.identity.equation != Equation::kf) continue;
+      if (measure_ != nullptr && &s != measure_) continue;
       if (const auto* m = usable(s)) {
-        append({s.id(), {}, *m, std::nullopt, s.sampling});
+        append({s.id(),
+                {},
+                *m,
+                std::nullopt,
+                transform::best_sampling(s),
+                transform::smooth_estimate(s, variable_)});
         simulated_ = true;
         return;
       }
@@ -88,9 +97,9 @@ class Chain {
     return transform::limit_marginal(solution, variable_, edges_);
   }
 
-  std::optional<double> discretisation_error(const Solution& s, const Marginal& m) const {
+  std::optional<double> discretisation_error(const Solution& s) const {
     if (!s.extrapolation) return std::nullopt;
-    return distances(m, limit_of(s)).l1;
+    return distances(transform::marginal(s, variable_, edges_), limit_of(s)).l1;
   }
 
   void append(ChainNode node) {
@@ -102,6 +111,7 @@ class Chain {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   Variable variable_;
+  const Solution* measure_;  ///< where the marginals are in its smooth bins
   std::vector<ChainNode> nodes_;
   std::vector<Link> pending_;
   const Solution* full_ = nullptr;

@@ -21,6 +21,7 @@ struct ChainNode {
   /// known.
   std::optional<double> discretisation_error;
   std::optional<transform::SamplingError> sampling = {};  ///< where chance has a part
+  const transform::SmoothEstimate* smooth = nullptr;      ///< of the smooth measure
 };
 
 /// The models between a closure and the truth, each of which differs from the one before in one
@@ -32,7 +33,9 @@ struct ChainNode {
 ///             -> what its grids tend to (Richardson)                   discretisation
 ///             -> simulation                                            sampling
 ///
-/// A model that is not there, not ok, or the same as the one before is left out; where it is
+/// Where a simulation knows itself in smooth bins to far less than grids do, all of the chain is in
+/// these, and its last step, from the full jump integral to the simulation, is the discretisation
+/// as measured. A model that is not there, not ok, or the same as the one before is left out; where it is
 /// missing, the links join. The chain ends with the simulation, else the limit, else the full
 /// equation itself.
 /// @param closure one of the solutions

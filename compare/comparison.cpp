@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compare/limits.hpp"
+#include "compare/smooth.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -19,10 +20,25 @@ bool has_marginal(const Solution& solution, Variable variable, const std::vector
          });
 }
 
+/// @param smooth the same as `sharp` in smooth bins, or empty
+PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
+                      const std::vector<SolutionMarginal>& smooth, std::size_t a, std::size_t b,
+                      const Solution* measure) {
+  const auto& [from, variable, one] = sharp[a];
+  const auto& [to, same_variable, other] = sharp[b];
+  if (measure == nullptr || (from != measure->id() && to != measure->id())) {
+    return {from, to, variable, distances(one, other)};
+  }
+  const auto& measured = smooth[to == measure->id() ? a : b].marginal;
+  return {from, to, variable, distances(smooth[a].marginal, smooth[b].marginal),
+          l1_standard_error(measured, *transform::smooth_estimate(*measure, variable))};
+}
+
 }  // namespace
 
 Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solution> solutions) {
   Comparison result;
+  const Solution* measure = smooth_measure(solutions);
   for (const auto variable : transform::kVariables) {
     const auto& bins = edges(axes, variable);
     std::vector<SolutionMarginal> found;
@@ -30,15 +46,18 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
       if (!has_marginal(solution, variable, bins)) continue;
       found.push_back({solution.id(), variable, transform::marginal(solution, variable, bins)});
     }
+    const auto smooth =
+        measure == nullptr ? std::vector<SolutionMarginal>{} : in_smooth_bins(found, *measure);
     for (std::size_t a = 0; a < found.size(); ++a) {
       for (std::size_t b = a + 1; b < found.size(); ++b) {
-        result.pairs.push_back({found[a].solution, found[b].solution, variable,
-                                distances(found[a].marginal, found[b].marginal)});
+        result.pairs.push_back(pair_of(found, smooth, a, b, measure));
       }
     }
     std::ranges::move(found, std::back_inserter(result.marginals));
+    std::ranges::copy(smooth, std::back_inserter(result.smooth));
   }
-  result.budget = error_budget(axes, solutions, result.marginals);
+  result.budget =
+      error_budget(axes, solutions, measure == nullptr ? result.marginals : result.smooth);
   result.limits = limits(result.budget, solutions);
   return result;
 }

@@ -17,12 +17,14 @@ struct SolutionMarginal {
   transform::Marginal marginal;
 };
 
-/// Distances between one marginal of two solutions; `b` is the more trusted of them.
+/// Distances between one marginal of two solutions; `b` is the more trusted of them. Where one of
+/// them is the smooth measure (compare/smooth.hpp) they are those of averages over smooth bins.
 struct PairDistances {
   std::string a;
   std::string b;
   transform::Variable variable;
   Distances distances;
+  std::optional<double> l1_standard_error = {};  ///< of a distance to the smooth measure
 };
 
 /// The pair of two solutions, whichever of them is the more trusted; null when there is none.

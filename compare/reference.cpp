@@ -38,7 +38,9 @@ std::optional<double> l1_between(std::span<const PairDistances> pairs, std::stri
 
 double own_error(const Solution& solution, Variable variable) {
   if (solution.error) return l1(*solution.error, variable);
-  if (solution.sampling) return expected(*solution.sampling, variable).value_or(kUnknown);
+  if (const auto& sampling = best_sampling(solution)) {
+    return expected(*sampling, variable).value_or(kUnknown);
+  }
   return kUnknown;
 }
 

@@ -116,7 +116,7 @@ Checks checks(const Prepared& prepared, const Eigen::MatrixXd& generator,
   return result;
 }
 
-std::vector<std::string> Checks::failed() const {
+std::vector<std::string> Checks::certainly_wrong() const {
   std::vector<std::string> names;
   const auto judge = [&](bool fine, const char* name) {
     if (!fine) names.emplace_back(name);
@@ -124,6 +124,14 @@ std::vector<std::string> Checks::failed() const {
   judge(std::max({std::abs(momentum), std::abs(virial), std::abs(power)}) < kFlights, "flights");
   judge(std::abs(restitution) < kRounding, "restitution");
   judge(wall_distance < kRounding, "wall");
+  return names;
+}
+
+std::vector<std::string> Checks::failed() const {
+  std::vector<std::string> names = certainly_wrong();
+  const auto judge = [&](bool fine, const char* name) {
+    if (!fine) names.emplace_back(name);
+  };
   judge(std::max({std::abs(rate), std::abs(mean), std::abs(mean_square)}) < kDeviations,
         "impulses");
   judge(generator.p_value > kOdds, "generator");

@@ -42,6 +42,8 @@ struct Checks {
   /// Every check that sees something wrong, by name: "flights", "restitution", "wall", "impulses",
   /// "generator", "plain". Statistical ones at odds of 1e-4.
   std::vector<std::string> failed() const;
+  /// Those of them that chance has no part in: flights, restitution, wall.
+  std::vector<std::string> certainly_wrong() const;
 };
 
 Checks checks(const Prepared& prepared, const Eigen::MatrixXd& generator,

@@ -2,7 +2,8 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <numbers>
+#include <iterator>
+#include <utility>
 
 namespace fpkcheck::controlled {
 namespace {
@@ -20,17 +21,33 @@ mcs::Estimate scaled(const mcs::Estimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
 
-/// @param all of the bins' functionals
-/// @param from where the variable begins
-SmoothBins smooth_bins(const mcs::CubicBins& bins, std::span<const Estimated> all, double from) {
-  SmoothBins result{.bins = bins, .averages = {}};
-  const double factor = std::sqrt(2 / std::numbers::pi);
+/// What each stream added to the errors of the means: SE^2 is the sum of the squares over streams.
+Eigen::MatrixXd errors_of(const Eigen::MatrixXd& values) {
+  const auto n = static_cast<double>(values.cols());
+  return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
+}
+
+mcs::SamplingL1 sampling_of(const Eigen::MatrixXd& errors) {
+  mcs::BinErrors bins;
+  for (const auto& row : errors.rowwise()) bins.emplace_back(row.begin(), row.end());
+  return mcs::sampling_l1(bins);
+}
+
+/// @param controlled means of the bins in each stream, shape (bins, streams); plain likewise
+BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::MatrixXd& controlled,
+                           const Eigen::MatrixXd& plain) {
+  const Eigen::MatrixXd errors = errors_of(controlled);
+  BinEstimates result{.bins = bins,
+                      .averages = {},
+                      .covariance = errors * errors.transpose(),
+                      .controlled_l1 = sampling_of(errors),
+                      .plain_l1 = sampling_of(errors_of(plain))};
   for (int b = 0; b < bins.count; ++b) {
-    const auto& [controlled, plain] = all[static_cast<std::size_t>(b)];
-    const double weight = bin_weight(bins, b, from);
-    result.averages.push_back({scaled(controlled, 1 / weight), scaled(plain, 1 / weight)});
-    result.controlled_l1 += factor * controlled.standard_error;
-    result.plain_l1 += factor * plain.standard_error;
+    const double per_weight = 1 / transform::bin_weight(bins, b);
+    result.averages.push_back({scaled(over_streams(controlled.row(b)), per_weight),
+                               scaled(over_streams(plain.row(b)), per_weight)});
+    result.covariance.row(b) *= per_weight;
+    result.covariance.col(b) *= per_weight;
   }
   return result;
 }
@@ -64,17 +81,18 @@ Estimates combine(const Prepared& prepared, const Eigen::MatrixXd& generator,
         Eigen::Map<const Eigen::VectorXd>(means.data(), plain.rows());
   }
   const Eigen::MatrixXd controlled = plain + prepared.control.transpose() * generator;
-  std::vector<Estimated> all;
-  for (Eigen::Index f = 0; f < plain.rows(); ++f) {
-    all.push_back({over_streams(controlled.row(f)), over_streams(plain.row(f))});
+  std::vector<Estimated> moments;
+  for (Eigen::Index f = 0; f < std::ssize(kMoments); ++f) {
+    moments.push_back({over_streams(controlled.row(f)), over_streams(plain.row(f))});
   }
-  const std::span<const Estimated> bins = std::span(all).subspan(kMoments.size());
-  const auto y_bins = static_cast<std::size_t>(functionals.y_bins.count);
+  const auto bins = [&](const transform::SmoothBins& of, Eigen::Index first) {
+    return bin_estimates(of, controlled.middleRows(first, of.count),
+                         plain.middleRows(first, of.count));
+  };
   const boost::math::students_t student(static_cast<double>(streams.size() - 1));
-  return {.moments = {all.begin(), all.begin() + kMoments.size()},
-          .y = smooth_bins(functionals.y_bins, bins.first(y_bins), 0),
-          .v = smooth_bins(functionals.v_bins, bins.subspan(y_bins),
-                           -std::numeric_limits<double>::infinity()),
+  return {.moments = std::move(moments),
+          .y = bins(functionals.y_bins, std::ssize(kMoments)),
+          .v = bins(functionals.v_bins, std::ssize(kMoments) + functionals.y_bins.count),
           .interval_factor = boost::math::quantile(student, 0.975)};
 }
 

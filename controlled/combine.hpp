@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "controlled/prepared.hpp"
+#include "mcs/estimate/density_estimate.hpp"
 #include "mcs/estimate/estimate.hpp"
 #include "mcs/summary.hpp"
 
@@ -15,17 +16,17 @@ struct Estimated {
   mcs::Estimate controlled, plain;
 };
 
-/// A density in smooth bins: averages of p(x) weighted by M((x - first)/spacing - b).
-struct SmoothBins {
-  mcs::CubicBins bins;
+/// A density in smooth bins.
+struct BinEstimates {
+  transform::SmoothBins bins;
   std::vector<Estimated> averages;
-  /// The L1 distance that chance explains, sum sqrt(2/pi) (standard error) (weight of the bin).
-  double controlled_l1 = 0, plain_l1 = 0;
+  Eigen::MatrixXd covariance;  ///< of the controlled averages
+  mcs::SamplingL1 controlled_l1, plain_l1;
 };
 
 struct Estimates {
   std::vector<Estimated> moments;  ///< in the order of kMoments
-  SmoothBins y, v;
+  BinEstimates y, v;
   /// Half the width of a 95 % interval in standard errors (Student's).
   double interval_factor = 0;
 };

@@ -12,24 +12,12 @@ std::function<double(double)> power(int n) {
   return [n](double x) { return std::pow(x, n); };
 }
 
-std::function<double(double)> smooth_bin(const mcs::CubicBins& bins, int b) {
-  return [bins, b](double x) { return cubic_spline((x - bins.first) / bins.spacing - b); };
+std::function<double(double)> smooth_bin(const transform::SmoothBins& bins, int b) {
+  return
+      [bins, b](double x) { return transform::cubic_spline((x - bins.first) / bins.spacing - b); };
 }
 
 }  // namespace
-
-double cubic_spline(double t) {
-  const double u = std::abs(t), far = std::max(0.0, 2 - u), near = std::max(0.0, 1 - u);
-  return (far * far * far - 4 * near * near * near) / 6;
-}
-
-double bin_weight(const mcs::CubicBins& bins, int bin, double from) {
-  const double t = (from - bins.first) / bins.spacing - bin, u = std::abs(t);
-  // int_u^2 M for u >= 0
-  const double far = std::max(0.0, 2 - u), near = std::max(0.0, 1 - u);
-  const double beyond = (std::pow(far, 4) - 4 * std::pow(near, 4)) / 24;
-  return bins.spacing * (t >= 0 ? beyond : 1 - beyond);
-}
 
 std::vector<dual::SeparableFunction> Functionals::functions() const {
   std::vector<dual::SeparableFunction> all;

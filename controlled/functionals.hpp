@@ -18,7 +18,7 @@ inline constexpr std::array<Moment, 6> kMoments{{{1, 0}, {2, 0}, {4, 0}, {0, 1},
 
 /// What is estimated, in this order: the moments, the smooth bins of y, those of y'.
 struct Functionals {
-  mcs::CubicBins y_bins, v_bins;
+  transform::SmoothBins y_bins, v_bins;
 
   int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
   /// As functions of the phase plane.
@@ -26,10 +26,5 @@ struct Functionals {
   /// Their plain means over the samples of one stream.
   std::vector<double> means(const mcs::StreamDeposit& stream) const;
 };
-
-/// M(t), the cubic cardinal B-spline about 0.
-double cubic_spline(double t);
-/// int M((x - first)/spacing - b) dx over x > from.
-double bin_weight(const mcs::CubicBins& bins, int bin, double from);
 
 }  // namespace fpkcheck::controlled

@@ -40,11 +40,13 @@ Places places(const problem::Problem& problem, const Cells& cells) {
       .grid = {},
       .functionals = {}};
   const double y_bin = kYBin * s1, v_bin = kVBin * s2;
-  const int v_half = static_cast<int>(std::ceil(kBinExtent / kVBin));
-  p.functionals.y_bins = {
-      .first = -y_bin,
-      .spacing = y_bin,
-      .count = 2 + static_cast<int>(std::ceil((deflection + kBinExtent * s1) / y_bin))};
+  // The outermost reach no further than the extent.
+  constexpr int kReach = 2;
+  const int v_half = static_cast<int>(kBinExtent / kVBin) - kReach;
+  p.functionals.y_bins = {.first = -y_bin,
+                          .spacing = y_bin,
+                          .count = static_cast<int>((deflection + kBinExtent * s1) / y_bin),
+                          .from = 0};
   p.functionals.v_bins = {.first = -v_half * v_bin, .spacing = v_bin, .count = 2 * v_half + 1};
   const double s = problem.impulses.law().deviation(), spacing = s / kPerDeviation;
   const int half = static_cast<int>(std::ceil((end + kBeyondBox * s) / spacing));

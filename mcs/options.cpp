@@ -69,7 +69,12 @@ const Description<Options>& description() {
               "white_step", &Options::white_step,
               {"RAD", "time between the kicks that make up white noise, in radians (default 0.05)"},
               between(kShortestStep, kLongestWhiteStep))
-          .add("tails", &Options::tails, {"", "importance splitting: resolve the far tails"});
+          .add("tails", &Options::tails, {"", "importance splitting: resolve the far tails"})
+          .add("controlled", &Options::controlled,
+               {"",
+                "take the noise out by control functions, as `run` does: moments to about 1e-9, "
+                "densities in smooth bins to 1e-6"})
+          .with_fallback(false);
   return description;
 }
 
@@ -83,11 +88,9 @@ void validate(const Options& options) {
   }
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   if (!options.v_edges.empty()) require_edges("mcs.v_edges", options.v_edges);
-  if (options.deposit) {
-    require_grid(*options.deposit);
-    if (options.equation != Equation::kf || options.tails) {
-      throw InputError("mcs.deposit with white noise or tails (it has impulses, unsplit) leave it");
-    }
+  if (options.deposit) require_grid(*options.deposit);
+  if (options.deposit && (options.equation != Equation::kf || options.tails)) {
+    throw InputError("mcs.deposit with white noise or tails (it has impulses, unsplit) leave it");
   }
   if (!options.y_edges.empty() && options.y_edges.front() != 0) {
     throw InputError(fmt::format("mcs.y_edges from {} (y >= 0 begins at the wall; start them at 0)",

@@ -31,7 +31,7 @@ struct Options {
   Equation equation = Equation::kf;
   /// Simulated time over all streams, rounded up to whole rounds; automatic: 1.6e6 decay times of
   /// the slowest mode of equivalent linearisation (2/c_eq below critical damping), 1/32 of it with
-  /// `tails`, and no end where `samples` or `target_error` is given.
+  /// `tails`, 1/8 with `controlled`, and no end where `samples` or `target_error` is given.
   std::optional<double> time{};
   /// Effective samples of y'^2 to be reached (Summary::effective_samples).
   std::optional<double> samples{};
@@ -52,6 +52,10 @@ struct Options {
   /// Splits trajectories that reach high energies (Splitting), to resolve densities down to 1e-8 of
   /// their peak and beyond.
   bool tails = false;
+  /// Takes the noise out by control functions, where there are such: for `kf` without `tails`. By
+  /// controlled::solve, where the simulation and the backward equation meet; mcs::solve, which
+  /// knows no equation, gives the plain estimates.
+  bool controlled = false;
 
   // What follows is no part of the description: it is not in files.
 

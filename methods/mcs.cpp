@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "controlled/solve.hpp"
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
@@ -21,6 +22,9 @@ The same seed gives the same result, bit for bit, for any number of threads.
 Ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C ends it within
 a second or so with what has been reached as the result; a second one ends the program.
 
+--controlled takes the noise out, which is what `fpkcheck run` does: E[f] is the mean of f + L h for
+any h of the phase plane, and with h from the backward equation little is left of its noise.
+
 --tails splits the trajectories that reach high energies: densities down to 1e-8 of their peak
 and beyond, with intervals, in the time of a common run.
 
@@ -28,6 +32,7 @@ examples:
   fpkcheck mcs case1 --seed 7
   fpkcheck mcs case1 --target-error 3e-4 --json
   fpkcheck mcs case1 --samples 1e7
+  fpkcheck mcs case1 --controlled
   fpkcheck mcs case1 --tails --out tails
   fpkcheck mcs case1 --equation white
   fpkcheck mcs case1 --time 1e9 --checkpoint state        then, after an interruption:
@@ -42,12 +47,20 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
   on_axes.progress = [&](const mcs::Progress& at) {
     if (setting.progress) setting.progress(at.fraction, fmt::format("error {:.1e}", at.error));
   };
+  if (options.controlled) return controlled::solve(problem, {.simulation = on_axes});
   return mcs::solve(problem, on_axes).solution;
+}
+
+// In a list of methods the simulation is what all others are measured by.
+std::optional<mcs::Options> without_noise(std::string_view id) {
+  auto options = mcs::options_of(id);
+  if (options) options->controlled = options->equation == mcs::Equation::kf;
+  return options;
 }
 
 }  // namespace
 
-Method controlled(Method simulation, const SimulationControl& control) {
+Method under_control(Method simulation, const SimulationControl& control) {
   mcs::Options options = mcs::description().read(simulation.options, "options");
   options.checkpoint = control.checkpoint;
   options.resume = control.resume;
@@ -79,7 +92,7 @@ Solver mcs_solver() {
   return with_front<mcs::Options>(std::move(entry), {.description = mcs::description(),
                                                      .validate = mcs::validate,
                                                      .identity = mcs::identity,
-                                                     .options_of = mcs::options_of,
+                                                     .options_of = without_noise,
                                                      .solve = solve});
 }
 

@@ -17,6 +17,6 @@ struct SimulationControl {
 
 /// The same simulation under control.
 /// @param simulation a method of mcs_solver
-Method controlled(Method simulation, const SimulationControl& control);
+Method under_control(Method simulation, const SimulationControl& control);
 
 }  // namespace fpkcheck::methods

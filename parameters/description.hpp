@@ -65,6 +65,11 @@ struct Conversion<Enum> {
   }
 };
 template <class Member>
+concept HasChoices = requires {
+  Conversion<Member>::choices();
+};
+
+template <class Member>
 struct Conversion<std::optional<Member>> {
   static constexpr Type kType = Conversion<Member>::kType;
   static Value get(const std::optional<Member>& member) {
@@ -77,6 +82,14 @@ struct Conversion<std::optional<Member>> {
       Conversion<Member>::set(member.emplace(), value);
     }
   }
+  static std::vector<std::string> choices() requires HasChoices<Member> {
+    return Conversion<Member>::choices();
+  }
+};
+
+template <class Member>
+concept Resettable = requires(Member member) {
+  member.reset();
 };
 
 /// The parameters of one owner, in the order in which they are shown. Of the owner nothing is known
@@ -132,85 +145,73 @@ class Description : public Descriptions {
                         .placeholder = std::move(text.placeholder),
                         .flag = dashed(name),
                         .type = Held::kType,
-                        .may_be_automatic = requires(Member m){m.reset();
+                        .may_be_automatic = Resettable<Member>,
+                        .range = std::move(range)};
+    parameter.get = [member](const void* owner) {
+      return Held::get(static_cast<const Owner*>(owner)->*member);
+    };
+    parameter.set = [member](void* owner, const Value& value) {
+      Held::set(static_cast<Owner*>(owner)->*member, value);
+    };
+    if constexpr (HasChoices<Member>) parameter.choices = Conversion<Member>::choices();
+    all_.push_back(std::move(parameter));
+    return std::move(*this);
   }
-  , .range = std::move(range)
+  /// Of the one that was added last: another flag on the command line, or none.
+  Description&& with_flag(const std::string& flag) && {
+    all_.back().flag = flag;
+    return std::move(*this);
+  }
+  Description&& without_flag() && { return std::move(*this).with_flag(""); }
+  /// Of the one that was added last: its symbol in formulas.
+  Description&& with_symbol(const std::string& plain, const std::string& typeset) && {
+    all_.back().symbol = plain;
+    all_.back().typeset = typeset;
+    return std::move(*this);
+  }
+  Description&& with_choices(std::vector<std::string> choices) && {
+    all_.back().choices = std::move(choices);
+    return std::move(*this);
+  }
+  /// Of the one that was added last: what a file that does not name it means.
+  Description&& with_fallback(Value value) && {
+    all_.back().fallback = std::move(value);
+    return std::move(*this);
+  }
+
+  /// All parameters as they are set, in order.
+  Values values(const Owner& owner) const { return values_of(&owner); }
+
+  /// The owner whose values these are; the ranges are not looked at.
+  /// @param what how messages name the values, e.g. "options"
+  /// @throws InputError naming the one that is missing, unknown or of the wrong type
+  Owner read(const Values& values, const std::string& what) const {
+    Owner owner{};
+    read_into(&owner, values, what);
+    return owner;
+  }
+
+  /// @throws InputError naming the first parameter that is out of its range, its value and what is
+  ///         allowed
+  void validate(const Owner& owner) const { require_ranges(&owner); }
+
+  /// Sets one parameter from a text.
+  /// @param label how messages name it, e.g. "--order"
+  /// @throws InputError when the text is no such value
+  void parse(Owner& owner, const Parameter& parameter, std::string_view text,
+             const std::string& label) const {
+    set_parsed(&owner, parameter, text, label);
+  }
+  void assign(Owner& owner, const Parameter& parameter, const Value& value,
+              const std::string& label) const {
+    set(&owner, parameter, value, label);
+  }
+
+ private:
+  static std::string dashed(std::string name) {
+    for (char& c : name) c = c == '_' ? '-' : c;
+    return name;
+  }
 };
-parameter.get = [member](const void* owner) {
-  return Held::get(static_cast<const Owner*>(owner)->*member);
-};
-parameter.set = [member](void* owner, const Value& value) {
-  Held::set(static_cast<Owner*>(owner)->*member, value);
-};
-if constexpr (requires { choices_of<Member>(); }) parameter.choices = choices_of<Member>();
-all_.push_back(std::move(parameter));
-return std::move(*this);
-}  // namespace fpkcheck::parameters
-/// Of the one that was added last: another flag on the command line, or none.
-Description&& with_flag(const std::string& flag) && {
-  all_.back().flag = flag;
-  return std::move(*this);
-}
-Description&& without_flag() && { return std::move(*this).with_flag(""); }
-/// Of the one that was added last: its symbol in formulas.
-Description&& with_symbol(const std::string& plain, const std::string& typeset) && {
-  all_.back().symbol = plain;
-  all_.back().typeset = typeset;
-  return std::move(*this);
-}
-Description&& with_choices(std::vector<std::string> choices) && {
-  all_.back().choices = std::move(choices);
-  return std::move(*this);
-}
-/// Of the one that was added last: what a file that does not name it means.
-Description&& with_fallback(Value value) && {
-  all_.back().fallback = std::move(value);
-  return std::move(*this);
-}
-
-/// All parameters as they are set, in order.
-Values values(const Owner& owner) const { return values_of(&owner); }
-
-/// The owner whose values these are; the ranges are not looked at.
-/// @param what how messages name the values, e.g. "options"
-/// @throws InputError naming the one that is missing, unknown or of the wrong type
-Owner read(const Values& values, const std::string& what) const {
-  Owner owner{};
-  read_into(&owner, values, what);
-  return owner;
-}
-
-/// @throws InputError naming the first parameter that is out of its range, its value and what is
-///         allowed
-void validate(const Owner& owner) const { require_ranges(&owner); }
-
-/// Sets one parameter from a text.
-/// @param label how messages name it, e.g. "--order"
-/// @throws InputError when the text is no such value
-void parse(Owner& owner, const Parameter& parameter, std::string_view text,
-           const std::string& label) const {
-  set_parsed(&owner, parameter, text, label);
-}
-void assign(Owner& owner, const Parameter& parameter, const Value& value,
-            const std::string& label) const {
-  set(&owner, parameter, value, label);
-}
-
-private:
-template <class Member>
-requires requires { Conversion<Member>::choices(); }
-static std::vector<std::string> choices_of() { return Conversion<Member>::choices(); }
-template <class Member>
-requires requires { Conversion<typename Member::value_type>::choices(); }
-static std::vector<std::string> choices_of() {
-  return Conversion<typename Member::value_type>::choices();
-}
-
-static std::string dashed(std::string name) {
-  for (char& c : name) c = c == '_' ? '-' : c;
-  return name;
-}
-}
-;
 
 }  // namespace fpkcheck::parameters

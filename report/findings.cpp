@@ -166,8 +166,8 @@ struct Chance {
 };
 
 Chance chance_of(const Solution& solution) {
-  if (!solution.sampling) return {};
-  const auto& sampling = *solution.sampling;
+  if (!best_sampling(solution)) return {};
+  const auto& sampling = *best_sampling(solution);
   // Where only that is known: single runs reach nearly twice the expectation.
   constexpr double kScatter = 2;
   const auto most = [](const std::optional<double>& in_99, const std::optional<double>& expected) {
@@ -198,10 +198,53 @@ std::string whether_explained(const Pair& gap, const Chance& one, const Chance& 
                      numbers(in_99), explained ? "explains" : "does not explain");
 }
 
+std::optional<double> l1_standard_error(const Case& one, const Solution& a, const Solution& b,
+                                        Variable variable) {
+  const auto* pair = compare::find_pair(one.pairs, a.id(), b.id(), variable);
+  return pair == nullptr ? std::nullopt : pair->l1_standard_error;
+}
+
+bool is_measured(const Case& one, const Solution& a, const Solution& measure) {
+  return l1_standard_error(one, a, measure, Variable::y) &&
+         l1_standard_error(one, a, measure, Variable::ydot);
+}
+
+/// "2.7e-05 +- 5e-07 in p(y)", and what the solution states of it.
+std::string measured_text(const Case& one, const Solution& solution, const Solution& measure,
+                          Variable variable, bool& more_than_stated) {
+  constexpr double kSure = 3;  // standard errors
+  const double l1 = one.l1(solution.id(), measure.id(), variable).value_or(0);
+  const double error = *l1_standard_error(one, solution, measure, variable);
+  const double stated = compare::own_error(solution, variable);
+  // Below what chance explains nothing is measured.
+  const auto chance = expected(*best_sampling(measure), variable).value_or(0);
+  more_than_stated = more_than_stated || l1 - chance - kSure * error > stated;
+  return fmt::format("{:.2g} +- {:.0g} in {}{}", l1, error,
+                     variable == Variable::y ? "p(y)" : "p(y')",
+                     std::isfinite(stated) ? fmt::format(" (it states {:.2g})", stated) : "");
+}
+
+void say_what_is_measured(const Case& one, Sentences& sentences) {
+  const Solution* measure = compare::reference(one.solutions);
+  if (measure == nullptr) return;
+  for (const Solution* other : references(one)) {
+    if (other == measure || !is_measured(one, *other, *measure)) continue;
+    bool more_than_stated = false;
+    const std::string y = measured_text(one, *other, *measure, Variable::y, more_than_stated);
+    const std::string ydot = measured_text(one, *other, *measure, Variable::ydot, more_than_stated);
+    sentences.push_back(
+        fmt::format("{} is off by {} and {}, in L1 over smooth bins, as {} measures "
+                    "it{}.",
+                    capitalised(words_for(*other)), y, ydot, words_for(*measure),
+                    more_than_stated ? ": more than it states" : ""));
+  }
+}
+
 void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
   const auto all = references(one);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Solution &reference = *all.front(), &other = *all[k];
+    if (is_measured(one, other, reference)) continue;
     const Pair gap = l1_of(one, reference, other);
     if (!gap.whole()) continue;
     const Chance own = chance_of(reference), others = chance_of(other);
@@ -274,6 +317,7 @@ std::vector<std::string> findings(const Case& one) {
   say_discretisation_errors(one, sentences);
   say_what_approximations_cost(one, sentences);
   say_which_closures_are_closest(one, sentences);
+  say_what_is_measured(one, sentences);
   say_whether_the_references_agree(one, sentences);
   say_how_far_files_are(one, sentences);
   say_what_solvers_note(one, sentences);

@@ -102,11 +102,12 @@ class RowReader {
 
 }  // namespace
 
-void write_marginals_csv(std::ostream& out, std::span<const Case> cases) {
+void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
+                         std::vector<Curve> Case::*curves) {
   out << kHeader << '\n';
   for (const auto& one : cases) {
     const std::string case_name = quoted(one.name());
-    for (const auto& curve : one.curves) {
+    for (const auto& curve : one.*curves) {
       for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
         fmt::print(out, "{},{},{},{},{},{},{}\n", case_name, curve.solution, name(curve.variable),
                    curve.abscissa[k], curve.density[k], interval_end(curve.lower, k),

@@ -14,7 +14,9 @@ namespace fpkcheck::results {
 /// One row per bin of every curve of every case, under the header
 /// `case,solution,variable,abscissa,density,lower,upper`, with as many digits as it takes to read
 /// the same numbers back.
-void write_marginals_csv(std::ostream& out, std::span<const Case> cases);
+/// @param curves which ones: &Case::curves, or &Case::smooth, whose bins are smooth ones
+void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
+                         std::vector<Curve> Case::*curves = &Case::curves);
 
 /// A curve with the name of its case.
 struct CurveOfCase {

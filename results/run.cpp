@@ -17,13 +17,22 @@ Curve curve_of(compare::SolutionMarginal&& found) {
           std::move(marginal.lower), std::move(marginal.upper)};
 }
 
-}  // namespace
-
-const Curve* Case::curve(std::string_view solution, transform::Variable variable) const {
+const Curve* curve_among(const std::vector<Curve>& curves, std::string_view solution,
+                         transform::Variable variable) {
   const auto found = std::ranges::find_if(curves, [&](const Curve& curve) {
     return curve.solution == solution && curve.variable == variable;
   });
   return found == curves.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Curve* Case::curve(std::string_view solution, transform::Variable variable) const {
+  return curve_among(curves, solution, variable);
+}
+
+const Curve* Case::smooth_curve(std::string_view solution, transform::Variable variable) const {
+  return curve_among(smooth, solution, variable);
 }
 
 Program this_program(const std::string& command) { return {"fpkcheck", FPKCHECK_VERSION, command}; }
@@ -39,6 +48,7 @@ Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& a
               .curves = {},
               .joints = {}};
   for (auto& found : comparison.marginals) result.curves.push_back(curve_of(std::move(found)));
+  for (auto& found : comparison.smooth) result.smooth.push_back(curve_of(std::move(found)));
   result.joints = joint_densities(axes, result.solutions);
   return result;
 }

@@ -44,6 +44,8 @@ struct Case {
   std::string limits;  ///< one sentence; empty without a budget
   std::vector<Curve> curves;
   std::vector<JointDensity> joints;  ///< of the solutions that have one, all on the same cells
+  /// Of all solutions in smooth bins, where one of them knows itself so (compare/smooth.hpp).
+  std::vector<Curve> smooth = {};
   std::optional<compare::Bounds> bounds = {};  ///< nothing where they were not computed
 
   const std::string& name() const { return problem.name; }
@@ -53,6 +55,8 @@ struct Case {
   }
   /// The curve of a solution, or null.
   const Curve* curve(std::string_view solution, transform::Variable variable) const;
+  /// The same in smooth bins.
+  const Curve* smooth_curve(std::string_view solution, transform::Variable variable) const;
   /// compare::l1_between of its pairs.
   std::optional<double> l1(std::string_view one, std::string_view other,
                            transform::Variable variable) const {

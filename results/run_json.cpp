@@ -33,9 +33,11 @@ Json pair_json(const PairDistances& pair) {
                     {"bins", part.bins},
                     {"left_out", part.left_out}});
   }
-  return {{"a", pair.a},       {"b", pair.b},  {"variable", name(pair.variable)}, {"l1", d.l1},
-          {"l2", d.l2},        {"sup", d.sup}, {"hellinger", d.hellinger},        {"kl", d.kl},
-          {"log10_tail", tail}};
+  Json json{{"a", pair.a},       {"b", pair.b},  {"variable", name(pair.variable)}, {"l1", d.l1},
+            {"l2", d.l2},        {"sup", d.sup}, {"hellinger", d.hellinger},        {"kl", d.kl},
+            {"log10_tail", tail}};
+  if (pair.l1_standard_error) json["l1_standard_error"] = *pair.l1_standard_error;
+  return json;
 }
 
 Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
@@ -52,6 +54,7 @@ Json part_json(const BudgetPart& part) {
   } else {
     json["uncertainty"] = or_null(part.uncertainty);
   }
+  if (part.standard_error) json["standard_error"] = *part.standard_error;
   return json;
 }
 
@@ -109,7 +112,8 @@ double number_or(double otherwise, const Json& value) {
 }
 
 PairDistances pair_in(const Json& json) {
-  PairDistances pair{json.at("a"), json.at("b"), variable_in(json), {}};
+  PairDistances pair{
+      json.at("a"), json.at("b"), variable_in(json), {}, number_if_any(json, "l1_standard_error")};
   Distances& d = pair.distances;
   d.l1 = number_or(kNotANumber, json.at("l1"));
   d.l2 = number_or(kNotANumber, json.at("l2"));
@@ -146,7 +150,8 @@ BudgetRow budget_row_in(const Json& json) {
                          .tail = number_or(kNotANumber, part.at("tail")),
                          .uncertainty = number_if_any(part, "uncertainty"),
                          .expected = number_if_any(part, "expected"),
-                         .in_99 = number_if_any(part, "in_99")});
+                         .in_99 = number_if_any(part, "in_99"),
+                         .standard_error = number_if_any(part, "standard_error")});
   }
   if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts (run again)");
   return row;

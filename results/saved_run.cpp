@@ -45,6 +45,15 @@ Case* find_case(Run& run, const std::string& name) {
   return found == run.cases.end() ? nullptr : &*found;
 }
 
+void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
+  auto csv = open_saved(file);
+  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string())) {
+    Case* one = find_case(run, case_name);
+    if (one == nullptr || one->find(curve.solution) == nullptr) refuse_other_run(file);
+    (one->*curves).push_back(std::move(curve));
+  }
+}
+
 // Every solution with a density has its curves, and there are no others.
 bool curves_belong(const Case& one) {
   std::set<std::string> with_curves, with_density;
@@ -53,6 +62,11 @@ bool curves_belong(const Case& one) {
     if (solution.has_density()) with_density.insert(solution.id());
   }
   return with_curves == with_density;
+}
+
+template <class Element>
+bool any_has(const Run& run, std::vector<Element> Case::*list) {
+  return std::ranges::any_of(run.cases, [&](const Case& one) { return !(one.*list).empty(); });
 }
 
 void load_joints(const fs::path& file, Run& run) {
@@ -67,17 +81,21 @@ void load_joints(const fs::path& file, Run& run) {
 }  // namespace
 
 void add_summary_and_curves(PendingFiles& files, const fs::path& directory, const Run& run) {
-  std::ostringstream csv;
+  std::ostringstream csv, smooth;
   write_marginals_csv(csv, run.cases);
   files.add(directory / kMarginalsFile, csv.str());
+  if (any_has(run, &Case::smooth)) {
+    write_marginals_csv(smooth, run.cases, &Case::smooth);
+    files.add(directory / kSmoothFile, smooth.str());
+  } else {
+    files.remove(directory / kSmoothFile);
+  }
   files.add(directory / kSummaryFile, summary_text(run) + '\n');
 }
 
 void add_run(PendingFiles& files, const fs::path& directory, const Run& run) {
   add_summary_and_curves(files, directory, run);
-  const bool any_joint =
-      std::ranges::any_of(run.cases, [](const Case& one) { return !one.joints.empty(); });
-  if (any_joint) {
+  if (any_has(run, &Case::joints)) {
     add_joint_netcdf(files, directory / kJointFile, run);
   } else {
     files.remove(directory / kJointFile);
@@ -89,19 +107,17 @@ Run load_summary(const fs::path& file) {
   return read_summary(in, file.string());
 }
 
+void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case::smooth); }
+
 void load_curves(const fs::path& file, Run& run) {
-  auto csv = open_saved(file);
-  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string())) {
-    Case* one = find_case(run, case_name);
-    if (one == nullptr) refuse_other_run(file);
-    one->curves.push_back(std::move(curve));
-  }
+  read_curves(file, run, &Case::curves);
   if (!std::ranges::all_of(run.cases, curves_belong)) refuse_other_run(file);
 }
 
 Run load_run(const fs::path& directory) {
   Run run = load_summary(directory / kSummaryFile);
   load_curves(directory / kMarginalsFile, run);
+  if (fs::exists(directory / kSmoothFile)) load_smooth(directory / kSmoothFile, run);
   if (fs::exists(directory / kJointFile)) load_joints(directory / kJointFile, run);
   return run;
 }

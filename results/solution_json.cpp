@@ -25,10 +25,22 @@ constexpr const char* kGiven = "given";
 constexpr const char* kNoImpact = "-";
 
 // What is not an observation.
-constexpr std::array<std::string_view, 15> kCommon{
-    "id",      "method",      "equation",        "impact",          "identity",
-    "options", "status",      "reason",          "seconds",         "moments",
-    "mass",    "min_density", "energy_residual", "standard_errors", "sampling_l1"};
+constexpr std::array<std::string_view, 16> kCommon{"id",
+                                                   "method",
+                                                   "equation",
+                                                   "impact",
+                                                   "identity",
+                                                   "options",
+                                                   "status",
+                                                   "reason",
+                                                   "seconds",
+                                                   "moments",
+                                                   "mass",
+                                                   "min_density",
+                                                   "energy_residual",
+                                                   "standard_errors",
+                                                   "sampling_l1",
+                                                   "smooth_sampling_l1"};
 // Beside these, "error" may hold what its method alone knows of it.
 constexpr std::array<std::string_view, 3> kCommonOfError{"y_l1", "ydot_l1", "moments"};
 
@@ -85,6 +97,15 @@ Json sampling_json(const transform::SamplingError& sampling) {
   return json;
 }
 
+std::optional<transform::SamplingError> sampling_in(const Json& json, const char* key) {
+  const auto sampling = json.find(key);
+  if (sampling == json.end()) return std::nullopt;
+  return transform::SamplingError{.y = number_if_any(*sampling, "y"),
+                                  .ydot = number_if_any(*sampling, "ydot"),
+                                  .y_99 = number_if_any(*sampling, "y_99"),
+                                  .ydot_99 = number_if_any(*sampling, "ydot_99")};
+}
+
 double number_in(const Json& object, const char* key) {
   const Json& value = object.at(key);
   return value.is_null() ? kNotANumber : value.get<double>();
@@ -118,12 +139,8 @@ void read_numbers(const Json& json, Solution& s) {
   if (const auto errors = json.find("standard_errors"); errors != json.end()) {
     s.standard_errors = {moments_in(*errors), number_in(*errors, "energy_residual")};
   }
-  if (const auto sampling = json.find("sampling_l1"); sampling != json.end()) {
-    s.sampling = {.y = number_if_any(*sampling, "y"),
-                  .ydot = number_if_any(*sampling, "ydot"),
-                  .y_99 = number_if_any(*sampling, "y_99"),
-                  .ydot_99 = number_if_any(*sampling, "ydot_99")};
-  }
+  s.sampling = sampling_in(json, "sampling_l1");
+  s.smooth_sampling = sampling_in(json, "smooth_sampling_l1");
   if (const auto error = json.find("error"); error != json.end() && error->is_object()) {
     s.error = {number_in(*error, "y_l1"), number_in(*error, "ydot_l1"),
                moments_in(error->at("moments"))};
@@ -174,6 +191,7 @@ Json solution_json(const Solution& s) {
     json["standard_errors"]["energy_residual"] = s.standard_errors->energy_residual;
   }
   if (s.sampling) json["sampling_l1"] = sampling_json(*s.sampling);
+  if (s.smooth_sampling) json["smooth_sampling_l1"] = sampling_json(*s.smooth_sampling);
   if (s.error) {
     json["error"] = {{"y_l1", s.error->y_l1},
                      {"ydot_l1", s.error->ydot_l1},

@@ -32,6 +32,17 @@ Marginal limit_marginal(const Solution& solution, Variable variable,
   return limit;
 }
 
+const std::optional<SamplingError>& best_sampling(const Solution& solution) {
+  return solution.smooth_sampling ? solution.smooth_sampling : solution.sampling;
+}
+
+const SmoothEstimate* smooth_estimate(const Solution& solution, Variable variable) {
+  for (const auto& [estimated, estimate] : solution.smooth_estimates) {
+    if (estimated == variable) return &estimate;
+  }
+  return nullptr;
+}
+
 std::optional<double> expected(const SamplingError& sampling, Variable variable) {
   return variable == Variable::y ? sampling.y : sampling.ydot;
 }

@@ -12,6 +12,7 @@
 #include "transform/identity.hpp"
 #include "transform/marginal.hpp"
 #include "transform/observation.hpp"
+#include "transform/smooth_bins.hpp"
 
 namespace fpkcheck::transform {
 
@@ -53,6 +54,13 @@ struct SamplingError {
   std::optional<double> y_99{}, ydot_99{};  ///< what 99 runs of 100 stay below
 };
 
+/// A marginal as a simulation from which the noise was taken estimates it.
+struct SmoothEstimate {
+  SmoothBins bins;
+  Marginal averages;               ///< with 95 % intervals
+  std::vector<double> covariance;  ///< of the averages, row-major
+};
+
 /// What a method states of its own error (other than by chance).
 struct StatedError {
   double y_l1 = 0;       ///< of p(y), in L1
@@ -72,6 +80,9 @@ struct Solution {
   std::optional<Density> density = {};
   /// Marginals that the solver estimated itself, with intervals (simulation); else empty.
   std::vector<std::pair<Variable, Marginal>> estimated_marginals = {};
+  /// Marginals in smooth bins, known far better than the sharp ones (a simulation with control
+  /// functions); else empty, and in a run that was read back.
+  std::vector<std::pair<Variable, SmoothEstimate>> smooth_estimates = {};
   /// Where the solver also has a coarser grid and estimated its discretisation error.
   std::optional<Extrapolation> extrapolation = {};
 
@@ -83,6 +94,7 @@ struct Solution {
 
   std::optional<StandardErrors> standard_errors = {};
   std::optional<SamplingError> sampling = {};
+  std::optional<SamplingError> smooth_sampling = {};  ///< of the smooth estimates
   std::optional<StatedError> error = {};
   Observations observations = {};  ///< what its solver alone knows
 
@@ -106,6 +118,11 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
 /// The marginal of what the solution's grids tend to; averages near 0 may come out negative.
 /// @throws std::logic_error when the solution has no density or no extrapolation
 Marginal limit_marginal(const Solution& solution, Variable variable, std::span<const double> edges);
+
+/// How far chance takes the best that is known of its marginals.
+const std::optional<SamplingError>& best_sampling(const Solution& solution);
+/// Its estimate in smooth bins, or null.
+const SmoothEstimate* smooth_estimate(const Solution& solution, Variable variable);
 
 /// The part that belongs to one variable.
 std::optional<double> expected(const SamplingError& sampling, Variable variable);

@@ -45,7 +45,7 @@ FPKCHECK_INLINE Functions functions_at(const SplinePieces& pieces, double x) {
   return f;
 }
 
-FPKCHECK_INLINE void put_in_bins(const CubicBins& bins, const double* cubics, double* sums,
+FPKCHECK_INLINE void put_in_bins(const SmoothBins& bins, const double* cubics, double* sums,
                                  double x, double weight) {
   const double cells = (x - bins.first) / bins.spacing;
   if (!(cells >= -1.0 && cells < bins.count)) return;

@@ -50,7 +50,7 @@ void require_knots(const std::string& name, const std::vector<double>& knots) {
           fmt::format("{}: knots that lie too close together", name));
 }
 
-void require_bins(const std::string& name, const CubicBins& bins) {
+void require_bins(const std::string& name, const SmoothBins& bins) {
   require(bins.count >= 1 && bins.spacing > 0 && std::isfinite(bins.first) &&
               std::isfinite(bins.spacing),
           fmt::format("{} smooth bins of {} with the spacing {}", bins.count, name, bins.spacing));

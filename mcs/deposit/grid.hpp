@@ -2,15 +2,11 @@
 
 #include <vector>
 
+#include "transform/smooth_bins.hpp"
+
 namespace fpkcheck::mcs {
 
-/// Cubic cardinal B-splines M((x - first)/spacing - b), b = 0 .. count - 1, where M lives on
-/// (-2, 2): smooth bins, whose sum is 1.
-struct CubicBins {
-  double first = 0;  ///< centre of bin 0
-  double spacing = 1;
-  int count = 0;
-};
+using transform::SmoothBins;
 
 /// An amplitude that impulses have with a positive probability.
 struct VelocityShift {
@@ -32,7 +28,7 @@ struct DepositGrid {
   /// For laws that have such amplitudes alone: K B_j is then a sum of shifted B_j, which goes into
   /// the flow exactly, where the lattice would interpolate over their knots. Empty: the lattice.
   std::vector<VelocityShift> shifts{};
-  CubicBins y_bins{}, v_bins{};
+  SmoothBins y_bins{}, v_bins{};
 
   int y_functions() const { return static_cast<int>(y_knots.size()) - kDegree - 1; }
   int v_functions() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }

@@ -19,6 +19,7 @@ constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;    // standard deviations
 constexpr double kAutomaticTime = 1.6e6;  // slowest decay times: L1 noise of p(y), p(y') about 6e-4
 constexpr double kTailsShare = 1.0 / 32;  // of it: the branches take several times as long
+constexpr double kControlledShare = 1.0 / 8;  // L1 noise in smooth bins about 2e-6
 constexpr double kAutomaticWhiteStep = 0.05;  // radians
 constexpr double kBurnIn = 20;                // slowest decay times: exp(-20) of the start is left
 constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less noisy, and dearer
@@ -49,7 +50,8 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
   const double decay = problem::slowest_decay(linear);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double frequency = std::sqrt(linear.stiffness);
-  const double automatic = kAutomaticTime * (options.tails ? kTailsShare : 1) / decay;
+  const double share = options.tails ? kTailsShare : options.controlled ? kControlledShare : 1;
+  const double automatic = kAutomaticTime * share / decay;
   const bool open_ended = options.samples || options.target_error;
   const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
   const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;

@@ -1,7 +1,7 @@
 #include "report/figure/content.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 
 #include "compare/reference.hpp"
 
@@ -22,20 +22,41 @@ std::string reference_id(const Case& one) {
   return whole ? reference->id() : "";
 }
 
-std::vector<double> difference(const Curve& curve, const Curve* reference) {
+Difference difference(const Curve& curve, const Curve* reference) {
   if (reference == nullptr || curve.abscissa != reference->abscissa) return {};
-  std::vector<double> result;
-  std::ranges::transform(curve.density, reference->density, std::back_inserter(result),
-                         std::minus{});
+  Difference result{.abscissa = curve.abscissa, .values = {}, .lower = {}, .upper = {}};
+  for (std::size_t k = 0; k < curve.density.size(); ++k) {
+    const double less = reference->density[k];
+    result.values.push_back(curve.density[k] - less);
+    if (curve.lower.empty() || curve.upper.empty()) continue;
+    result.lower.push_back(curve.lower[k] - less);
+    result.upper.push_back(curve.upper[k] - less);
+  }
+  return result;
+}
+
+Difference smooth_difference(const Curve* curve, const Curve& reference) {
+  if (curve == nullptr) return {};
+  Difference result{.abscissa = reference.abscissa, .values = {}, .lower = {}, .upper = {}};
+  for (std::size_t k = 0; k < reference.density.size(); ++k) {
+    const double half_width = (reference.upper[k] - reference.lower[k]) / 2;
+    result.values.push_back(
+        curve == &reference ? half_width : std::abs(curve->density[k] - reference.density[k]));
+  }
   return result;
 }
 
 FigureSide make_side(const Case& one, Variable variable, const std::string& reference) {
   FigureSide side{variable, {}, {}};
-  const Curve* subtracted = one.curve(reference, variable);
+  const Curve *subtracted = one.curve(reference, variable),
+              *smooth = one.smooth_curve(reference, variable);
   for (const auto& solution : one.solutions) {
     if (const Curve* curve = one.curve(solution.id(), variable)) {
-      side.curves.push_back({&solution, curve, difference(*curve, subtracted)});
+      side.curves.push_back(
+          {&solution, curve,
+           smooth == nullptr
+               ? difference(*curve, subtracted)
+               : smooth_difference(one.smooth_curve(solution.id(), variable), *smooth)});
     }
   }
   std::ranges::stable_sort(side.curves, {}, [](const auto& drawn) { return drawn.look().layer; });
@@ -50,7 +71,10 @@ FigureSide make_side(const Case& one, Variable variable, const std::string& refe
 }  // namespace
 
 FigureContent figure_content(const Case& one) {
-  FigureContent content{reference_id(one), {}};
+  FigureContent content{.reference = reference_id(one), .smooth_differences = false, .sides = {}};
+  content.smooth_differences = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
+    return one.smooth_curve(content.reference, variable) != nullptr;
+  });
   for (const auto variable : transform::kVariables) {
     auto side = make_side(one, variable, content.reference);
     if (!side.curves.empty()) content.sides.push_back(std::move(side));

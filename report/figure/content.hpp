@@ -19,6 +19,9 @@ struct FigureSide {
 struct FigureContent {
   /// Id of the solution that the others are subtracted from (compare::reference), or "".
   std::string reference;
+  /// Whether differences are those of averages over smooth bins, which the reference knows so well
+  /// that their sizes are shown, on a logarithmic axis.
+  bool smooth_differences = false;
   std::vector<FigureSide> sides;  ///< y and ydot, without a side that has no curve
 };
 

@@ -23,6 +23,8 @@ std::string title(Panel panel, const FigureSide& side, const std::string& refere
       return fmt::format("({}) {}, logarithmic", of_y ? 'b' : 'd', variable);
     case Panel::difference:
       return fmt::format("({}) {}, difference from {}", of_y ? 'e' : 'f', variable, reference);
+    case Panel::smooth_difference:
+      return fmt::format("({}) {}, |difference from {}|", of_y ? 'e' : 'f', variable, reference);
   }
   return "";
 }
@@ -45,12 +47,20 @@ std::string axes(Panel panel, const FigureSide& side) {
           fmt::format("set logscale y\nset format y '10^{{%T}}'\nset yrange [smallest:{:.4g}]\n",
                       3 * r.largest_density);
       break;
-    case Panel::difference:
+    case Panel::difference: {
       // Nothing but the reference itself: any range shows it.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       text += fmt::format("set yrange [{:.4g}:{:.4g}]\n", -half, half);
       density = "Δ" + density;
       break;
+    }
+    case Panel::smooth_difference: {
+      const auto [from, to] = difference_decades(r);
+      text += fmt::format("set logscale y\nset format y '10^{{%T}}'\nset yrange [{:.0e}:{:.0e}]\n",
+                          from, to);
+      density = "|Δ" + density + "|";
+      break;
+    }
   }
   return text + fmt::format("set ylabel {}\n", gnuplot_string(density));
 }
@@ -62,7 +72,9 @@ std::string using_columns(Panel panel, bool with_interval) {
     case Panel::logarithmic:
       return with_interval ? "1:(positive($2)):(at_least_smallest($3)):4" : "1:(positive($2))";
     case Panel::difference:
-      return with_interval ? "1:5:($5+$3-$2):($5+$4-$2)" : "1:5";
+      return with_interval ? "1:2:3:4" : "1:2";
+    case Panel::smooth_difference:
+      return "1:2";
   }
   return "";
 }
@@ -71,11 +83,18 @@ std::string plot(Panel panel, const FigureSide& side) {
   // More points than these would hide the lines.
   constexpr std::size_t kPointsOnACurve = 35;
   std::vector<std::string> parts;
+  const bool of_differences = panel == Panel::difference || panel == Panel::smooth_difference;
   for (const auto& drawn : side.curves) {
-    if (panel == Panel::difference && drawn.difference.empty()) continue;
-    const bool with_interval = panel != Panel::linear && !drawn.curve->lower.empty();
-    const auto step = std::max<std::size_t>(1, drawn.curve->abscissa.size() / kPointsOnACurve);
-    parts.push_back(fmt::format("{}{} using {} {} notitle", block_name(side, drawn),
+    const Difference& difference = drawn.difference;
+    if (of_differences && difference.empty()) continue;
+    const bool with_interval =
+        panel != Panel::linear &&
+        (of_differences ? !difference.lower.empty() : !drawn.curve->lower.empty());
+    const auto points = (of_differences ? difference.abscissa : drawn.curve->abscissa).size();
+    const auto step = std::max<std::size_t>(1, points / kPointsOnACurve);
+    const std::string block =
+        of_differences ? difference_block_name(side, drawn) : block_name(side, drawn);
+    parts.push_back(fmt::format("{}{} using {} {} notitle", block,
                                 drawn.look().as_points ? fmt::format(" every {}", step) : "",
                                 using_columns(panel, with_interval),
                                 drawn_with(drawn.look(), with_interval)));
@@ -92,6 +111,10 @@ std::string block_name(const FigureSide& side, const DrawnCurve& drawn) {
   std::ranges::replace_if(
       name, [](unsigned char c) { return !std::isalnum(c); }, '_');
   return '$' + name;
+}
+
+std::string difference_block_name(const FigureSide& side, const DrawnCurve& drawn) {
+  return block_name(side, drawn) + "_difference";
 }
 
 std::string drawn_with(const transform::Look& look, bool with_interval) {

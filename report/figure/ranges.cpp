@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fpkcheck::report {
 namespace {
@@ -19,10 +20,18 @@ struct Extent {
 
 }  // namespace
 
+std::pair<double, double> difference_decades(const FigureRanges& r) {
+  if (!(r.largest_difference > 0)) return {1e-6, 1};
+  const double to = std::pow(10, std::ceil(std::log10(r.largest_difference)));
+  const double from = std::pow(10, std::floor(std::log10(r.least_difference)) - 2);
+  return {std::max(from, 1e-8 * to), to};
+}
+
 FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
   constexpr double kVisiblePart = 1.0 / 500;
   Extent linear, logarithmic;
   double largest_density = 0, largest_difference = 0;
+  double least_difference = std::numeric_limits<double>::infinity();
   for (const auto& drawn : curves) {
     const results::Curve* curve = drawn.curve;
     double peak = 0;
@@ -34,17 +43,25 @@ FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
       if (curve->density[k] > kVisiblePart * peak) linear.include(curve->abscissa[k]);
       if (curve->density[k] > kSmallestDrawnDensity) logarithmic.include(curve->abscissa[k]);
     }
-    for (const double d : drawn.difference) {
-      if (std::isfinite(d)) largest_difference = std::max(largest_difference, std::abs(d));
+    double peak_difference = 0;
+    for (const double d : drawn.difference.values) {
+      if (std::isfinite(d)) peak_difference = std::max(peak_difference, std::abs(d));
     }
+    largest_difference = std::max(largest_difference, peak_difference);
+    if (peak_difference > 0) least_difference = std::min(least_difference, peak_difference);
     // Bin centres start half a bin beside the wall.
     if (curve->variable == transform::Variable::y) {
       linear.include(0);
       logarithmic.include(0);
     }
   }
-  return {linear.from,    linear.to,       logarithmic.from,
-          logarithmic.to, largest_density, largest_difference};
+  return {.linear_from = linear.from,
+          .linear_to = linear.to,
+          .logarithmic_from = logarithmic.from,
+          .logarithmic_to = logarithmic.to,
+          .largest_density = largest_density,
+          .largest_difference = largest_difference,
+          .least_difference = std::min(least_difference, largest_difference)};
 }
 
 }  // namespace fpkcheck::report

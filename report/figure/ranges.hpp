@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "results/run.hpp"
@@ -17,16 +18,30 @@ struct FigureRanges {
   double logarithmic_from, logarithmic_to;  ///< where a density exceeds kSmallestDrawnDensity
   double largest_density;
   double largest_difference;  ///< from the reference; 0 without one
+  double least_difference;    ///< the smallest peak of a curve of differences
+};
+
+/// A curve less that of the reference. In smooth bins the size of it, and of the reference itself
+/// half the width of its 95 % intervals: what it cannot tell from 0.
+struct Difference {
+  std::vector<double> abscissa, values;
+  std::vector<double> lower, upper;  ///< ends of 95 % intervals; empty without
+
+  bool empty() const { return values.empty(); }
 };
 
 /// A curve as it goes into a figure; it looks as its solution's identity says.
 struct DrawnCurve {
   const transform::Solution* solution;
   const results::Curve* curve;
-  std::vector<double> difference;  ///< from the reference curve, per bin; empty without one
+  Difference difference;  ///< from the reference's; empty without one
 
   const transform::Look& look() const { return solution->identity.look; }
 };
+
+/// Of a logarithmic axis of differences: from two decades below the smallest peak up to the largest,
+/// eight decades at most.
+std::pair<double, double> difference_decades(const FigureRanges& ranges);
 
 /// Ranges that hold all the curves. Pass only those that are to be trusted with the scale: one wild
 /// curve would press all others together.

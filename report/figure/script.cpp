@@ -20,25 +20,33 @@ constexpr double kLeft = 0.055, kRight = 0.99, kColumnGap = 0.075;
 constexpr double kTop = 86, kBottom = 765, kRowGap = 119;
 constexpr int kLegendTop = 860;
 
-std::string data_block(const FigureSide& side, const DrawnCurve& drawn) {
-  const results::Curve& curve = *drawn.curve;
-  const auto at = [](const std::vector<double>& values, std::size_t k) {
-    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[k];
+std::string data_block(const std::string& name, const std::vector<double>& abscissa,
+                       const std::vector<double>& values, const std::vector<double>& lower,
+                       const std::vector<double>& upper) {
+  const auto at = [](const std::vector<double>& of, std::size_t k) {
+    return of.empty() ? std::numeric_limits<double>::quiet_NaN() : of[k];
   };
-  std::string text = block_name(side, drawn) + " << EOD\n";
-  for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
-    text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", curve.abscissa[k], curve.density[k],
-                        at(curve.lower, k), at(curve.upper, k), at(drawn.difference, k));
+  std::string text = name + " << EOD\n";
+  for (std::size_t k = 0; k < abscissa.size(); ++k) {
+    text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", abscissa[k], values[k], at(lower, k),
+                        at(upper, k));
   }
   return text + "EOD\n";
 }
 
 std::string data(const FigureContent& content) {
-  std::string text = fmt::format(
-      "# Columns: abscissa, density, lower and upper end of its 95 % interval, difference{}\n",
-      content.reference.empty() ? "" : " from the reference");
+  std::string text =
+      "# Columns: abscissa, density or its difference from the reference, lower and upper end of "
+      "the 95 % interval\n";
   for (const auto& side : content.sides) {
-    for (const auto& drawn : side.curves) text += data_block(side, drawn);
+    for (const auto& drawn : side.curves) {
+      const results::Curve& c = *drawn.curve;
+      const Difference& d = drawn.difference;
+      text += data_block(block_name(side, drawn), c.abscissa, c.density, c.lower, c.upper);
+      if (d.empty()) continue;
+      text +=
+          data_block(difference_block_name(side, drawn), d.abscissa, d.values, d.lower, d.upper);
+    }
   }
   return text;
 }
@@ -57,7 +65,9 @@ std::string settings() {
 
 std::string panels(const FigureContent& content, const FigureSize& size) {
   std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
-  if (!content.reference.empty()) shown.push_back(Panel::difference);
+  if (!content.reference.empty()) {
+    shown.push_back(content.smooth_differences ? Panel::smooth_difference : Panel::difference);
+  }
   const double columns = static_cast<double>(shown.size());
   const double rows = static_cast<double>(content.sides.size());
   const double width = (kRight - kLeft - (columns - 1) * kColumnGap) / columns;

@@ -149,6 +149,12 @@ std::string diagnostics_tables(const results::Case& one) {
   table.add_number("of p(y\u2032)", [](const Solution& s) {
     return l1_cell(s.sampling ? s.sampling->ydot : std::nullopt);
   });
+  table.add_number("in smooth bins: of p(y)", [](const Solution& s) {
+    return l1_cell(s.smooth_sampling ? s.smooth_sampling->y : std::nullopt);
+  });
+  table.add_number("of p(y\u2032)", [](const Solution& s) {
+    return l1_cell(s.smooth_sampling ? s.smooth_sampling->ydot : std::nullopt);
+  });
   table.add_number("standard error of E[y\u00b2]", [](const Solution& s) {
     return number_text(of(s.standard_errors, [](const auto& e) { return e.moments.y2; }), 2);
   });

@@ -28,14 +28,6 @@ std::string axis(char letter, Row row) {
   return row == kLinear ? std::string(1, letter) : fmt::format("{}{}", letter, row + 1);
 }
 
-// a + b - c
-std::vector<double> shifted(const std::vector<double>& a, const std::vector<double>& b,
-                            const std::vector<double>& c) {
-  std::vector<double> result(a.size());
-  for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] + b[k] - c[k];
-  return result;
-}
-
 std::vector<double> at_least(std::vector<double> values, double least) {
   for (double& value : values) value = std::max(value, least);
   return values;
@@ -43,8 +35,12 @@ std::vector<double> at_least(std::vector<double> values, double least) {
 
 class DensityPlot {
  public:
-  DensityPlot(const results::Case& one, const FigureSide& side, const std::string& reference)
-      : one_(one), side_(side), reference_(reference), shown_(first_shown(one)) {
+  DensityPlot(const results::Case& one, const FigureSide& side, const FigureContent& content)
+      : one_(one),
+        side_(side),
+        reference_(content.reference),
+        smooth_(content.smooth_differences),
+        shown_(first_shown(one)) {
     for (const auto& drawn : side_.curves) add(drawn);
   }
 
@@ -71,10 +67,13 @@ class DensityPlot {
     add_curve(drawn, kLinear, "p");
     add_curve(drawn, kLogarithmic, "p");
     if (drawn.difference.empty()) return;
-    put(solution + " difference", drawn.difference);
-    if (has_bands) {
-      add_band(drawn, kDifference, "difference", shifted(drawn.difference, lower, density),
-               shifted(drawn.difference, upper, density));
+    const Difference& difference = drawn.difference;
+    if (difference_x_of(drawn) == solution + " difference x") {
+      put(solution + " difference x", difference.abscissa);
+    }
+    put(solution + " difference", difference.values);
+    if (!difference.lower.empty()) {
+      add_band(drawn, kDifference, "difference", difference.lower, difference.upper);
     }
     add_curve(drawn, kDifference, "difference");
   }
@@ -86,17 +85,25 @@ class DensityPlot {
     return (same ? first.solution : drawn.curve->solution) + " x";
   }
 
+  // The same for all that have one; where the first curve has none, each brings its own.
+  std::string difference_x_of(const DrawnCurve& drawn) const {
+    const DrawnCurve& first = side_.curves.front();
+    const bool same = drawn.difference.abscissa == first.difference.abscissa;
+    return (same ? first : drawn).curve->solution + " difference x";
+  }
+
   void put(const std::string& name, const std::vector<double>& values) {
     arrays_[name] = float_array(values);
   }
 
   Json trace(const DrawnCurve& drawn, Row row, const std::string& array) const {
     const std::string& id = drawn.curve->solution;
+    const std::string x = row == kDifference ? difference_x_of(drawn) : x_of(drawn);
     // In legends as in tables, whatever is drawn first.
     const auto rank = drawn.solution - one_.solutions.data();
     Json json{{"type", "scatter"},           {"name", legend_name(*drawn.solution)},
               {"legendgroup", id},           {"legendrank", rank},
-              {"showlegend", false},         {"x", "@" + x_of(drawn)},
+              {"showlegend", false},         {"x", "@" + x},
               {"y", "@" + id + " " + array}, {"xaxis", axis('x', row)},
               {"yaxis", axis('y', row)}};
     if (!shown_.contains(id)) json["visible"] = "legendonly";
@@ -172,6 +179,13 @@ class DensityPlot {
                         {"anchor", "x3"},
                         {"exponentformat", "power"},
                         {"title", {{"text", p + " \u2212 " + plotly_text(reference_)}}}};
+      if (smooth_) {
+        const auto [from, to] = difference_decades(r);
+        json["yaxis3"]["type"] = "log";
+        json["yaxis3"]["dtick"] = 1;
+        json["yaxis3"]["range"] = {std::log10(from), std::log10(to)};
+        json["yaxis3"]["title"]["text"] = fmt::format("|{} \u2212 {}|", p, plotly_text(reference_));
+      }
     }
     json[with_difference ? "xaxis3" : "xaxis2"]["title"] = {
         {"text", variable_text(side_.variable)}};
@@ -181,6 +195,7 @@ class DensityPlot {
   const results::Case& one_;
   const FigureSide& side_;
   const std::string& reference_;  // "" without one
+  bool smooth_;                   // differences of averages over smooth bins
   std::set<std::string> shown_;
   Json arrays_ = Json::object(), traces_ = Json::array();
 };
@@ -195,8 +210,11 @@ std::vector<Plot> density_plots(const results::Case& one, const std::string& pre
     caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
     caption += fmt::format(" {}: density, its logarithm", variable_text(side.variable));
     if (!content.reference.empty()) caption += ", difference from " + content.reference;
+    if (content.smooth_differences) {
+      caption += " over smooth bins, and half the width of its own 95 % intervals";
+    }
     plots.push_back({fmt::format("{}-density-{}", prefix, name(side.variable)), caption,
-                     DensityPlot(one, side, content.reference).figure()});
+                     DensityPlot(one, side, content).figure()});
   }
   return plots;
 }

@@ -10,6 +10,7 @@
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
 #include "report/page/typed_array.hpp"
+#include "report/references.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -98,10 +99,21 @@ bool on_the_same_cells(const GridDensity& a, const GridDensity& b) {
   return a.y_edges == b.y_edges && a.v_edges == b.v_edges;
 }
 
+// The reference, but a simulation's cells have all the noise that its smooth bins have lost: then
+// the solution known best among the others.
+const transform::Solution* joint_reference(const results::Case& one) {
+  const auto all = references(one);
+  for (const auto* solution : all) {
+    if (solution->smooth_sampling && all.size() > 1) continue;
+    return solution;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::optional<JointMaps> joint_maps(const results::Case& one) {
-  const auto* measure = compare::reference(one.solutions);
+  const auto* measure = joint_reference(one);
   const JointDensity* reference = measure != nullptr ? find(one, measure->id()) : nullptr;
   if (reference == nullptr) return std::nullopt;
   const GridDensity& density = reference->density;

@@ -83,15 +83,16 @@ class ReportPage(unittest.TestCase):
     def curves(self, plot, axis):
         return {t['group']: t for t in self.traces(plot) if t['axis'] == axis and not t['skip']}
 
-    def marginals(self):
-        """density by (case, variable, solution)"""
+    def marginals(self, name='marginals.csv'):
+        """abscissa, density and half the width of its interval by (case, variable, solution)"""
         found = {}
-        with open(DIRECTORY / 'marginals.csv', newline='') as file:
+        with open(DIRECTORY / name, newline='') as file:
             for row in csv.DictReader(file):
                 key = (row['case'], row['variable'], row['solution'])
-                abscissa, density = found.setdefault(key, ([], []))
+                abscissa, density, half_width = found.setdefault(key, ([], [], []))
                 abscissa.append(float(row['abscissa']))
                 density.append(float(row['density']))
+                half_width.append((float(row['upper'] or 0) - float(row['lower'] or 0)) / 2)
         return found
 
     def assert_close(self, found, expected, what, slack=0.0):
@@ -116,7 +117,7 @@ class ReportPage(unittest.TestCase):
         self.assertEqual([link for link in links if not link.startswith(('#', 'data:'))], [])
 
     def test_3_every_curve_of_the_run_is_there_with_its_numbers(self):
-        marginals = self.marginals()
+        marginals, smooth = self.marginals(), self.marginals('smooth.csv')
         self.assertTrue(marginals)
         for number, one in enumerate(self.summary['cases'], 1):
             for variable in ('y', 'ydot'):
@@ -126,19 +127,22 @@ class ReportPage(unittest.TestCase):
                 for axis in ('y', 'y2'):
                     curves = self.curves(plot, axis)
                     self.assertEqual(set(curves), set(expected), f'{plot} {axis}')
-                    for solution, (abscissa, density) in expected.items():
+                    for solution, (abscissa, density, _) in expected.items():
                         self.assert_close(curves[solution]['x'], abscissa, (plot, axis, solution))
                         self.assert_close(curves[solution]['y'], density, (plot, axis, solution))
                 differences = self.curves(plot, 'y3')
                 self.assertEqual(set(differences), set(expected))
-                reference = expected[one['reference']][1]
-                for solution, (_, density) in expected.items():
-                    difference = [p - q for p, q in zip(density, reference)]
-                    self.assert_close(differences[solution]['y'], difference, (plot, solution), 1e-14)
+                _, reference, half_width = smooth[one['name'], variable, one['reference']]
+                for solution in expected:
+                    abscissa, density, _ = smooth[one['name'], variable, solution]
+                    size = half_width if solution == one['reference'] else [
+                        abs(p - q) for p, q in zip(density, reference)]
+                    self.assert_close(differences[solution]['x'], abscissa, (plot, solution))
+                    self.assert_close(differences[solution]['y'], size, (plot, solution), 1e-14)
 
     def test_4_the_simulation_has_its_band(self):
         bands = [t for t in self.traces('case-1-density-y') if t['skip'] and t['group'] == 'mcs']
-        self.assertEqual([t['axis'] for t in bands], ['y', 'y', 'y2', 'y2', 'y3', 'y3'])
+        self.assertEqual([t['axis'] for t in bands], ['y', 'y', 'y2', 'y2'])
         lower, upper = bands[0]['y'], bands[1]['y']
         simulated = self.curves('case-1-density-y', 'y')['mcs']['y']
         self.assertTrue(all(a <= p <= b for a, p, b in zip(lower, simulated, upper)))

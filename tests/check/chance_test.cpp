@@ -33,15 +33,15 @@ TEST(Chance, TheSameSeedIsTheSameToTheLastDigit) {
 TEST(Chance, AnL1MovesByTheSamplingThatIsStated) {
   const Solution one = simulation();
   Claim claim{.kind = FigureKind::distance, .allowed = 1e-8};
-  move_by_sampling(claim, nullptr, Variable::y, {});
+  move_by_sampling(claim, std::nullopt, Variable::y, {});
   Solution silent = one;
   silent.sampling->y_99.reset();
-  move_by_sampling(claim, &silent, Variable::y, {});
+  move_by_sampling(claim, silent.sampling, Variable::y, {});
   silent.sampling.reset();
-  move_by_sampling(claim, &silent, Variable::y, {});
+  move_by_sampling(claim, silent.sampling, Variable::y, {});
   EXPECT_EQ(claim.kind, FigureKind::distance);
   EXPECT_EQ(claim.allowed, 1e-8);
-  move_by_sampling(claim, &one, Variable::ydot, {});
+  move_by_sampling(claim, one.sampling, Variable::ydot, {});
   EXPECT_EQ(claim.kind, FigureKind::simulated_l1);
   EXPECT_EQ(claim.allowed, 4);
   EXPECT_EQ(claim.error, 0.02);

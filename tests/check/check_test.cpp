@@ -142,7 +142,8 @@ TEST(Check, DoesNotMindRounding) {
         if (std::holds_alternative<double>(o.value)) disturb(o);
       }
     }
-    for (auto& [a, b, variable, d] : one.pairs) {
+    for (auto& [a, b, variable, d, standard_error] : one.pairs) {
+      if (standard_error) disturb(*standard_error);
       disturb(d.l1, d.l2, d.sup, d.hellinger, d.kl);
       for (auto& decade : d.log10_tail) disturb(decade.mean_abs);
     }

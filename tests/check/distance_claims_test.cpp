@@ -56,7 +56,7 @@ TEST(DistanceClaims, AnInfiniteDivergenceOnOneSideIsRounding) {
 TEST(DistanceClaims, DistancesToASimulationMoveWithItsSamplingError) {
   const auto by = [](double l1) {
     return moved_by([&](results::Run& run) {
-      for (auto& [a, b, variable, distances] : run.cases[0].pairs) {
+      for (auto& [a, b, variable, distances, error] : run.cases[0].pairs) {
         if (b != "mcs" || variable != transform::Variable::y || a != "fd-kf") continue;
         distances.l1 += l1;
         distances.kl += l1;  // not judged: noise

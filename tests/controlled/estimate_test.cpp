@@ -1,4 +1,4 @@
-#include "controlled/estimate.hpp"
+#include "controlled/solve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,12 @@ TEST(Controlled, MomentsOfCase1AreTrueAndLoseTheirNoise) {
   EXPECT_GT(reduction(result.estimates.moments[kV2]), 1e8);
   // L y = v: no noise at all.
   EXPECT_LT(std::abs(result.estimates.moments[kV1].controlled.mean), 1e-10);
-  EXPECT_GT(std::pow(result.estimates.v.plain_l1 / result.estimates.v.controlled_l1, 2), 1e4);
-  EXPECT_GT(std::pow(result.estimates.y.plain_l1 / result.estimates.y.controlled_l1, 2), 1e2);
+  EXPECT_GT(
+      std::pow(result.estimates.v.plain_l1.expected / result.estimates.v.controlled_l1.expected, 2),
+      1e4);
+  EXPECT_GT(
+      std::pow(result.estimates.y.plain_l1.expected / result.estimates.y.controlled_l1.expected, 2),
+      1e2);
 }
 
 TEST(Controlled, IsUnbiasedWithControlFunctionsThatAreWrong) {
@@ -63,7 +67,7 @@ TEST(Controlled, SmoothBinsAgreeWithTheExactLinearDensity) {
   const Result result = linear.run(2e5);
   const exact::LinearDensity density(linear.problem);
   // Averages over fine bins, weighted by the spline at their middles: an error of second order.
-  const auto compare = [&](const SmoothBins& bins, double from, const auto& averages) {
+  const auto compare = [&](const BinEstimates& bins, double from, const auto& averages) {
     constexpr int kFine = 200;
     for (int b = 0; b < bins.bins.count; ++b) {
       const double centre = bins.bins.first + b * bins.bins.spacing;
@@ -74,7 +78,8 @@ TEST(Controlled, SmoothBinsAgreeWithTheExactLinearDensity) {
       const auto p = averages(edges);
       double sum = 0, weight = 0;
       for (int k = 0; k < kFine; ++k) {
-        const double m = cubic_spline((begin + (k + 0.5) * width - centre) / bins.bins.spacing);
+        const double m =
+            transform::cubic_spline((begin + (k + 0.5) * width - centre) / bins.bins.spacing);
         sum += m * p[k];
         weight += m;
       }
@@ -102,11 +107,26 @@ TEST(Controlled, HoldsForLossesRareImpulsesAndAMean) {
 }
 
 TEST(Controlled, DoesAllOfItInOneCall) {
-  const Result result = estimate(tests::paper_case(1),
-                                 {.simulation = {.time = 5e4, .streams = 32}, .cells = {24, 48}});
-  expect_true(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
-  EXPECT_TRUE(result.simulation.summary.deposits.empty());
-  EXPECT_EQ(result.simulation.summary.step, 0.5);
+  const auto problem = tests::paper_case(1);
+  const mcs::Options simulation{.time = 5e4, .streams = 32};
+  const auto solution = solve(problem, {.simulation = simulation, .cells = {24, 48}});
+  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  const double error = solution.standard_errors->moments.y2;
+  EXPECT_LT(error, 1e-6);
+  EXPECT_NEAR(solution.moments.y2, tests::kTrueY2, 4 * error + 1e-9);
+  // The plain estimate beside it, and the histogram, are those of mcs alone at this step.
+  mcs::Options plain = simulation;
+  plain.step = 0.5;
+  const auto alone = mcs::solve(problem, plain).solution;
+  EXPECT_NEAR(*transform::number(solution.observations, "plain.moments.y2"), alone.moments.y2,
+              4 * alone.standard_errors->moments.y2);
+  EXPECT_EQ(solution.estimated_marginals[0].second.density,
+            alone.estimated_marginals[0].second.density);
+  const auto* smooth = transform::smooth_estimate(solution, transform::Variable::ydot);
+  ASSERT_NE(smooth, nullptr);
+  EXPECT_EQ(static_cast<int>(smooth->averages.size()), smooth->bins.count);
+  EXPECT_GT(*solution.smooth_sampling->y_99, *solution.smooth_sampling->y);
+  EXPECT_LT(*solution.smooth_sampling->y, 0.5 * *solution.sampling->y);
 }
 
 }  // namespace

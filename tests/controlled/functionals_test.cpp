@@ -2,35 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-
 namespace fpkcheck::controlled {
 namespace {
 
-constexpr mcs::CubicBins kBins{.first = -0.2, .spacing = 0.2, .count = 8};
-
-TEST(SmoothBins, SumToOne) {
-  for (const double t : {0.0, 0.3, 0.5, 0.99}) {
-    double sum = 0;
-    for (int k = -2; k <= 2; ++k) sum += cubic_spline(t - k);
-    EXPECT_NEAR(sum, 1, 1e-15);
-  }
-  EXPECT_EQ(cubic_spline(2), 0);
-  EXPECT_NEAR(cubic_spline(0), 2.0 / 3, 1e-15);
-}
-
-TEST(SmoothBins, WeighWhatLiesInFrontOfTheWall) {
-  for (int b = 0; b < kBins.count; ++b) {
-    double sum = 0;
-    constexpr double kStep = 1e-4;
-    for (double y = kStep / 2; y < 3; y += kStep) {
-      sum += kStep * cubic_spline((y - kBins.first) / kBins.spacing - b);
-    }
-    EXPECT_NEAR(bin_weight(kBins, b, 0), sum, 1e-8) << b;
-    EXPECT_NEAR(bin_weight(kBins, b, -std::numeric_limits<double>::infinity()), 0.2, 1e-15);
-  }
-}
+constexpr transform::SmoothBins kBins{.first = -0.2, .spacing = 0.2, .count = 8};
 
 TEST(Functionals, AreWhatTheDepositHolds) {
   const Functionals functionals{.y_bins = kBins, .v_bins = {-1, 0.5, 5}};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "controlled/estimate.hpp"
+#include "controlled/result.hpp"
 #include "mcs/simulation/plan.hpp"
 #include "paper_cases.hpp"
 

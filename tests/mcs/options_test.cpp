@@ -67,7 +67,8 @@ TEST(Options, ComeBackFromTheirValues) {
                         .streams = 64,
                         .step = 0.7,
                         .white_step = 0.04,
-                        .tails = true};
+                        .tails = true,
+                        .controlled = true};
   const auto values = description().values(changed);
   const auto usual = description().values({});
   ASSERT_EQ(values.size(), usual.size());
@@ -86,9 +87,11 @@ TEST(Options, HaveTheNamesAndFlagsOfFilesAndTheCommandLine) {
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
   }
   EXPECT_EQ(names, (std::vector<std::string>{"equation", "time", "samples", "target_error", "seed",
-                                             "threads", "streams", "step", "white_step", "tails"}));
+                                             "threads", "streams", "step", "white_step", "tails",
+                                             "controlled"}));
   EXPECT_EQ(flags, (std::vector<std::string>{"equation", "time", "samples", "target-error", "seed",
-                                             "threads", "streams", "step", "white-step", "tails"}));
+                                             "threads", "streams", "step", "white-step", "tails",
+                                             "controlled"}));
 }
 
 TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {

@@ -22,13 +22,37 @@ void expect_the_parts_bound_the_total(const std::vector<compare::BudgetRow>& bud
   }
 }
 
+results::Case case_1(bool controlled) {
+  return run_cases({tests::paper_case(1)},
+                   builtin().select(
+                       "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd,mcs",
+                       {{"time", 200000.0}, {"controlled", controlled}}),
+                   0, {})
+      .front();
+}
+
+// A simulation without noise is the truth to 1e-6: nothing is left to be called sampling, and the
+// discretisation is what it measures.
+TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
+  const auto one = case_1(true);
+  ASSERT_EQ(one.budget.size(), 8u);
+  expect_the_parts_bound_the_total(one.budget);
+  for (const auto& row : one.budget) {
+    EXPECT_EQ(row.parts.size(), row.solution == "epc-moment-n8" ? 2u : 4u) << row.solution;
+    EXPECT_EQ(row.reference, "mcs");
+    const auto& last = row.parts.back();
+    EXPECT_EQ(last.name(), "discretisation");
+    EXPECT_EQ(last.from, "fd-kf");
+    EXPECT_LT(*last.standard_error, 0.1 * last.l1);
+    // What fd-kf says of itself, known from the same grids and no simulation.
+    const double stated = transform::l1(*one.find("fd-kf")->error, row.variable);
+    EXPECT_NEAR(last.l1, stated, 0.15 * stated);
+  }
+}
+
 TEST(BudgetOfARun, IsBoundedByItsPartsInEveryRow) {
-  const auto cases = run_cases(
-      {tests::paper_case(1)},
-      builtin().select("epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd,mcs",
-                       {{"time", 200000.0}}),
-      0, {});
-  const auto& budget = cases.front().budget;
+  const auto one = case_1(false);
+  const auto& budget = one.budget;
   ASSERT_EQ(budget.size(), 8u);
   expect_the_parts_bound_the_total(budget);
   for (const auto& row : budget) {

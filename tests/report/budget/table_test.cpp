@@ -45,7 +45,7 @@ TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
   const auto n6 = cells_after(text, "epc-gaussian-n6");
   ASSERT_EQ(n6.size(), 9u) << text;
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
-            (std::vector<std::string>{"0.01111", "0.03333", "4e-06", "0.222"}));
+            (std::vector<std::string>{"0.01111", "0.03333", "4.4e-06", "0.222"}));
   EXPECT_TRUE(text.ends_with("\n  Nothing limits it.\n")) << text;
 }
 

@@ -20,7 +20,7 @@ TEST(FigureContent, SubtractsTheReference) {
   const auto content = figure_content(one);
   const auto& kf = *one.curve("fd-kf", Variable::ydot);
   for (const auto& drawn : content.sides[1].curves) {
-    EXPECT_EQ(drawn.difference[70], drawn.curve->density[70] - kf.density[70]);
+    EXPECT_EQ(drawn.difference.values[70], drawn.curve->density[70] - kf.density[70]);
   }
   solution_of(one, "fd-kf").status = Status::not_converged;
   EXPECT_EQ(figure_content(one).reference, "mcs");

@@ -31,7 +31,7 @@ TEST(FigureRanges, AreThoseOfWhatIsVisible) {
   const results::Curve curve{"toy", Variable::ydot, {-3, -2, -1, 1, 2}, {1e-7, 1e-5, 4, 1, 0}, {},
                              {}};
   const double nothing = std::numeric_limits<double>::quiet_NaN();
-  const DrawnCurve drawn{&solution, &curve, {0, 0, -0.5, 0.25, nothing}};
+  const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {0, 0, -0.5, 0.25, nothing}, {}, {}}};
   const auto ranges = figure_ranges(std::vector{drawn});
   EXPECT_EQ(ranges.linear_from, -1);
   EXPECT_EQ(ranges.linear_to, 1);
@@ -39,6 +39,7 @@ TEST(FigureRanges, AreThoseOfWhatIsVisible) {
   EXPECT_EQ(ranges.logarithmic_to, 1);
   EXPECT_EQ(ranges.largest_density, 4);
   EXPECT_EQ(ranges.largest_difference, 0.5);
+  EXPECT_EQ(ranges.least_difference, 0.5);
 }
 
 TEST(FigureRanges, OfADisplacementBeginAtTheWall) {

@@ -17,7 +17,7 @@ TEST(NumberText, KeepsItsDigitsAndHasTheTerminalsDistances) {
   EXPECT_EQ(number_text(0.0004, 1), "4e-4");
   EXPECT_EQ(l1_cell(0.03), "0.03000");
   EXPECT_EQ(l1_cell(0.0044), "0.00440");
-  EXPECT_EQ(l1_cell(6e-6), "6e-6");
+  EXPECT_EQ(l1_cell(6e-6), "6.0e-6");
   EXPECT_EQ(l1_cell({}), kNoValue);
 }
 

@@ -5,10 +5,10 @@
 namespace fpkcheck::report {
 namespace {
 
-TEST(L1Text, HasFiveDecimalsAndOneDigitBelowThem) {
+TEST(L1Text, HasFiveDecimalsAndTwoDigitsBelowThem) {
   EXPECT_EQ(l1_text(0.123456), "0.12346");
-  EXPECT_EQ(l1_text(1e-5), "0.00001");
-  EXPECT_EQ(l1_text(4.4e-6), "4e-06");
+  EXPECT_EQ(l1_text(1e-5), "1.0e-05");
+  EXPECT_EQ(l1_text(4.4e-6), "4.4e-06");
   EXPECT_EQ(l1_text(0), "0");
 }
 

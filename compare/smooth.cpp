@@ -1,0 +1,46 @@
+#include "compare/smooth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace fpkcheck::compare {
+
+using transform::Solution;
+
+const Solution* smooth_measure(std::span<const Solution> solutions) {
+  const auto found = std::ranges::find_if(solutions, [](const Solution& s) {
+    return s.is_ok() && s.identity.equation == problem::Equation::kf && !s.smooth_estimates.empty();
+  });
+  return found == solutions.end() ? nullptr : &*found;
+}
+
+std::vector<SolutionMarginal> in_smooth_bins(std::span<const SolutionMarginal> sharp,
+                                             const Solution& measure) {
+  std::vector<SolutionMarginal> smooth;
+  for (const auto& [id, variable, marginal] : sharp) {
+    const auto* estimate = transform::smooth_estimate(measure, variable);
+    smooth.push_back({id, variable,
+                      id == measure.id() ? estimate->averages
+                                         : transform::smooth_averages(marginal, estimate->bins)});
+  }
+  return smooth;
+}
+
+double l1_standard_error(const transform::Marginal& a, const transform::SmoothEstimate& estimate) {
+  const auto& p = estimate.averages;
+  const std::size_t n = p.size();
+  std::vector<double> signed_weight;
+  for (std::size_t b = 0; b < n; ++b) {
+    signed_weight.push_back(a.density[b] < p.density[b] ? -p.width(b) : p.width(b));
+  }
+  double variance = 0;
+  for (std::size_t b = 0; b < n; ++b) {
+    for (std::size_t d = 0; d < n; ++d) {
+      variance += signed_weight[b] * estimate.covariance[b * n + d] * signed_weight[d];
+    }
+  }
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,18 @@
+#include "controlled/result.hpp"
+
+#include <utility>
+
+namespace fpkcheck::controlled {
+
+Result combined(const Prepared& prepared, mcs::Result simulation) {
+  const auto streams = std::exchange(simulation.summary.deposits, {});
+  const Eigen::MatrixXd generator = mean_generator(prepared, streams);
+  Estimates estimates = combine(prepared, generator, streams);
+  const Checks judged = checks(prepared, generator, streams, estimates);
+  return {.estimates = std::move(estimates),
+          .checks = judged,
+          .simulation = std::move(simulation),
+          .backward_means = prepared.backward_means};
+}
+
+}  // namespace fpkcheck::controlled

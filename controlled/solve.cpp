@@ -1,0 +1,49 @@
+#include "controlled/solve.hpp"
+
+#include <chrono>
+#include <future>
+#include <utility>
+
+#include "controlled/solution.hpp"
+#include "dual/backward/least_squares.hpp"
+#include "mcs/simulation/plan.hpp"
+
+namespace fpkcheck::controlled {
+namespace {
+
+// Radians of the longest flights. At 0.9 their error is 1e-8 of the damping, which is
+// 6e-9 of E[y^2] in case 1: more than is left of the noise. At 0.5 it is a hundredth of that.
+constexpr double kStep = 0.5;
+
+}  // namespace
+
+transform::Solution solve(const problem::Problem& problem, const Options& options) {
+  if (options.simulation.equation != mcs::Equation::kf || options.simulation.tails) {
+    return without_control(mcs::solve(problem, options.simulation).solution,
+                           "control functions are those of the impulses, unsplit");
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Places where = places(problem, options.cells);
+  mcs::Options simulation = options.simulation;
+  simulation.deposit = where.grid;
+  simulation.step = simulation.step.value_or(kStep);
+  const double interval = mcs::make_plan(problem, simulation).sampling_interval;
+  const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
+  auto prepared = std::async(policy, [&] { return prepare(problem, where, interval); });
+  mcs::Result simulated = mcs::solve(problem, simulation);
+  transform::Solution solution;
+  if (!simulated.solution.density) {
+    solution = std::move(simulated.solution);
+  } else {
+    try {
+      solution = solution_of(combined(prepared.get(), std::move(simulated)));
+    } catch (const dual::FitBrokeDown& why) {
+      solution = without_control(std::move(simulated.solution), why.what());
+    }
+  }
+  solution.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return solution;
+}
+
+}  // namespace fpkcheck::controlled

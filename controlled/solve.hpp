@@ -1,0 +1,27 @@
+#pragma once
+
+#include "controlled/prepared.hpp"
+#include "mcs/options.hpp"
+#include "problem/problem.hpp"
+#include "transform/solution.hpp"
+
+/// Simulation without noise: E[f] = E[f + L h] for any function h of the phase plane, and where h
+/// nearly solves the backward equation L h = U - f, what is averaged is nearly constant. The
+/// simulation gives the average, unbiased whatever h is; the splines of `dual` give h.
+namespace fpkcheck::controlled {
+
+struct Options {
+  /// Its `deposit` is chosen here, and a `step` of 0.5 if it has none.
+  mcs::Options simulation{};
+  Cells cells{};
+};
+
+/// Simulates, fits the control functions meanwhile, and gives what both tell: moments with what is
+/// left of their errors, and both marginals in smooth bins; the plain estimates stay as
+/// observations, with the checks. Where motion, impacts or wall are not those of the problem the
+/// status is failed; checks that chance enters are notes. With white noise or tails, which
+/// have no control functions, and where the fit breaks down, it is the plain simulation, with a note.
+/// @throws InputError as mcs::solve
+transform::Solution solve(const problem::Problem& problem, const Options& options = {});
+
+}  // namespace fpkcheck::controlled

@@ -1,0 +1,88 @@
+#include "transform/smooth_bins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "uniform_edges.hpp"
+
+namespace fpkcheck::transform {
+namespace {
+
+constexpr SmoothBins kBins{.first = -0.2, .spacing = 0.2, .count = 8, .from = 0};
+
+TEST(SmoothBins, SumToOne) {
+  for (const double t : {0.0, 0.3, 0.5, 0.99}) {
+    double sum = 0;
+    for (int k = -2; k <= 2; ++k) sum += cubic_spline(t - k);
+    EXPECT_NEAR(sum, 1, 1e-15);
+  }
+  EXPECT_EQ(cubic_spline(2), 0);
+  EXPECT_NEAR(cubic_spline(0), 2.0 / 3, 1e-15);
+}
+
+TEST(SmoothBins, WeighWhatLiesInFrontOfTheWall) {
+  for (int b = 0; b < kBins.count; ++b) {
+    double sum = 0;
+    constexpr double kStep = 1e-4;
+    for (double y = kStep / 2; y < 3; y += kStep) {
+      sum += kStep * cubic_spline((y - kBins.first) / kBins.spacing - b);
+    }
+    EXPECT_NEAR(bin_weight(kBins, b), sum, 1e-8) << b;
+    EXPECT_NEAR(bin_weight({.first = -0.2, .spacing = 0.2, .count = 8}, b), 0.2, 1e-15);
+  }
+}
+
+TEST(SmoothBins, AreAsWideAsTheirWeights) {
+  const Marginal of_y = marginal_of(kBins, std::vector<double>(8, 1.0));
+  EXPECT_EQ(of_y.edges.front(), 0);
+  EXPECT_NEAR(of_y.width(0), 0.2 / 24, 1e-15);
+  EXPECT_NEAR(of_y.width(1), 0.1, 1e-15);
+  for (std::size_t b = 3; b < 8; ++b) EXPECT_NEAR(of_y.centre(b), 0.2 * (double(b) - 1), 1e-14);
+  const Marginal of_v = marginal_of({.first = -0.4, .spacing = 0.2, .count = 5}, {1, 2, 3, 4, 5});
+  for (std::size_t b = 0; b < 5; ++b) EXPECT_NEAR(of_v.centre(b), -0.4 + 0.2 * double(b), 1e-14);
+}
+
+/// p(x) = exp(-x) for x > 0, 0 before: M at b > 0 gives exp(-centre) (2 sinh(h/2)/h)^4.
+TEST(SmoothAverages, OfAnExponentialAreThoseOfTheFormula) {
+  for (const auto& [bins, tolerance] : {std::pair{70, 1e-7}, std::pair{140, 1e-8}}) {
+    const auto edges = tests::uniform_edges(0, 7, bins);
+    Marginal sharp{.edges = edges, .density = {}, .lower = {}, .upper = {}};
+    for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+      sharp.density.push_back((std::exp(-edges[k]) - std::exp(-edges[k + 1])) /
+                              (edges[k + 1] - edges[k]));
+    }
+    const Marginal smooth = smooth_averages(sharp, kBins);
+    const double factor = std::pow(2 * std::sinh(0.1) / 0.2, 4);
+    for (std::size_t b = 3; b < 8; ++b) {
+      EXPECT_NEAR(smooth.density[b], factor * std::exp(-0.2 * (double(b) - 1)), tolerance) << b;
+    }
+    // At the wall: int_0^1 (1 - t)^3/6 e^-ht dt and the like, by a fine sum.
+    for (int b = 0; b < 3; ++b) {
+      double sum = 0;
+      constexpr double kStep = 1e-5;
+      for (double y = kStep / 2; y < 0.6; y += kStep) {
+        sum += kStep * std::exp(-y) * cubic_spline(y / 0.2 + 1 - b);
+      }
+      EXPECT_NEAR(smooth.density[std::size_t(b)], sum / bin_weight(kBins, b), 4 * tolerance + 1e-8);
+    }
+  }
+}
+
+TEST(SmoothAverages, KeepAJumpAtTheWall) {
+  // p = 1 for v < 0 and 3 for v > 0, as densities of y' have it after impacts.
+  Marginal sharp{.edges = tests::uniform_edges(-1, 1, 40), .density = {}, .lower = {}, .upper = {}};
+  for (std::size_t k = 0; k < 40; ++k) sharp.density.push_back(k < 20 ? 1 : 3);
+  const Marginal smooth = smooth_averages(sharp, {.first = -0.4, .spacing = 0.2, .count = 5});
+  // Shares of M beyond 0, of the spline about -0.2 and -0.4: 1/24 and 0.
+  EXPECT_NEAR(smooth.density[0], 1, 1e-12);
+  EXPECT_NEAR(smooth.density[1], 1 + 2.0 / 24, 1e-12);
+  EXPECT_NEAR(smooth.density[2], 2, 1e-12);
+  EXPECT_NEAR(smooth.density[3], 3 - 2.0 / 24, 1e-12);
+  EXPECT_NEAR(smooth.density[4], 3, 1e-12);
+}
+
+}  // namespace
+}  // namespace fpkcheck::transform
