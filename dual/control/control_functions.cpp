@@ -5,7 +5,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "dual/backward/least_squares.hpp"
+#include "dual/backward/normal_equations.hpp"
 #include "dual/control/generator_factors.hpp"
 #include "dual/control/impulse_means.hpp"
 #include "dual/spline/block_banded_cholesky.hpp"
@@ -16,7 +16,6 @@ namespace {
 constexpr int kTerms = kGeneratorTerms;
 constexpr int kDegree = KnotSplines::kDegree;
 constexpr int kPoints = 8;  // of Gauss's rule on a cell
-constexpr double kRidge = 1e-13;
 
 struct Quadrature {
   std::vector<double> points;
@@ -117,13 +116,9 @@ ControlFunctions control_functions(const ControlProblem& problem,
   const GeneratorFactors v =
       factors_of_v(problem.problem, problem.v, in_v.points,
                    impulse_means(problem.v, problem.problem.impulses.law(), in_v.points));
-  BlockBandedMatrix matrix = normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights));
-  const Eigen::VectorXd scale = matrix.diagonal().array().max(1e-300).rsqrt().matrix();
-  matrix.scale(scale);
-  matrix.add_to_diagonal(kRidge);
-  if (!matrix.factorise()) {
-    throw FitBrokeDown("the normal equations of the control functions are not positive definite");
-  }
+  const NormalEquations equations(
+      normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights)),
+      "the control functions");
 
   // Right-hand sides -<f, L A_i B_j>: each f, and 1 in the last place.
   const auto one = [](double) { return 1.0; };
@@ -131,7 +126,7 @@ ControlFunctions control_functions(const ControlProblem& problem,
   all.push_back({one, one});
   const auto count = static_cast<Eigen::Index>(all.size());
   const Eigen::Index nv = problem.v.size();
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(matrix.size(), count);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(equations.size(), count);
   std::vector<double> integrals;  // of w f
   for (Eigen::Index f = 0; f < count; ++f) {
     const auto& [of_y, of_v] = all[static_cast<std::size_t>(f)];
@@ -144,9 +139,7 @@ ControlFunctions control_functions(const ControlProblem& problem,
     }
   }
   ControlFunctions result;
-  result.coefficients = scale.asDiagonal() * right;
-  matrix.solve(result.coefficients);
-  result.coefficients = (scale.asDiagonal() * result.coefficients).eval();
+  result.coefficients = equations.solve(right);
   // e_f is orthogonal to all L h, so <e_1, e_f> = <1, f> + <1, L h_f>, and <1, L A B> is -right.
   const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
   const double of_one = integrals.back() - products(count - 1);

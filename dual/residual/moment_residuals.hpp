@@ -42,7 +42,7 @@ class MomentResiduals {
   static constexpr ControlCells kCells{.y = 40, .v = 88};
 
   /// Takes most of the time: the fit of h.
-  /// @throws FitBrokeDown (dual/backward/least_squares.hpp)
+  /// @throws FitBrokeDown (dual/backward/normal_equations.hpp)
   explicit MomentResiduals(const problem::Problem& problem, const ControlCells& cells = kCells);
 
   /// @throws InputError when the density has no positive mass, or no usable cells or range
