@@ -14,10 +14,10 @@ struct Cells {
   int y = 80, v = 176;
 };
 
-/// Where a simulation is to deposit, chosen for a problem alone: 9 deviations of equivalent
-/// linearisation in y and 10.5 to both sides in v, cells of one width up to 5 and 6 of them, a
-/// triple knot at v = 0, a lattice of an eighth of a deviation of the impulses, and smooth bins
-/// 0.15 and 0.3 deviations apart (four times as wide), within 7 deviations.
+/// Where a simulation is to deposit, chosen for a problem alone: the usual splines of its control
+/// functions (dual/control/usual_control.hpp), a lattice of an eighth of a deviation of the
+/// impulses, and smooth bins 0.15 and 0.3 deviations apart (four times as wide), within 7
+/// deviations.
 struct Places {
   dual::KnotSplines y, v;
   mcs::DepositGrid grid;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dual/backward/normal_equations.hpp"
 #include "dual/spline/block_banded_cholesky.hpp"
 
 namespace fpkcheck::dual {
 namespace {
 
-constexpr double kRidge = 1e-13;
 constexpr int kRefinements = 3;
 
 // The rows of the least-squares problem, applied through their three separable terms.
@@ -153,12 +153,7 @@ BackwardSolutions solve_backward(
     const LeastSquaresProblem& problem,
     const std::vector<std::function<double(double, double)>>& functions) {
   const Rows rows(problem);
-  BlockBandedMatrix matrix = rows.normal_matrix();
-  const Eigen::VectorXd scale = matrix.diagonal().array().max(1e-300).sqrt().inverse().matrix();
-  matrix.scale(scale);
-  matrix.add_to_diagonal(kRidge);
-  if (!matrix.factorise())
-    throw FitBrokeDown("the normal equations of the fit are not positive definite");
+  const NormalEquations equations(rows.normal_matrix(), "the fit");
 
   // Right-hand sides: each f, and 1 in the last place.
   const std::size_t count = functions.size() + 1;
@@ -172,15 +167,12 @@ BackwardSolutions solve_backward(
       }
     }
   }
-  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(matrix.size(), static_cast<Eigen::Index>(count));
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(equations.size(), static_cast<Eigen::Index>(count));
   std::vector<Eigen::MatrixXd> residual = f;
   for (int pass = 0; pass <= kRefinements; ++pass) {
-    Eigen::MatrixXd step(x.rows(), x.cols());
-    for (std::size_t n = 0; n < count; ++n) {
-      step.col(n) = -scale.cwiseProduct(rows.transposed(residual[n]));
-    }
-    matrix.solve(step);
-    x += scale.asDiagonal() * step;
+    Eigen::MatrixXd right(x.rows(), x.cols());
+    for (std::size_t n = 0; n < count; ++n) right.col(n) = -rows.transposed(residual[n]);
+    x += equations.solve(right);
     for (std::size_t n = 0; n < count; ++n) {
       residual[n] = f[n] + rows.apply(rows.unfolded(x.col(n)));
     }

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "dual/backward/collocation.hpp"
@@ -29,16 +29,11 @@ struct LeastSquaresProblem {
   std::function<double(double y, double v)> row_weight, judging_weight;
 };
 
-/// The normal equations have no Cholesky factor.
-struct FitBrokeDown : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once:
 /// scaled normal equations with a small ridge, factorised by blocks, and refined. V is fitted to f
 /// and to 1; the residuals e_f, e_1 give U = <e_1, e_f> / <e_1, e_1>.
 /// @param functions f(y, v)
-/// @throws FitBrokeDown
+/// @throws FitBrokeDown (dual/backward/normal_equations.hpp)
 BackwardSolutions solve_backward(
     const LeastSquaresProblem& problem,
     const std::vector<std::function<double(double, double)>>& functions);

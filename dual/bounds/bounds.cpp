@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "dual/backward/least_squares.hpp"
+#include "dual/backward/normal_equations.hpp"
 #include "dual/bounds/one_grid.hpp"
 #include "parameters/input_error.hpp"
 

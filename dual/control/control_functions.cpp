@@ -5,17 +5,17 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "dual/backward/least_squares.hpp"
+#include "dual/backward/normal_equations.hpp"
+#include "dual/control/generator_factors.hpp"
 #include "dual/control/impulse_means.hpp"
 #include "dual/spline/block_banded_cholesky.hpp"
 
 namespace fpkcheck::dual {
 namespace {
 
-constexpr int kTerms = 3;
+constexpr int kTerms = kGeneratorTerms;
 constexpr int kDegree = KnotSplines::kDegree;
 constexpr int kPoints = 8;  // of Gauss's rule on a cell
-constexpr double kRidge = 1e-13;
 
 struct Quadrature {
   std::vector<double> points;
@@ -47,12 +47,10 @@ void weigh(Quadrature& q, const std::function<double(double)>& weight) {
   }
 }
 
-/// One variable's factors of the three terms at points, shape (points, functions).
-using Factors = std::array<Eigen::MatrixXd, kTerms>;
 /// <factor a, factor b> under the weight.
 using Grams = std::array<std::array<Eigen::MatrixXd, kTerms>, kTerms>;
 
-Grams grams(const Factors& factors, const Eigen::VectorXd& weights) {
+Grams grams(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
   Grams g;
   for (int a = 0; a < kTerms; ++a) {
     const Eigen::MatrixXd weighted = weights.asDiagonal() * factors[a];
@@ -64,48 +62,12 @@ Grams grams(const Factors& factors, const Eigen::VectorXd& weights) {
   return g;
 }
 
-struct Values {
-  Eigen::MatrixXd value, slope;
-};
-
-Values values_at(const KnotSplines& splines, const std::vector<double>& points) {
-  const auto rows = static_cast<Eigen::Index>(points.size());
-  Values all{Eigen::MatrixXd::Zero(rows, splines.size()),
-             Eigen::MatrixXd::Zero(rows, splines.size())};
-  for (Eigen::Index n = 0; n < rows; ++n) {
-    const auto at = splines.at(points[static_cast<std::size_t>(n)]);
-    for (int l = 0; l <= kDegree; ++l) {
-      all.value(n, at.first + l) = at.value[l];
-      all.slope(n, at.first + l) = at.slope[l];
-    }
-  }
-  return all;
-}
-
 Eigen::VectorXd map(const std::vector<double>& points, const std::function<double(double)>& f) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(points.size()));
   for (std::size_t n = 0; n < points.size(); ++n) {
     values(static_cast<Eigen::Index>(n)) = f(points[n]);
   }
   return values;
-}
-
-// A', A, g A
-Factors factors_of_y(const ControlProblem& p, const std::vector<double>& points) {
-  const Values a = values_at(p.y, points);
-  const Eigen::VectorXd force = map(points, [&](double y) { return p.problem.system.force()(y); });
-  return {a.slope, a.value, force.asDiagonal() * a.value};
-}
-
-// v B, lambda (K B - B) - c v B', -B'
-Factors factors_of_v(const ControlProblem& p, const std::vector<double>& points) {
-  const Values b = values_at(p.v, points);
-  const Eigen::VectorXd v = map(points, [](double x) { return x; });
-  const problem::ImpulseTrain& impulses = p.problem.impulses;
-  return {v.asDiagonal() * b.value,
-          impulses.arrival_rate() * (impulse_means(p.v, impulses.law(), points) - b.value) -
-              p.problem.system.damping() * (v.asDiagonal() * b.slope),
-          -b.slope};
 }
 
 /// int u w(0, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u).
@@ -150,14 +112,13 @@ ControlFunctions control_functions(const ControlProblem& problem,
   Quadrature in_y = quadrature(problem.y.breaks()), in_v = quadrature(problem.v.breaks());
   weigh(in_y, problem.weight_y);
   weigh(in_v, problem.weight_v);
-  const Factors y = factors_of_y(problem, in_y.points), v = factors_of_v(problem, in_v.points);
-  BlockBandedMatrix matrix = normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights));
-  const Eigen::VectorXd scale = matrix.diagonal().array().max(1e-300).rsqrt().matrix();
-  matrix.scale(scale);
-  matrix.add_to_diagonal(kRidge);
-  if (!matrix.factorise()) {
-    throw FitBrokeDown("the normal equations of the control functions are not positive definite");
-  }
+  const GeneratorFactors y = factors_of_y(problem.problem.system, problem.y, in_y.points);
+  const GeneratorFactors v =
+      factors_of_v(problem.problem, problem.v, in_v.points,
+                   impulse_means(problem.v, problem.problem.impulses.law(), in_v.points));
+  const NormalEquations equations(
+      normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights)),
+      "the control functions");
 
   // Right-hand sides -<f, L A_i B_j>: each f, and 1 in the last place.
   const auto one = [](double) { return 1.0; };
@@ -165,7 +126,7 @@ ControlFunctions control_functions(const ControlProblem& problem,
   all.push_back({one, one});
   const auto count = static_cast<Eigen::Index>(all.size());
   const Eigen::Index nv = problem.v.size();
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(matrix.size(), count);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(equations.size(), count);
   std::vector<double> integrals;  // of w f
   for (Eigen::Index f = 0; f < count; ++f) {
     const auto& [of_y, of_v] = all[static_cast<std::size_t>(f)];
@@ -178,9 +139,7 @@ ControlFunctions control_functions(const ControlProblem& problem,
     }
   }
   ControlFunctions result;
-  result.coefficients = scale.asDiagonal() * right;
-  matrix.solve(result.coefficients);
-  result.coefficients = (scale.asDiagonal() * result.coefficients).eval();
+  result.coefficients = equations.solve(right);
   // e_f is orthogonal to all L h, so <e_1, e_f> = <1, f> + <1, L h_f>, and <1, L A B> is -right.
   const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
   const double of_one = integrals.back() - products(count - 1);

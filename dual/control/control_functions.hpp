@@ -39,7 +39,7 @@ struct ControlFunctions {
 /// c v B') - g A B', and the weight is one: nine Gram matrices of v and of y make the
 /// normal matrix, which is banded by blocks and factorised so. With the residuals e of f and of 1,
 /// U = <e_1, e_f> / <e_1, e_1>.
-/// @throws FitBrokeDown (dual/backward/least_squares.hpp)
+/// @throws FitBrokeDown (dual/backward/normal_equations.hpp)
 ControlFunctions control_functions(const ControlProblem& problem,
                                    const std::vector<SeparableFunction>& functions);
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "dual/control/control_functions.hpp"
+#include "dual/spline/knot_splines.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::dual {
+
+/// Cells of the splines of y and of y'.
+struct ControlCells {
+  int y, v;
+};
+
+/// What control functions are made of.
+struct ControlSplines {
+  KnotSplines y, v;
+};
+
+/// Chosen for a problem alone, in deviations of equivalent linearisation: 9 in y, beyond where the
+/// mean of the impulses holds the oscillator, and 10.5 to both sides in v, with cells of one width
+/// up to 5 and 6 of them, and a triple knot at v = 0, where grazing impacts leave a corner.
+ControlSplines usual_splines(const problem::Problem& problem, const ControlCells& cells);
+
+/// The fit on these splines under the weight
+///
+///     w(y, v) = exp(-(U(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of y',
+///
+/// 1 where it is largest, with E[Y] only where impulses push away from the wall; each factor is no
+/// less than 1e-9.
+/// @param problem, y, v referred to by the result
+ControlProblem usual_control(const problem::Problem& problem, const KnotSplines& y,
+                             const KnotSplines& v, double wall_weight);
+
+}  // namespace fpkcheck::dual

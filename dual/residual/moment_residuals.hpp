@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <iterator>
+#include <span>
+
+#include "dual/control/usual_control.hpp"
+#include "dual/residual/weak_residuals.hpp"
+#include "problem/problem.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::dual {
+
+inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
+
+/// A density's own errors, from itself and the problem alone.
+struct WeightedResiduals {
+  double mass;                   ///< of the density, by which all else is divided
+  transform::Moments corrected;  ///< estimates of E[f]
+  transform::Moments error;      ///< E_p[f] - corrected
+  /// Where the errors come from: -(h_ij - E_p[h]) rho_ij of each of transform::kMoments, of shape
+  /// (functions of y, functions of v). Their sum is the error.
+  std::array<Eigen::MatrixXd, kMomentCount> contributions;
+};
+
+/// Dual-weighted residuals. Let h = sum h_ij A_i(y) B_j(v) solve L h = E[f] - f with h(0, r u) =
+/// h(0, -u). For any density p of mass 1
+///
+///     E_p[f] - E[f] = -(int p L h dy dv + int u p(0, -u) [h(0, r u) - h(0, -u)] du)
+///                   = -sum_ij h_ij rho_ij,
+///
+/// with the weak residuals rho_ij of p (WeakResiduals): no other density is needed to know the
+/// error of this one. As the h here solves its equations but nearly (control_functions), what is
+/// left is a product of two small things, its residuals and the error of p. A constant added to h
+/// changes no sum; E_p[h] = 0 makes the parts comparable.
+///
+/// The error is that against the full problem, whatever p solves itself: of a solution of the
+/// white-noise equation it is also the model's.
+class MomentResiduals {
+ public:
+  static constexpr ControlCells kCells{.y = 40, .v = 88};
+
+  /// Takes most of the time: the fit of h.
+  /// @throws FitBrokeDown (dual/backward/normal_equations.hpp)
+  explicit MomentResiduals(const problem::Problem& problem, const ControlCells& cells = kCells);
+
+  /// @throws InputError when the density has no positive mass, or no usable cells or range
+  WeightedResiduals of(const transform::Density& density) const;
+
+  /// Spreads contributions over rectilinear cells:
+  ///
+  ///     sum_ij contribution_ij (int_cell A_i B_j dy dv / int A_i B_j dy dv) / area,
+  ///
+  /// so that the values times the areas sum to the error when the cells cover the splines.
+  /// @param y_edges, v_edges increasing
+  /// @return shape (cells of y, cells of v)
+  /// @throws InputError when edges do not increase
+  Eigen::MatrixXd spread(const Eigen::MatrixXd& contributions, std::span<const double> y_edges,
+                         std::span<const double> v_edges) const;
+
+  const KnotSplines& y() const { return residuals_.y(); }
+  const KnotSplines& v() const { return residuals_.v(); }
+
+ private:
+  WeakResiduals residuals_;
+  std::array<Eigen::MatrixXd, kMomentCount> h_;  // shape (functions of y, functions of v)
+};
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,161 @@
+#include "dual/residual/weak_residuals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <utility>
+
+#include "dual/control/generator_factors.hpp"
+#include "dual/control/impulse_means.hpp"
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+constexpr std::size_t kNodes = 8;     // between breaks of v
+constexpr int kPowers = 5;            // 0 .. 4
+constexpr double kLeastCell = 1e-12;  // of the range: breaks that are one but for rounding
+
+std::vector<double> nodes_of(const std::vector<double>& breaks) {
+  using Gauss = boost::math::quadrature::gauss<double, kNodes>;
+  std::vector<double> nodes;
+  for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
+    const double centre = (breaks[cell] + breaks[cell + 1]) / 2;
+    const double half = (breaks[cell + 1] - breaks[cell]) / 2;
+    for (const double x : Gauss::abscissa()) {
+      for (const double sign : {-1.0, 1.0}) nodes.push_back(centre + sign * half * x);
+    }
+  }
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
+/// The breaks of B_j, and what impulses of one size, or a corner of their density, make of the
+/// knots where B_j is less smooth than elsewhere.
+std::vector<double> breaks_after_impulse(const KnotSplines& v, const problem::ImpulseLaw& law) {
+  std::vector<double> amplitudes = law.smooth_pieces();
+  for (const auto& atom : law.atoms()) amplitudes.push_back(atom.amplitude);
+  std::vector<double> breaks(v.breaks());
+  const auto& knots = v.knots();
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    if (knots[k] != knots[k - 1] || knots[k] == v.begin() || knots[k] == v.end()) continue;
+    for (const double amplitude : amplitudes) breaks.push_back(knots[k] - amplitude);
+  }
+  std::erase_if(breaks, [&](double x) { return x < v.begin() || x > v.end(); });
+  std::ranges::sort(breaks);
+  const double least = kLeastCell * (v.end() - v.begin());
+  breaks.erase(
+      std::unique(breaks.begin(), breaks.end(), [=](double a, double b) { return b - a < least; }),
+      breaks.end());
+  return breaks;
+}
+
+/// Breaks of B_j(-u) and B_j(r u), u > 0, as far as the range of v.
+std::vector<double> breaks_of_jumps(const KnotSplines& v, double restitution) {
+  const double end = std::max(v.end(), -v.begin());
+  std::vector<double> breaks{0};
+  for (const double at : v.breaks()) {
+    const double speed = at < 0 ? -at : at / restitution;
+    if (0 < speed && speed <= end) breaks.push_back(speed);
+  }
+  std::ranges::sort(breaks);
+  return breaks;
+}
+
+/// 1, x, .., x^4 at points, shape (points, 5).
+Eigen::MatrixXd powers_at(std::span<const double> points) {
+  Eigen::MatrixXd powers(std::ssize(points), kPowers);
+  const Eigen::Map<const Eigen::VectorXd> x(points.data(), std::ssize(points));
+  powers.col(0).setOnes();
+  for (int n = 1; n < kPowers; ++n) powers.col(n) = powers.col(n - 1).cwiseProduct(x);
+  return powers;
+}
+
+}  // namespace
+
+WeakResiduals::WeakResiduals(const problem::Problem& problem, KnotSplines y, KnotSplines v)
+    : problem_(problem),
+      y_(std::move(y)),
+      v_(std::move(v)),
+      wall_breaks_(breaks_of_jumps(v_, problem.system.restitution())),
+      v_breaks_(breaks_after_impulse(v_, problem.impulses.law())),
+      nodes_(nodes_of(v_breaks_)),
+      means_(impulse_means(v_, problem.impulses.law(), nodes_)) {}
+
+/// K B_j by interpolation between the nodes of a cell, where it is smooth; beyond the ends as at
+/// the ends.
+Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) const {
+  Eigen::MatrixXd result(std::ssize(v), v_.size());
+  const auto& breaks = v_breaks_;
+  for (std::size_t n = 0; n < v.size(); ++n) {
+    const double x = std::clamp(v[n], v_.begin(), v_.end());
+    const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
+    const auto first = static_cast<std::size_t>(after - breaks.begin() - 1) * kNodes;
+    const std::span<const double, kNodes> nodes(nodes_.data() + first, kNodes);
+    Eigen::RowVectorXd lagrange(static_cast<Eigen::Index>(kNodes));
+    for (std::size_t a = 0; a < kNodes; ++a) {
+      double product = 1;
+      for (std::size_t b = 0; b < kNodes; ++b) {
+        if (b != a) product *= (x - nodes[b]) / (nodes[a] - nodes[b]);
+      }
+      lagrange(static_cast<Eigen::Index>(a)) = product;
+    }
+    result.row(static_cast<Eigen::Index>(n)).noalias() =
+        lagrange *
+        means_.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(kNodes));
+  }
+  return result;
+}
+
+/// int u p(0, -u) [B_j(r u) - B_j(-u)] du
+Eigen::RowVectorXd WeakResiduals::impacts(const SampledDensity& density) const {
+  const auto& speeds = density.wall.points;
+  std::vector<double> in, out;
+  for (const double u : speeds) {
+    in.push_back(-u);
+    out.push_back(problem_.system.restitution() * u);
+  }
+  const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
+  const Eigen::MatrixXd jumps = values_at(v_, out).value - values_at(v_, in).value;
+  return (density.wall.integrals(u.asDiagonal() * jumps) * density.wall_samples).transpose();
+}
+
+WeakForm WeakResiduals::operator()(const transform::Density& density) const {
+  const SampledDensity p =
+      sampled(density, {.y = y_.breaks(), .v = v_breaks_, .wall = wall_breaks_});
+
+  // E_p[y^m y'^n], before the mass is divided by.
+  const Eigen::MatrixXd along_y = p.y.integrals(powers_at(p.y.points)) * p.samples;
+  const Eigen::MatrixXd along_v = p.v.integrals(powers_at(p.v.points));
+  const Eigen::MatrixXd powers = along_y * along_v.transpose();
+  const double mass = powers(0, 0);
+  if (!(mass > 0) || !std::isfinite(mass)) {
+    throw InputError(fmt::format("a density of mass {:.4g} has no residuals: no mean", mass));
+  }
+  const auto moment = [&](int m, int n) { return powers(m, n) / mass; };
+
+  const GeneratorFactors y = factors_of_y(problem_.system, y_, p.y.points);
+  const GeneratorFactors v =
+      factors_of_v(problem_, v_, p.v.points, means_after_impulse(p.v.points));
+  Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
+  for (int term = 0; term < kGeneratorTerms; ++term) {
+    residuals.noalias() += p.y.integrals(y[term]) * p.samples * p.v.integrals(v[term]).transpose();
+  }
+  residuals.row(0) += impacts(p);  // A_0(0) = 1, and all others vanish at the wall
+  const Eigen::MatrixXd means = p.y.integrals(values_at(y_, p.y.points).value) * p.samples *
+                                p.v.integrals(values_at(v_, p.v.points).value).transpose();
+  return {.mass = mass,
+          .moments = {.y1 = moment(1, 0),
+                      .y2 = moment(2, 0),
+                      .y4 = moment(4, 0),
+                      .v1 = moment(0, 1),
+                      .v2 = moment(0, 2),
+                      .v4 = moment(0, 4)},
+          .means = means / mass,
+          .residuals = residuals / mass};
+}
+
+}  // namespace fpkcheck::dual

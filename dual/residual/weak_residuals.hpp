@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "dual/residual/sampled_density.hpp"
+#include "dual/spline/knot_splines.hpp"
+#include "problem/problem.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::dual {
+
+/// What a density of mass 1 does to the stationary equation when this is tested by splines, and
+/// what else integrals of the density tell.
+struct WeakForm {
+  double mass;  ///< before it was divided by
+  transform::Moments moments;
+  Eigen::MatrixXd means;      ///< E_p[A_i(y) B_j(v)]
+  Eigen::MatrixXd residuals;  ///< rho_ij; both of shape (functions of y, functions of v)
+};
+
+/// The weak residuals of the stationary equation with the exact impact under the impulses
+/// themselves (equation `kf`, impact `map`),
+///
+///     rho_ij = int p L(A_i B_j) dy dv + A_i(0) int u p(0, -u) [B_j(r u) - B_j(-u)] du,
+///
+/// which vanish for its solution, whatever the splines. As all A_i B_j sum to 1, all rho_ij sum to
+/// 0. Each of the three terms of L A_i B_j is a product, so p is integrated along one axis and then
+/// along the other.
+class WeakResiduals {
+ public:
+  /// @param y splines from the wall on; v with 0 among the breaks
+  WeakResiduals(const problem::Problem& problem, KnotSplines y, KnotSplines v);
+
+  /// @throws InputError as sampled() does, and when the mass is not positive
+  WeakForm operator()(const transform::Density& density) const;
+
+  const KnotSplines& y() const { return y_; }
+  const KnotSplines& v() const { return v_; }
+
+ private:
+  Eigen::MatrixXd means_after_impulse(std::span<const double> v) const;
+  Eigen::RowVectorXd impacts(const SampledDensity& density) const;
+
+  problem::Problem problem_;
+  KnotSplines y_, v_;
+  std::vector<double> wall_breaks_;  // of B_j(r u) and B_j(-u)
+  std::vector<double> v_breaks_;     // of B_j and K B_j
+  /// K B_j at eight points of Gauss's rule between neighbouring breaks of v, increasing.
+  std::vector<double> nodes_;
+  Eigen::MatrixXd means_;  // shape (nodes, functions)
+};
+
+}  // namespace fpkcheck::dual
