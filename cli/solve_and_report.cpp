@@ -14,6 +14,7 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "methods/bounds.hpp"
+#include "methods/own_errors.hpp"
 #include "methods/run_cases.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
@@ -66,7 +67,10 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                    methods::run_cases(problems, methods, control.threads,
                                       [&](const methods::RunProgress& at) { progress.show(at); })};
   throw_if_interrupted();
-  if (control.with_bounds) methods::add_bounds(run.cases, control.threads);
+  if (control.with_bounds) {
+    methods::add_bounds(run.cases, control.threads);
+    methods::add_own_errors(run.cases, control.threads);
+  }
   throw_if_interrupted();
   progress.clear();
 

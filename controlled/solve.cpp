@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "controlled/solution.hpp"
-#include "dual/backward/least_squares.hpp"
+#include "dual/backward/normal_equations.hpp"
 #include "mcs/simulation/plan.hpp"
 
 namespace fpkcheck::controlled {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
+
+#include "methods/side_by_side.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -37,30 +37,6 @@ class Run {
         solve_by(method, problems_[task.problem], {axes_[task.problem], progress});
     ++done_;
     tell(task, 1, "");
-  }
-
-  // Runs the tasks on several threads; rethrows the first exception when all have ended.
-  void solve_side_by_side(const std::vector<Task>& tasks, unsigned threads) {
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr failure;
-    std::mutex failure_mutex;
-    {
-      std::vector<std::jthread> workers;
-      for (unsigned w = 0; w < std::min<std::size_t>(threads, tasks.size()); ++w) {
-        workers.emplace_back([&] {
-          for (std::size_t t = next++; t < tasks.size(); t = next++) {
-            try {
-              solve(tasks[t]);
-            } catch (...) {
-              const std::lock_guard lock(failure_mutex);
-              if (!failure) failure = std::current_exception();
-              next = tasks.size();
-            }
-          }
-        });
-      }
-    }
-    if (failure) std::rethrow_exception(failure);
   }
 
   std::vector<results::Case> cases() {
@@ -107,15 +83,14 @@ std::vector<results::Case> run_cases(const std::vector<problem::Problem>& proble
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener) {
   Run run(problems, methods, listener);
-  std::vector<Task> side_by_side;
+  std::vector<Task> several;
   std::vector<Task> alone;
   for (std::size_t p = 0; p < problems.size(); ++p) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      (methods[m].parallel ? alone : side_by_side).push_back({p, m});
+      (methods[m].parallel ? alone : several).push_back({p, m});
     }
   }
-  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-  run.solve_side_by_side(side_by_side, threads > 0 ? static_cast<unsigned>(threads) : processors);
+  side_by_side(several.size(), threads, [&](std::size_t t) { run.solve(several[t]); });
   for (const Task& task : alone) run.solve(task);
   return run.cases();
 }

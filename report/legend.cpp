@@ -64,12 +64,19 @@ std::string solves_legend(const std::vector<Column>& results) {
 
 }  // namespace
 
-std::string results_legend(const std::vector<Column>& results) {
+std::string results_legend(const std::vector<Column>& results, const results::Run& run) {
   std::vector<std::string> sentences;
   const bool distances = any_group(results, "L1");
   if (distances) {
     sentences.emplace_back(
         "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones.");
+    const bool smooth = std::ranges::any_of(
+        run.cases, [](const results::Case& one) { return !one.smooth.empty(); });
+    if (smooth) {
+      sentences.emplace_back(
+          "Where a simulation without noise has a part it is over smooth bins, which do not see "
+          "what is narrower than they are.");
+    }
   }
   if (any_header(results, kSolvesColumn)) sentences.push_back(solves_legend(results));
   if (any_header(results, "energy")) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "parameters/input_error.hpp"
 #include "results/netcdf/problem_attributes.hpp"
@@ -16,6 +17,8 @@ namespace fpkcheck::results {
 namespace {
 
 namespace fs = std::filesystem;
+
+const std::string kSource = "source_";  // begins the names of variables with sources of errors
 
 // Ids of all cases together, in the order in which they come first.
 std::vector<std::string> solutions_of(const Run& run) {
@@ -33,29 +36,63 @@ void write_problem(NetCdfWriter& file, const problem::Problem& problem, int vari
   write_parameters(file, problem, variable);
 }
 
+/// What each solution has on the cells of a case; NaN for those that have nothing.
+/// @param lists (solution, averages)
+class OverSolutions {
+ public:
+  OverSolutions(const std::vector<std::string>& solutions, std::size_t cells)
+      : solutions_(solutions),
+        cells_(cells),
+        values_(solutions.size() * cells, std::numeric_limits<float>::quiet_NaN()) {}
+
+  void put(const std::string& solution, const std::vector<double>& averages) {
+    const auto place = std::ranges::find(solutions_, solution) - solutions_.begin();
+    std::ranges::transform(averages, values_.begin() + place * static_cast<std::ptrdiff_t>(cells_),
+                           [](double average) { return static_cast<float>(average); });
+  }
+  const std::vector<float>& values() const { return values_; }
+
+ private:
+  const std::vector<std::string>& solutions_;
+  std::size_t cells_;
+  std::vector<float> values_;
+};
+
 void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::string>& solutions,
                 int solution, int bounds) {
   if (one.joints.empty()) return;
   const auto& cells = one.joints.front().density;
-  std::vector<float> values(solutions.size() * cells.averages.size(),
-                            std::numeric_limits<float>::quiet_NaN());
-  for (const auto& joint : one.joints) {
-    const auto place = std::ranges::find(solutions, joint.solution) - solutions.begin();
-    std::ranges::transform(joint.density.averages,
-                           values.begin() + place * std::ssize(cells.averages),
-                           [](double average) { return static_cast<float>(average); });
-  }
   const std::string name = file_stem(one.name());
   const int y = file.cells("y_" + name, "displacement y", bounds, cells.y_edges);
   const int ydot = file.cells("ydot_" + name, "velocity y'", bounds, cells.v_edges);
-  const int density = file.compressed("p_" + name, {solution, y, ydot},
-                                      "joint probability density of y and y'", values);
-  file.attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), density);
-  write_problem(file, one.problem, density);
+  const auto write = [&](const std::string& prefix, const std::string& meaning,
+                         const OverSolutions& over) {
+    const int variable =
+        file.compressed(prefix + '_' + name, {solution, y, ydot}, meaning, over.values());
+    file.attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
+    write_problem(file, one.problem, variable);
+  };
+  OverSolutions densities(solutions, cells.averages.size());
+  for (const auto& [id, density] : one.joints) densities.put(id, density.averages);
+  write("p", "joint probability density of y and y'", densities);
+  for (const auto& moment : transform::kMoments) {
+    OverSolutions sources(solutions, cells.averages.size());
+    bool any = false;
+    for (const auto& [id, of, density] : one.error_sources) {
+      if (of != moment.name) continue;
+      sources.put(id, density.averages);
+      any = true;
+    }
+    if (!any) continue;
+    write(kSource + moment.name,
+          fmt::format("where the error of {} comes from, per area", moment.symbol), sources);
+  }
 }
 
-void read_case(const NetCdfReader& file, const std::string& name,
-               const std::vector<std::string>& solutions, std::vector<JointOfCase>& joints) {
+/// Calls use(case, solution, cells with their values) for all that a variable has.
+template <class Use>
+void read_variable(const NetCdfReader& file, const std::string& name,
+                   const std::vector<std::string>& solutions, Use use) {
   const auto axes = file.dimensions(name);
   if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not over three axes", name));
   const auto shape = file.shape(name);
@@ -69,8 +106,8 @@ void read_case(const NetCdfReader& file, const std::string& name,
   for (std::size_t s = 0; s < solutions.size(); ++s) {
     const std::span<const double> averages(values.data() + s * count, count);
     if (std::ranges::all_of(averages, [](double p) { return std::isnan(p); })) continue;
-    joints.push_back({file.text(name, "case"),
-                      {solutions[s], {y_edges, v_edges, {averages.begin(), averages.end()}}}});
+    use(file.text(name, "case"), solutions[s],
+        transform::GridDensity{y_edges, v_edges, {averages.begin(), averages.end()}});
   }
 }
 
@@ -98,15 +135,25 @@ void add_joint_netcdf(PendingFiles& files, const fs::path& path, const Run& run)
   });
 }
 
-std::vector<JointOfCase> read_joint_netcdf(const fs::path& path) {
+JointFile read_joint_netcdf(const fs::path& path) {
   try {
     const NetCdfReader file(path);
     const auto solutions = file.labels("solution");
-    std::vector<JointOfCase> joints;
+    JointFile found;
     for (const auto& name : file.variables()) {
-      if (name.starts_with("p_")) read_case(file, name, solutions, joints);
+      if (name.starts_with("p_")) {
+        read_variable(file, name, solutions, [&](auto&& one, auto& id, auto&& density) {
+          found.joints.push_back({one, {id, std::move(density)}});
+        });
+      }
+      for (const auto& moment : transform::kMoments) {
+        if (!name.starts_with(kSource + moment.name + '_')) continue;
+        read_variable(file, name, solutions, [&](auto&& one, auto& id, auto&& density) {
+          found.sources.push_back({one, {id, moment.name, std::move(density)}});
+        });
+      }
     }
-    return joints;
+    return found;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
                                  path.string(), error.what()));

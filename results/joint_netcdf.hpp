@@ -18,6 +18,8 @@ namespace fpkcheck::results {
 ///                  y_NAME_bounds(y_NAME, bounds), ydot_NAME_bounds(ydot_NAME, bounds)
 ///     densities    p_NAME(solution, y_NAME, ydot_NAME): averages over cells, of single precision;
 ///                  NaN where a solution has no density
+///     errors       source_y2_NAME, source_v2_NAME(solution, y_NAME, ydot_NAME): where the errors of
+///                  E[y^2] and E[y'^2] come from (ErrorSource), where they are known
 ///
 /// The attributes of p_NAME hold the case's own name, its system and its impulses; those of the
 /// file the command. All is non-dimensional.
@@ -30,9 +32,18 @@ struct JointOfCase {
   std::string case_name;
   JointDensity joint;
 };
+struct SourceOfCase {
+  std::string case_name;
+  ErrorSource source;
+};
+/// All that such a file holds.
+struct JointFile {
+  std::vector<JointOfCase> joints;
+  std::vector<SourceOfCase> sources;
+};
 
 /// Reads what add_joint_netcdf wrote.
 /// @throws InputError on one line: the file and what is wrong
-std::vector<JointOfCase> read_joint_netcdf(const std::filesystem::path& file);
+JointFile read_joint_netcdf(const std::filesystem::path& file);
 
 }  // namespace fpkcheck::results

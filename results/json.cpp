@@ -147,6 +147,19 @@ problem::Problem problem_in(const Json& object) {
   return problem::problem_from(object.at("name").get<std::string>(), sections);
 }
 
+double number_in(const Json& object, const char* key) {
+  const Json& value = object.at(key);
+  return value.is_null() ? kNotANumber : value.get<double>();
+}
+
+transform::Moments moments_in(const Json& json) {
+  transform::Moments moments;
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    moments.*moment = number_in(json, name);
+  }
+  return moments;
+}
+
 std::optional<double> number_if_any(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null()) return std::nullopt;

@@ -42,6 +42,9 @@ parameters::Values values_in(const Json& object);
 problem::Problem problem_in(const Json& object);
 /// What stands for a number that JSON cannot have.
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+/// NaN for null.
+double number_in(const Json& object, const char* key);
+transform::Moments moments_in(const Json& json);
 /// None where the field is missing or null.
 std::optional<double> number_if_any(const Json& object, const char* key);
 

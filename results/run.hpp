@@ -35,6 +35,21 @@ struct JointDensity {
   transform::GridDensity density;
 };
 
+/// What the moments of a solution are off by, from its density and the problem alone (docs/residuals.md).
+struct OwnError {
+  std::string solution;          ///< id
+  transform::Moments corrected;  ///< E[f] without the error
+  transform::Moments error;      ///< the solution's moments less these
+};
+
+/// Where the error of a moment comes from: values over the cells of the joint densities, which times
+/// the areas sum to the error.
+struct ErrorSource {
+  std::string solution;  ///< id
+  std::string moment;    ///< its name in transform::kMoments: y2, v2
+  transform::GridDensity density;
+};
+
 /// Everything a run found out about one case.
 struct Case {
   problem::Problem problem;
@@ -46,6 +61,8 @@ struct Case {
   std::vector<JointDensity> joints;  ///< of the solutions that have one, all on the same cells
   /// Of all solutions in smooth bins, where one of them knows itself so (compare/smooth.hpp).
   std::vector<Curve> smooth = {};
+  std::vector<OwnError> own_errors = {};  ///< of those that have one, in their order
+  std::vector<ErrorSource> error_sources = {};
   std::optional<compare::Bounds> bounds = {};  ///< nothing where they were not computed
 
   const std::string& name() const { return problem.name; }

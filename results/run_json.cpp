@@ -87,6 +87,12 @@ Json bounds_json(const compare::Bounds& bounds) {
           {"each", list_of(bounds.each, bound_json)}};
 }
 
+Json own_error_json(const OwnError& own) {
+  return {{"solution", own.solution},
+          {"corrected", moments_json(own.corrected)},
+          {"error", moments_json(own.error)}};
+}
+
 Json case_json(const Case& one) {
   Json json = problem_json(one.problem);
   json["solutions"] = list_of(one.solutions, solution_json);
@@ -94,6 +100,7 @@ Json case_json(const Case& one) {
   json["budget"] = list_of(one.budget, row_json);
   json["limits"] = one.limits;
   if (one.bounds) json["bounds"] = bounds_json(*one.bounds);
+  if (!one.own_errors.empty()) json["own_errors"] = list_of(one.own_errors, own_error_json);
   const auto* reference = compare::reference(one.solutions);
   json["reference"] = reference == nullptr ? Json() : Json(reference->id());
   return json;
@@ -186,6 +193,12 @@ Case case_in(const Json& json) {
     for (const auto& row : json.at("budget")) one.budget.push_back(budget_row_in(row));
   }
   if (json.contains("bounds")) one.bounds = bounds_in(json.at("bounds"));
+  if (json.contains("own_errors")) {
+    for (const auto& own : json.at("own_errors")) {
+      one.own_errors.push_back(
+          {own.at("solution"), moments_in(own.at("corrected")), moments_in(own.at("error"))});
+    }
+  }
   return one;
 }
 

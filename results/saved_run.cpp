@@ -70,11 +70,20 @@ bool any_has(const Run& run, std::vector<Element> Case::*list) {
 }
 
 void load_joints(const fs::path& file, Run& run) {
-  for (auto& [case_name, joint] : read_joint_netcdf(file)) {
+  const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
     Case* one = find_case(run, case_name);
-    const auto* solution = one == nullptr ? nullptr : one->find(joint.solution);
-    if (solution == nullptr || !solution->has_density()) refuse_other_run(file);
-    one->joints.push_back(std::move(joint));
+    const auto* found = one == nullptr ? nullptr : one->find(solution);
+    if (found == nullptr || !found->has_density()) refuse_other_run(file);
+    return *one;
+  };
+  auto [joints, sources] = read_joint_netcdf(file);
+  for (auto& [case_name, joint] : joints) {
+    Case& one = owner(case_name, joint.solution);
+    one.joints.push_back(std::move(joint));
+  }
+  for (auto& [case_name, source] : sources) {
+    Case& one = owner(case_name, source.solution);
+    one.error_sources.push_back(std::move(source));
   }
 }
 

@@ -106,19 +106,6 @@ std::optional<transform::SamplingError> sampling_in(const Json& json, const char
                                   .ydot_99 = number_if_any(*sampling, "ydot_99")};
 }
 
-double number_in(const Json& object, const char* key) {
-  const Json& value = object.at(key);
-  return value.is_null() ? kNotANumber : value.get<double>();
-}
-
-Moments moments_in(const Json& json) {
-  Moments moments;
-  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    moments.*moment = number_in(json, name);
-  }
-  return moments;
-}
-
 template <class Enum>
 std::optional<Enum> choice_in(const Json& json, const char* key, std::string_view unknown) {
   const auto text = json.at(key).get<std::string>();

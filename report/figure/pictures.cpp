@@ -5,6 +5,7 @@
 #include "report/budget/figure.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/figure/script.hpp"
+#include "report/figure/sources_script.hpp"
 #include "results/directory.hpp"
 
 namespace fpkcheck::report {
@@ -12,6 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
+std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
 
 /// A gnuplot script, and the name without extension under which it and its pictures are filed.
 struct Picture {
@@ -33,6 +35,9 @@ std::vector<Picture> pictures_of(const results::Run& run, std::vector<std::strin
     if (has_budget(one)) {
       pictures.push_back({budget_stem(stem), budget_script(one, budget_stem(stem))});
     }
+    if (has_sources(one)) {
+      pictures.push_back({sources_stem(stem), sources_script(one, sources_stem(stem))});
+    }
   }
   return pictures;
 }
@@ -42,7 +47,7 @@ std::vector<Picture> pictures_of(const results::Run& run, std::vector<std::strin
 void remove_pictures(const fs::path& directory, const results::Run& run) {
   for (const auto& one : run.cases) {
     const auto stem = results::file_stem(one.name());
-    for (const auto& each : {stem, budget_stem(stem)}) {
+    for (const auto& each : {stem, budget_stem(stem), sources_stem(stem)}) {
       remove_pictures_of(directory / "figures", each);
     }
   }

@@ -100,6 +100,19 @@ std::string results_table(const results::Case& one) {
   return std::move(table).html("All solutions");
 }
 
+std::string own_errors_table(const results::Case& one) {
+  if (one.own_errors.empty()) return "";
+  SolutionsTable table(one);
+  for (const auto& [header, member] : kShownMoments) {
+    table.add_number(header, [&one, member = member](const Solution& s) {
+      const auto own = std::ranges::find(one.own_errors, s.id(), &results::OwnError::solution);
+      return own == one.own_errors.end() ? std::string(kNoValue)
+                                         : number_text(own->error.*member, 2);
+    });
+  }
+  return std::move(table).html("Errors of moments, by each density's own residuals");
+}
+
 std::string moment_errors_table(const results::Case& one) {
   if (!one.bounds || one.bounds->each.empty()) return "";
   SolutionsTable table(one);

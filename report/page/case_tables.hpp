@@ -15,6 +15,9 @@ std::string results_table(const results::Case& one);
 /// distance from the middle, known to the half-width. Empty where there are no bounds.
 std::string moment_errors_table(const results::Case& one);
 
+/// By how much they are off by their own residuals (results::OwnError). Empty where nobody looked.
+std::string own_errors_table(const results::Case& one);
+
 /// Why solutions are not ok, as a list; empty when all are.
 std::string reasons_html(const results::Case& one);
 

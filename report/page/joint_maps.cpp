@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/reference.hpp"
+#include "report/page/cell_window.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
 #include "report/page/typed_array.hpp"
@@ -18,38 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
-
-// The part of its peak down to which a density is shown. Farther out the simulation has few
-// samples.
-constexpr double kSeen = 1e-5;
-
-/// Half-open ranges of cells.
-struct Window {
-  std::size_t y_end, v_begin, v_end;
-};
-
-// Where the density exceeds this part of its peak, from the wall on.
-Window window_above(const GridDensity& density, double part) {
-  const double peak = *std::ranges::max_element(density.averages);
-  Window window{1, density.nv() - 1, 1};
-  for (std::size_t i = 0; i < density.ny(); ++i) {
-    for (std::size_t j = 0; j < density.nv(); ++j) {
-      if (density.average(i, j) <= part * peak) continue;
-      window.y_end = std::max(window.y_end, i + 1);
-      window.v_begin = std::min(window.v_begin, j);
-      window.v_end = std::max(window.v_end, j + 1);
-    }
-  }
-  return window;
-}
-
-std::vector<double> rows_of_constant_velocity(const GridDensity& density, const Window& window) {
-  std::vector<double> values;
-  for (std::size_t j = window.v_begin; j < window.v_end; ++j) {
-    for (std::size_t i = 0; i < window.y_end; ++i) values.push_back(density.average(i, j));
-  }
-  return values;
-}
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
   double sum = 0;
@@ -63,18 +32,11 @@ double l1_distance(const GridDensity& a, const GridDensity& b) {
 }
 
 JointDifference difference(const JointDensity& joint, const JointDensity& reference,
-                           const Window& window) {
+                           const CellWindow& window) {
   auto values = rows_of_constant_velocity(joint.density, window);
   const auto subtracted = rows_of_constant_velocity(reference.density, window);
   std::ranges::transform(values, subtracted, values.begin(), std::minus{});
-  double largest = 0;
-  for (const double d : values) largest = std::max(largest, std::abs(d));
-  std::vector<std::int16_t> roots;
-  for (const double d : values) {
-    const double root = largest > 0 ? std::sqrt(std::abs(d) / largest) : 0;
-    roots.push_back(static_cast<std::int16_t>(std::lround(std::copysign(32767 * root, d))));
-  }
-  return {joint.solution, l1_distance(joint.density, reference.density), largest, roots};
+  return {joint.solution, l1_distance(joint.density, reference.density), signed_roots(values)};
 }
 
 const JointDensity* find(const results::Case& one, const std::string& solution) {
@@ -117,7 +79,7 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
   const JointDensity* reference = measure != nullptr ? find(one, measure->id()) : nullptr;
   if (reference == nullptr) return std::nullopt;
   const GridDensity& density = reference->density;
-  const Window window = window_above(density, kSeen), bulk = window_above(density, 1.0 / 500);
+  const CellWindow window = window_above(density, kSeen), bulk = window_above(density, kBulk);
   JointMaps maps{
       reference->solution,
       {density.y_edges.begin(), density.y_edges.begin() + window.y_end + 1},
@@ -182,8 +144,8 @@ std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
             {"differences", Json::array()}};
   for (const auto& one : maps.differences) {
     json["differences"].push_back({{"solution", one.solution},
-                                   {"largest", one.largest},
-                                   {"roots", integer_array(one.roots)}});
+                                   {"largest", one.values.largest},
+                                   {"roots", integer_array(one.values.roots)}});
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

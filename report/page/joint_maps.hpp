@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "report/page/signed_roots.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {
@@ -14,10 +14,7 @@ namespace fpkcheck::report {
 struct JointDifference {
   std::string solution;  ///< id
   double l1;             ///< over all common cells
-  double largest;        ///< of the differences below, in magnitude
-  /// Cell by cell as reference_density: the difference is sign(q) (q / 32767)^2 times the largest.
-  /// The root keeps small differences, those of the tails, to few per cent in two bytes.
-  std::vector<std::int16_t> roots;
+  SignedRoots values;    ///< the differences cell by cell, as reference_density
 };
 
 /// Joint densities of one case, on the part of the common cells where the reference can be seen.

@@ -13,6 +13,7 @@
 #include "report/page/case_tables.hpp"
 #include "report/page/convergence_plots.hpp"
 #include "report/page/density_plots.hpp"
+#include "report/page/error_maps.hpp"
 #include "report/page/html.hpp"
 #include "report/page/joint_maps.hpp"
 #include "report/page/parts.hpp"
@@ -47,7 +48,7 @@ class CaseSection {
     html_ = fmt::format("<section id=\"{}\" class=\"case\">\n", id) + element("h2", one.name()) +
             element("p", problem::parameters_text(one.problem, true) + '.') +
             element("h3", "Results") + element("p", reference) + results_table(one) +
-            moment_errors_table(one) + reasons_html(one);
+            moment_errors_table(one) + own_errors_table(one) + reasons_html(one);
     auto said = findings(one);
     std::erase(said, reference);  // stands above the table
     if (!one.limits.empty()) said.push_back(one.limits);
@@ -58,6 +59,10 @@ class CaseSection {
     if (const auto maps = joint_maps(one)) {
       html_ += element("h3", "Joint densities") + joint_maps_html(*maps, id);
       maps_ = joint_maps_json(*maps, id);
+    }
+    if (const auto maps = error_maps(one)) {
+      html_ += element("h3", "Where the errors of moments come from") + error_maps_html(*maps, id);
+      errors_ = error_maps_json(*maps, id);
     }
     add_plots("Error budget", budget_introduction(one), budget_plots(one, id));
     html_ += budget_tables(one);
@@ -70,7 +75,8 @@ class CaseSection {
 
   /// In JSON.
   std::string plots() const {
-    return fmt::format(R"({{"plots":{},"maps":{}}})", plots_json(plots_), maps_);
+    return fmt::format(R"({{"plots":{},"maps":{},"errors":{}}})", plots_json(plots_), maps_,
+                       errors_);
   }
 
  private:
@@ -83,7 +89,7 @@ class CaseSection {
 
   std::string html_;
   std::vector<Plot> plots_;
-  std::string maps_ = "null";
+  std::string maps_ = "null", errors_ = "null";
 };
 
 std::string case_id(std::size_t place) { return fmt::format("case-{}", place + 1); }

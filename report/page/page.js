@@ -1,6 +1,6 @@
 // Draws the plots of the page with plotly.js. All numbers and sentences were made beforehand: the element
 // #plots holds, for each case, "plots" (figures of plotly.js; "@name" stands for a shared array) and "maps"
-// (joint densities). When all is drawn, <html data-plots="drawn">.
+// (joint densities) and "errors" (where the errors of moments come from). When all is drawn, <html data-plots="drawn">.
 'use strict';
 
 const cases = JSON.parse(document.getElementById('plots').textContent);
@@ -88,7 +88,7 @@ function drawables(one) {
     };
     return {fit, draw};
   });
-  return one.maps ? [...plots, ...mapDrawables(one.maps)] : plots;
+  return [...plots, ...(one.maps ? mapDrawables(one.maps) : []), ...(one.errors ? errorDrawables(one.errors) : [])];
 }
 
 function numbers(array) {
@@ -107,44 +107,54 @@ function rows(values, length) {
   return result;
 }
 
+// As report/page/signed_roots.hpp packs them.
+const signedNumbers = ({roots, largest}) => Float64Array.from(numbers(roots), q => Math.sign(q) * (q / 32767) ** 2 * largest);
+const ends = edges => [edges[0], edges.at(-1)];
+
+// Square, or as on a desktop where there is room.
+const mapHeight = div => Math.min(440, Math.round(div.clientWidth - 64) + 142);
+
+// A heat map over the cells between the edges y and v.
+// @param told: what is said of each cell, where that is not the value drawn
+function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = values}) {
+  const trace = {
+    type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), customdata: rows(told, y.length - 1), ...colours,
+    colorbar: {orientation: 'h', y: -0.16, yanchor: 'top', thickness: 12, len: 1, tickfont: {size: 10},
+               exponentformat: 'power', ...ticks},
+    hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${title}: %{customdata:.4g}<extra></extra>`,
+  };
+  const layout = {
+    font, paper_bgcolor: 'white', plot_bgcolor: '#d9d9d9', width: div.clientWidth, height: mapHeight(div),
+    margin: {l: 50, r: 14, t: 32, b: 110},
+    // The colour bar's own title would stand on its ticks.
+    annotations: [{text: title, showarrow: false, xref: 'paper', x: 0.5, yref: 'paper', y: -110 / (mapHeight(div) - 142),
+                   yanchor: 'bottom'}],
+    dragmode: narrow() ? false : 'zoom', showlegend: false,
+    xaxis: {...axis, showgrid: false, range: ranges[0], title: {text: 'y', standoff: 4}},
+    yaxis: {...axis, showgrid: false, range: ranges[1], title: {text: 'y′', standoff: 4}},
+  };
+  Plotly.react(div, [trace], layout, config());
+}
+
 function mapDrawables(maps) {
   const part = name => document.getElementById(`${maps.id}-${name}`);
   const y = Array.from(numbers(maps.y_edges)), v = Array.from(numbers(maps.v_edges));
   const reference = numbers(maps.density);
   const peak = reference.reduce((a, b) => Math.max(a, b), 0);
 
-  const differenceOf = one => Float64Array.from(numbers(one.roots), q => Math.sign(q) * (q / 32767) ** 2 * one.largest);
-  const ends = edges => [edges[0], edges.at(-1)];
   const log10 = p => p > 0 ? Math.log10(p) : null;
   const chosen = () => maps.differences[part('choice').selectedIndex];
   const logarithmic = () => part('scale').value === 'logarithmic';
 
-  // Square, or as on a desktop where there is room.
-  const heightOf = div => Math.min(440, Math.round(div.clientWidth - 64) + 142);
-
   function draw(name, values, colours, title) {
-    const div = part(name);
-    const trace = {
-      type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), ...colours,
-      colorbar: {orientation: 'h', y: -0.16, yanchor: 'top', thickness: 12, len: 1, tickfont: {size: 10},
-                 exponentformat: 'power', ...(logarithmic() ? {dtick: name === 'difference' ? 0.5 : 1} : {nticks: 5})},
-      hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${title}: %{z:.4g}<extra></extra>`,
-    };
-    const layout = {
-      font, paper_bgcolor: 'white', plot_bgcolor: '#d9d9d9', width: div.clientWidth, height: heightOf(div),
-      margin: {l: 50, r: 14, t: 32, b: 110},
-      // The colour bar's own title would stand on its ticks.
-      annotations: [{text: title, showarrow: false, xref: 'paper', x: 0.5, yref: 'paper', y: -110 / (heightOf(div) - 142),
-                     yanchor: 'bottom'}],
-      dragmode: narrow() ? false : 'zoom', showlegend: false,
-      xaxis: {...axis, showgrid: false, range: logarithmic() ? ends(y) : maps.y_bulk, title: {text: 'y', standoff: 4}},
-      yaxis: {...axis, showgrid: false, range: logarithmic() ? ends(v) : maps.v_bulk, title: {text: 'y′', standoff: 4}},
-    };
-    Plotly.react(div, [trace], layout, config());
+    const log = logarithmic();
+    drawMap(part(name), y, v, values, {
+      colours, title, ticks: log ? {dtick: name === 'difference' ? 0.5 : 1} : {nticks: 5},
+      ranges: log ? [ends(y), ends(v)] : [maps.y_bulk, maps.v_bulk]});
   }
 
   function drawAll() {
-    const difference = differenceOf(chosen());
+    const difference = signedNumbers(chosen());
     // Where less is left than the rounding of the difference, there is nothing: no sample of a simulation.
     const rounding = d => 1.01 * Math.sqrt(Math.abs(d) * chosen().largest) / 32767;
     const density = reference.map((p, k) => p + difference[k] > rounding(difference[k]) ? p + difference[k] : 0);
@@ -165,7 +175,26 @@ function mapDrawables(maps) {
 
   part('choice').addEventListener('change', drawAll);
   part('scale').addEventListener('change', drawAll);
-  const fit = () => { for (const name of ['reference', 'chosen', 'difference']) part(name).style.height = `${heightOf(part(name))}px`; };
+  const fit = () => { for (const name of ['reference', 'chosen', 'difference']) part(name).style.height = `${mapHeight(part(name))}px`; };
+  return [{fit, draw: drawAll}];
+}
+
+function errorDrawables(errors) {
+  const part = name => document.getElementById(`${errors.id}-${name}`);
+  const y = Array.from(numbers(errors.y_edges)), v = Array.from(numbers(errors.v_edges));
+  const maps = () => errors.solutions[part('choice').selectedIndex].moments;
+  // Colours go by the root, which keeps what is small beside the wall's share in sight.
+  const shares = [-1, -0.25, 0, 0.25, 1];
+  const drawAll = () => maps().forEach((map, k) => {
+    drawMap(part(`map${k}`), y, v, Array.from(numbers(map.roots), q => q / 32767), {
+      colours: {colorscale: diverging, zmin: -1, zmax: 1}, title: 'error per area', ranges: [ends(y), ends(v)],
+      ticks: {tickvals: shares.map(s => Math.sign(s) * Math.sqrt(Math.abs(s))),
+              ticktext: shares.map(s => (s * map.largest).toPrecision(2))},
+      told: signedNumbers(map)});
+    part(`caption${k}`).textContent = `${map.moment}: off by ${map.error}`;
+  });
+  part('choice').addEventListener('change', drawAll);
+  const fit = () => maps().forEach((map, k) => { part(`map${k}`).style.height = `${mapHeight(part(`map${k}`))}px`; });
   return [{fit, draw: drawAll}];
 }
 

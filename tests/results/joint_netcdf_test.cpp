@@ -32,6 +32,9 @@ results::Run small_run() {
                        {},
                        {{"a", {{0, 1, 3}, {-2, 0, 1, 2}, {1, 2, 3, 4, 5, 6}}},
                         {"b", {{0, 1, 3}, {-2, 0, 1, 2}, {-1, 0, 0.5, 1e-30, 7, 8}}}}});
+  run.cases.back().error_sources = {
+      {"b", "y2", {{0, 1, 3}, {-2, 0, 1, 2}, {-1, 2, -3, 4, -5, 6}}},
+      {"b", "v2", {{0, 1, 3}, {-2, 0, 1, 2}, {0.5, 0.25, 0, 1, 2, 4}}}};
   auto other = tests::make_problem({.restitution = 0.5});
   other.name = "case2";
   run.cases.push_back(
@@ -87,7 +90,13 @@ TEST(JointNetCdf, IsReadBack) {
   const fs::path file = directory.path() / "joint.nc";
   const results::Run run = small_run();
   write(file, run);
-  const auto read = read_joint_netcdf(file);
+  const auto [read, sources] = read_joint_netcdf(file);
+  ASSERT_EQ(sources.size(), 2u);
+  EXPECT_EQ(sources[0].case_name, "it's a-1");
+  EXPECT_EQ(sources[0].source.solution, "b");
+  EXPECT_EQ(sources[0].source.moment, "y2");
+  EXPECT_EQ(sources[1].source.moment, "v2");
+  EXPECT_EQ(sources[1].source.density.averages, run.cases[0].error_sources[1].density.averages);
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[1].case_name, "it's a-1");
   EXPECT_EQ(read[2].case_name, "case2");

@@ -53,13 +53,13 @@ TEST(JointMaps, GiveTheDifferenceBackFromTwoBytes) {
   ASSERT_EQ(simulated.solution, "mcs");  // 2 % more on y' > 0
   EXPECT_NEAR(simulated.l1, 0.02 / 2, 1e-4);
   const std::size_t ny = maps->y_edges.size() - 1;
-  for (std::size_t k = 0; k < simulated.roots.size(); ++k) {
-    const double q = simulated.roots[k] / 32767.0;
-    const double back = std::copysign(q * q, q) * simulated.largest;
+  for (std::size_t k = 0; k < simulated.values.roots.size(); ++k) {
+    const double q = simulated.values.roots[k] / 32767.0;
+    const double back = std::copysign(q * q, q) * simulated.values.largest;
     const double expected = maps->v_edges[k / ny] > -1e-9 ? 0.02 * maps->reference_density[k] : 0;
     // The root is rounded by half a unit: d((q/32767)^2) = 2 q/32767 dq.
-    const double rounding = std::sqrt(expected * simulated.largest) / 32767 +
-                            simulated.largest / (4 * 32767.0 * 32767.0);
+    const double rounding = std::sqrt(expected * simulated.values.largest) / 32767 +
+                            simulated.values.largest / (4 * 32767.0 * 32767.0);
     EXPECT_NEAR(back, expected, 1.001 * rounding) << k;
   }
 }

@@ -1,0 +1,96 @@
+#include "methods/own_errors.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "dual/backward/normal_equations.hpp"
+#include "dual/residual/moment_residuals.hpp"
+#include "methods/side_by_side.hpp"
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using results::Case;
+using transform::Moments;
+
+/// What one solution gets.
+struct Found {
+  results::OwnError error;
+  std::vector<results::ErrorSource> sources;
+};
+
+std::unique_ptr<dual::MomentResiduals> residuals_for(const problem::Problem& problem) {
+  try {
+    return std::make_unique<dual::MomentResiduals>(problem);
+  } catch (const dual::FitBrokeDown&) {
+    return nullptr;
+  }
+}
+
+results::ErrorSource source(const dual::MomentResiduals& residuals, const std::string& solution,
+                            const transform::NamedMoment& moment,
+                            const Eigen::MatrixXd& contributions,
+                            const transform::GridDensity& cells) {
+  const Eigen::MatrixXd values = residuals.spread(contributions, cells.y_edges, cells.v_edges);
+  results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
+  for (const auto& row : values.rowwise()) {
+    // As files keep them.
+    for (const double value : row) {
+      result.density.averages.push_back(static_cast<float>(value));
+    }
+  }
+  return result;
+}
+
+/// @param cells of the maps; null for none
+std::optional<Found> own_error(const dual::MomentResiduals& residuals,
+                               const transform::Solution& solution,
+                               const transform::GridDensity* cells) try {
+  const auto weighted = residuals.of(*solution.density);
+  Found found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
+  for (std::size_t k = 0; k < dual::kMomentCount; ++k) {
+    const auto& named = transform::kMoments[k];
+    found.error.error.*named.moment =
+        solution.moments.*named.moment - weighted.corrected.*named.moment;
+    const bool shown = named.moment == &Moments::y2 || named.moment == &Moments::v2;
+    if (!shown || cells == nullptr) continue;
+    found.sources.push_back(
+        source(residuals, solution.id(), named, weighted.contributions[k], *cells));
+  }
+  return found;
+} catch (const InputError&) {
+  return std::nullopt;  // nothing that has a mean
+}
+
+void add_to(Case& one, int threads) {
+  std::vector<const transform::Solution*> densities;
+  for (const auto& solution : one.solutions) {
+    if (solution.density && solution.identity.role != transform::Role::simulation) {
+      densities.push_back(&solution);
+    }
+  }
+  if (densities.empty()) return;
+  const auto residuals = residuals_for(one.problem);
+  if (residuals == nullptr) return;
+  const auto* cells = one.joints.empty() ? nullptr : &one.joints.front().density;
+  std::vector<std::optional<Found>> found(densities.size());
+  side_by_side(densities.size(), threads,
+               [&](std::size_t k) { found[k] = own_error(*residuals, *densities[k], cells); });
+  for (auto& each : found) {
+    if (!each) continue;
+    one.own_errors.push_back(std::move(each->error));
+    std::ranges::move(each->sources, std::back_inserter(one.error_sources));
+  }
+}
+
+}  // namespace
+
+void add_own_errors(std::vector<Case>& cases, int threads) {
+  for (auto& one : cases) add_to(one, threads);
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,37 @@
+#include "methods/side_by_side.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace fpkcheck::methods {
+
+void side_by_side(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : processors;
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  {
+    std::vector<std::jthread> workers;
+    for (std::size_t w = 0; w < std::min(wanted, count); ++w) {
+      workers.emplace_back([&] {
+        for (std::size_t t = next++; t < count; t = next++) {
+          try {
+            work(t);
+          } catch (...) {
+            const std::lock_guard lock(failure_mutex);
+            if (!failure) failure = std::current_exception();
+            next = count;
+          }
+        }
+      });
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,181 @@
+#include "report/figure/sources_script.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "compare/reference.hpp"
+#include "report/figure/frame.hpp"
+#include "report/figure/gnuplot.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using results::Case;
+using results::ErrorSource;
+using transform::Moments;
+
+constexpr std::size_t kMostMaps = 4;
+constexpr FigureSize kSourcesSize{.width = 1500, .height = 860};
+constexpr double kFirstLeft = 0.04, kMapWidth = 0.165, kBetweenColumns = 0.08, kBarWidth = 0.008;
+constexpr double kFirstTop = 0.87, kMapHeight = 0.32, kBetweenRows = 0.15;
+// Cells farther out than this share of the largest value add nothing that is seen.
+constexpr double kVisibleShare = 1e-3;
+
+struct MapRow {
+  const char* moment;
+  const char* symbol;
+  double Moments::*member;
+};
+constexpr MapRow kRows[] = {{"y2", "E[{/:Italic y}²]", &Moments::y2},
+                            {"v2", "E[{/:Italic y}'²]", &Moments::v2}};
+
+const ErrorSource* find_source(const Case& one, const std::string& solution,
+                               const std::string& moment) {
+  const auto found = std::ranges::find_if(one.error_sources, [&](const ErrorSource& source) {
+    return source.solution == solution && source.moment == moment;
+  });
+  return found == one.error_sources.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> shown_sources(const Case& one) {
+  std::vector<std::string> ids;
+  std::set<std::string> formulations;
+  const auto add = [&](const transform::Solution& solution) {
+    const bool whole = std::ranges::all_of(kRows, [&](const MapRow& row) {
+      return find_source(one, solution.id(), row.moment) != nullptr;
+    });
+    if (whole && ids.size() < kMostMaps) ids.push_back(solution.id());
+  };
+  for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
+    const auto& identity = rank.solution->identity;
+    if (ids.size() + 1 < kMostMaps && formulations.insert(identity.formulation).second) {
+      add(*rank.solution);
+    }
+  }
+  std::ranges::reverse(ids);  // the better, the further to the right
+  for (const auto& solution : one.solutions) {
+    if (compare::solves_the_problem(solution)) add(solution);
+  }
+  return ids;
+}
+
+std::string source_block_name(std::size_t column, const MapRow& row) {
+  return fmt::format("${}_{}", row.moment, column);
+}
+
+double largest_value(const ErrorSource& source) {
+  double most = 0;
+  for (const double x : source.density.averages) most = std::max(most, std::abs(x));
+  return most;
+}
+
+/// The cells in which some map is visible, from the wall on and to both sides of rest.
+struct VisiblePart {
+  std::size_t y = 1, v_begin = 0, v_end = 0;
+};
+
+VisiblePart visible_part(const Case& one, const std::vector<std::string>& ids) {
+  const auto& cells = find_source(one, ids.front(), kRows[0].moment)->density;
+  VisiblePart part{.y = 1, .v_begin = cells.nv(), .v_end = 0};
+  for (const auto& id : ids) {
+    for (const MapRow& row : kRows) {
+      const ErrorSource& source = *find_source(one, id, row.moment);
+      const double least = kVisibleShare * largest_value(source);
+      for (std::size_t i = 0; i < source.density.ny(); ++i) {
+        for (std::size_t j = 0; j < source.density.nv(); ++j) {
+          if (std::abs(source.density.average(i, j)) <= least) continue;
+          part.y = std::max(part.y, i + 1);
+          part.v_begin = std::min({part.v_begin, j, cells.nv() - 1 - j});
+          part.v_end = std::max({part.v_end, j + 1, cells.nv() - j});
+        }
+      }
+    }
+  }
+  return part;
+}
+
+// The root keeps what is small beside the wall's share in sight.
+double signed_root(double value, double limit) {
+  return std::copysign(std::sqrt(std::abs(value) / limit), value);
+}
+
+double limit_of(const ErrorSource& source) { return std::max(largest_value(source), 1e-300); }
+
+// A line for each y'.
+std::string source_block(const ErrorSource& source, const std::string& name,
+                         const VisiblePart& part) {
+  std::string text = name + " << EOD\n";
+  const double limit = limit_of(source);
+  for (std::size_t j = part.v_begin; j < part.v_end; ++j) {
+    for (std::size_t i = 0; i < part.y; ++i) {
+      text += fmt::format("{:.3g} ", signed_root(source.density.average(i, j), limit));
+    }
+    text += '\n';
+  }
+  return text + "EOD\n";
+}
+
+std::string colour_tics(double limit) {
+  std::vector<std::string> tics;
+  for (const double share : {-1.0, -0.25, 0.0, 0.25, 1.0}) {
+    tics.push_back(fmt::format("'{}' {}", share == 0 ? "0" : fmt::format("{:.0e}", share * limit),
+                               signed_root(share, 1)));
+  }
+  return fmt::format("{}", fmt::join(tics, ", "));
+}
+
+std::string source_panel(const Case& one, const std::string& id, std::size_t column,
+                         std::size_t row, const VisiblePart& part) {
+  const MapRow& what = kRows[row];
+  const auto own = std::ranges::find(one.own_errors, id, &results::OwnError::solution);
+  const double error = own == one.own_errors.end() ? 0 : own->error.*what.member;
+  const double left = kFirstLeft + static_cast<double>(column) * (kMapWidth + kBetweenColumns);
+  const double top = kFirstTop - static_cast<double>(row) * (kMapHeight + kBetweenRows);
+  const ErrorSource& source = *find_source(one, id, what.moment);
+  const auto& y = source.density.y_edges;
+  const auto& v = source.density.v_edges;
+  const double dy = y[1] - y[0], dv = v[1] - v[0];  // uniform cells
+  return fmt::format(
+      "set title \"{} of {}: {:+.1e}\"\nset ylabel \"{}\" offset 1\n"
+      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
+      "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
+      "set xrange [0:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\nset cbtics ({})\n"
+      "set colorbox user origin screen {:.4f},{:.4f} size screen {},{:.4f}\n"
+      "plot {} matrix using ({:.6g}+{:.6g}*$1):({:.6g}+{:.6g}*$2):3 with image notitle\n\n",
+      what.symbol, id, error, column == 0 ? "{/:Italic y}'" : "", left, left + kMapWidth, top,
+      top - kMapHeight, y[part.y], v[part.v_begin], v[part.v_end], colour_tics(limit_of(source)),
+      left + kMapWidth + 0.006, top - kMapHeight, kBarWidth, kMapHeight,
+      source_block_name(column, what), y[0] + dy / 2, dy, v[part.v_begin] + dv / 2, dv);
+}
+
+}  // namespace
+
+bool has_sources(const Case& one) { return !shown_sources(one).empty(); }
+
+std::string sources_script(const Case& one, const std::string& file_stem) {
+  const auto ids = shown_sources(one);
+  std::string blocks, panels;
+  const VisiblePart part = visible_part(one, ids);
+  for (std::size_t column = 0; column < ids.size(); ++column) {
+    for (std::size_t row = 0; row < std::size(kRows); ++row) {
+      blocks += source_block(*find_source(one, ids[column], kRows[row].moment),
+                             source_block_name(column, kRows[row]), part);
+      panels += source_panel(one, ids[column], column, row, part);
+    }
+  }
+  return figure_output(file_stem, kSourcesSize) +
+         "# A line for each y', from the lowest; values are sign(e) sqrt(|e|/largest)\n" + blocks +
+         "\nset palette defined (0 '#053061', 0.2 '#2166ac', 0.4 '#92c5de', 0.5 '#ffffff', "
+         "0.6 '#f4a582', 0.8 '#b2182b', 1 '#67001f')\n"
+         "set cbrange [-1:1]\nset cbtics font ',8'\nset tics nomirror out\nset border 3\n"
+         "set xlabel '{/:Italic y}'\n" +
+         fmt::format("set multiplot title {} font ',14'\n\n", figure_title(one.problem)) + panels +
+         "unset multiplot\nunset output\n";
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,134 @@
+#include "report/page/error_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "compare/reference.hpp"
+#include "report/page/cell_window.hpp"
+#include "report/page/html.hpp"
+#include "report/page/number_text.hpp"
+#include "report/page/typed_array.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using results::Case;
+using transform::Moments;
+
+struct ShownMoment {
+  const char* name;
+  const char* text;
+  double Moments::*member;
+};
+constexpr ShownMoment kMapped[] = {{"y2", "E[y\u00b2]", &Moments::y2},
+                                   {"v2", "E[y\u2032\u00b2]", &Moments::v2}};
+
+const results::ErrorSource* find(const Case& one, const std::string& solution,
+                                 const std::string& moment) {
+  const auto found = std::ranges::find_if(one.error_sources, [&](const auto& source) {
+    return source.solution == solution && source.moment == moment;
+  });
+  return found == one.error_sources.end() ? nullptr : &*found;
+}
+
+// The closures that are ok, the closest first, then all others.
+std::vector<std::string> in_order(const Case& one) {
+  std::vector<std::string> ids;
+  for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
+    ids.push_back(rank.solution->id());
+  }
+  for (const auto& own : one.own_errors) {
+    if (std::ranges::find(ids, own.solution) == ids.end()) ids.push_back(own.solution);
+  }
+  return ids;
+}
+
+ErrorMaps::OfSolution maps_of(const Case& one, const std::string& id, const CellWindow& window) {
+  ErrorMaps::OfSolution maps{id, {}};
+  const auto own = std::ranges::find(one.own_errors, id, &results::OwnError::solution);
+  if (own == one.own_errors.end()) return maps;
+  for (const auto& [name, text, member] : kMapped) {
+    const auto* source = find(one, id, name);
+    if (source == nullptr) continue;
+    maps.moments.push_back({text, own->error.*member,
+                            signed_roots(rows_of_constant_velocity(source->density, window))});
+  }
+  return maps;
+}
+
+}  // namespace
+
+std::optional<ErrorMaps> error_maps(const Case& one) {
+  if (one.error_sources.empty()) return std::nullopt;
+  const auto& cells = one.error_sources.front().density;
+  const bool same = std::ranges::all_of(one.error_sources, [&](const auto& source) {
+    return source.density.y_edges == cells.y_edges && source.density.v_edges == cells.v_edges;
+  });
+  // The window of any density on these cells: all but the wildest have the same.
+  const auto* measure = compare::reference(one.solutions);
+  const auto joint = std::ranges::find_if(one.joints, [&](const auto& candidate) {
+    return measure == nullptr || candidate.solution == measure->id();
+  });
+  if (!same || joint == one.joints.end() || joint->density.y_edges != cells.y_edges ||
+      joint->density.v_edges != cells.v_edges) {
+    return std::nullopt;
+  }
+  const CellWindow window = window_above(joint->density, kSeen);
+  ErrorMaps maps{{cells.y_edges.begin(), cells.y_edges.begin() + std::ptrdiff_t(window.y_end) + 1},
+                 {cells.v_edges.begin() + std::ptrdiff_t(window.v_begin),
+                  cells.v_edges.begin() + std::ptrdiff_t(window.v_end) + 1},
+                 {}};
+  for (const auto& id : in_order(one)) {
+    auto of_solution = maps_of(one, id, window);
+    if (of_solution.moments.size() == std::size(kMapped)) {
+      maps.solutions.push_back(std::move(of_solution));
+    }
+  }
+  if (maps.solutions.empty()) return std::nullopt;
+  return maps;
+}
+
+std::string error_maps_html(const ErrorMaps& maps, const std::string& prefix) {
+  std::string options;
+  for (const auto& one : maps.solutions) {
+    options += fmt::format("<option>{}</option>", escaped(one.solution));
+  }
+  std::string html = fmt::format(
+      "<p class=\"controls\"><label>Errors of: <select id=\"{}-errors-choice\">{}</select></label>"
+      "</p>\n<p>The moment of a density less the true one is the integral of such a map: minus the "
+      "solution of the backward equation, tested against what the density leaves of its own "
+      "equation there. No other density is needed.</p>\n<div class=\"maps\">\n",
+      prefix, options);
+  for (std::size_t k = 0; k < std::size(kMapped); ++k) {
+    html += fmt::format(
+        "<figure>\n<figcaption id=\"{0}-errors-caption{1}\"></figcaption>\n<div class=\"plot\" "
+        "id=\"{0}-errors-map{1}\" role=\"img\" aria-label=\"Heat map of where the error of {2} "
+        "comes from\"></div>\n</figure>\n",
+        prefix, k, kMapped[k].text);
+  }
+  return html + "</div>\n";
+}
+
+std::string error_maps_json(const ErrorMaps& maps, const std::string& prefix) {
+  Json json{{"id", prefix + "-errors"},
+            {"y_edges", float_array(maps.y_edges)},
+            {"v_edges", float_array(maps.v_edges)},
+            {"solutions", Json::array()}};
+  for (const auto& one : maps.solutions) {
+    Json moments = Json::array();
+    for (const auto& [moment, error, values] : one.moments) {
+      moments.push_back({{"moment", moment},
+                         {"error", number_text(error, 2)},
+                         {"largest", values.largest},
+                         {"roots", integer_array(values.roots)}});
+    }
+    json["solutions"].push_back({{"solution", one.solution}, {"moments", moments}});
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace fpkcheck::report
