@@ -251,7 +251,7 @@ std::string measured_text(const Case& one, const Solution& solution, const Solut
 
 void say_what_is_measured(const Case& one, Sentences& sentences) {
   const Solution* measure = compare::reference(one.solutions);
-  if (measure == nullptr) return;
+  if (measure == nullptr || !measure->smooth_sampling) return;
   for (const Solution* other : references(one)) {
     if (other == measure || !is_measured(one, *other, *measure)) continue;
     bool more_than_stated = false;
@@ -269,7 +269,7 @@ void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
   const auto all = references(one);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Solution &reference = *all.front(), &other = *all[k];
-    if (is_measured(one, other, reference)) continue;
+    if (reference.smooth_sampling && is_measured(one, other, reference)) continue;
     const Pair gap = l1_of(one, reference, other);
     if (!gap.whole()) continue;
     const Chance own = chance_of(reference), others = chance_of(other);

@@ -139,4 +139,47 @@ inline results::Case made_up_case(const std::string& name = "case1") {
   return results::make_case(problem, axes, made_up_solutions(axes));
 }
 
+/// Gives a simulation what control functions make of it: averages over smooth bins that are those of
+/// a density, every other one a standard error too large, independent of each other.
+inline void add_smooth_estimates(transform::Solution& simulation,
+                                 const compare::ComparisonAxes& axes,
+                                 const transform::SmoothDensity& density, double error) {
+  for (const auto variable : transform::kVariables) {
+    const auto& edges = compare::edges(axes, variable);
+    const bool of_y = variable == transform::Variable::y;
+    const double spacing = edges.back() / (of_y ? 46 : 23);
+    transform::SmoothEstimate e{
+        .bins =
+            of_y ? transform::SmoothBins{.first = -spacing,
+                                         .spacing = spacing,
+                                         .count = 46,
+                                         .from = 0}
+                 : transform::SmoothBins{.first = -21 * spacing, .spacing = spacing, .count = 43},
+        .averages = {},
+        .covariance = {}};
+    e.averages = transform::smooth_averages(transform::marginal(density, variable, edges), e.bins);
+    const auto n = e.averages.size();
+    e.covariance.assign(n * n, 0.0);
+    for (std::size_t b = 0; b < n; ++b) {
+      e.averages.density[b] += b % 2 == 0 ? error : 0;
+      e.averages.lower.push_back(e.averages.density[b] - 1.96 * error);
+      e.averages.upper.push_back(e.averages.density[b] + 1.96 * error);
+      e.covariance[b * n + b] = error * error;
+    }
+    simulation.smooth_estimates.emplace_back(variable, std::move(e));
+  }
+  simulation.smooth_sampling = {.y = 3e-6, .ydot = 4e-6, .y_99 = 5e-6, .ydot_99 = 6e-6};
+}
+
+/// made_up_case() with a simulation without noise.
+inline results::Case made_up_case_without_noise(double error = 1e-6) {
+  const auto problem = made_up_case().problem;
+  const auto axes = compare::comparison_axes(problem);
+  auto solutions = made_up_solutions(axes);
+  add_smooth_estimates(solutions.back(), axes,
+                       smooth({2.34, 0.06, 2.4, -0.025}, axes.y_edges.back(), axes.v_edges.back()),
+                       error);
+  return results::make_case(problem, axes, std::move(solutions));
+}
+
 }  // namespace fpkcheck::tests

@@ -12,6 +12,16 @@ using results::Case;
 using results::Curve;
 using transform::Variable;
 
+// Where it knows itself in smooth bins, with intervals, else null.
+const Curve* smooth_reference(const Case& one, const std::string& reference, Variable variable) {
+  const Curve* curve = one.smooth_curve(reference, variable);
+  if (curve == nullptr) return nullptr;
+  const auto whole = [&](const std::vector<double>& ends) {
+    return ends.size() == curve->density.size();
+  };
+  return whole(curve->lower) && whole(curve->upper) ? curve : nullptr;
+}
+
 // Nothing where it lacks one of the curves.
 std::string reference_id(const Case& one) {
   const auto* reference = compare::reference(one.solutions);
@@ -36,7 +46,7 @@ Difference difference(const Curve& curve, const Curve* reference) {
 }
 
 Difference smooth_difference(const Curve* curve, const Curve& reference) {
-  if (curve == nullptr) return {};
+  if (curve == nullptr || curve->abscissa != reference.abscissa) return {};
   Difference result{.abscissa = reference.abscissa, .values = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < reference.density.size(); ++k) {
     const double half_width = (reference.upper[k] - reference.lower[k]) / 2;
@@ -49,7 +59,7 @@ Difference smooth_difference(const Curve* curve, const Curve& reference) {
 FigureSide make_side(const Case& one, Variable variable, const std::string& reference) {
   FigureSide side{variable, {}, {}};
   const Curve *subtracted = one.curve(reference, variable),
-              *smooth = one.smooth_curve(reference, variable);
+              *smooth = smooth_reference(one, reference, variable);
   for (const auto& solution : one.solutions) {
     if (const Curve* curve = one.curve(solution.id(), variable)) {
       side.curves.push_back(
@@ -73,7 +83,7 @@ FigureSide make_side(const Case& one, Variable variable, const std::string& refe
 FigureContent figure_content(const Case& one) {
   FigureContent content{.reference = reference_id(one), .smooth_differences = false, .sides = {}};
   content.smooth_differences = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
-    return one.smooth_curve(content.reference, variable) != nullptr;
+    return smooth_reference(one, content.reference, variable) != nullptr;
   });
   for (const auto variable : transform::kVariables) {
     auto side = make_side(one, variable, content.reference);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controlled/solution.hpp"
 #include "mcs/deposit/deposit_lanes.hpp"
 #include "mcs/motion/start.hpp"
 #include "mcs/motion/trajectory.hpp"
@@ -39,6 +40,10 @@ TEST(Checks, FindNothingWhereNothingIsWrong) {
 TEST(Checks, FindFlightsWhoseDampingIsOffByAThousandth) {
   const Result result = faulty({.damping = 0.1 * 1.001});
   EXPECT_EQ(result.checks.failed(), Names{"flights"});
+  EXPECT_EQ(result.checks.certainly_wrong(), Names{"flights"});
+  const auto solution = solution_of(Result(result));
+  EXPECT_EQ(solution.status, transform::Status::failed);
+  EXPECT_NE(solution.reason.find("flights"), std::string::npos);
   EXPECT_NEAR(result.checks.power, -1e-3, 1e-5);
   EXPECT_GT(distance(result), 100);
 }
@@ -55,6 +60,11 @@ TEST(Checks, FindALawThatTheControlFunctionsAreBlindTo) {
   const Result result = faulty({.intensity = 0.1 * 1.02 * 1.02});
   EXPECT_TRUE(has(result.checks.failed(), "impulses"));
   EXPECT_FALSE(has(result.checks.failed(), "flights"));
+  // By chance too: said, and no more.
+  const auto solution = solution_of(Result(result));
+  EXPECT_TRUE(solution.is_ok());
+  EXPECT_NE(transform::word(solution.observations, "notes[0]")->find("impulses"),
+            std::string::npos);
   EXPECT_GT(result.checks.mean_square, 4);
   EXPECT_LT(distance(result), 4);
 }

@@ -52,6 +52,37 @@ TEST(Findings, SayWhichApproximationCostsWhat) {
   EXPECT_TRUE(contains(findings(one)[3], "which does not explain that")) << findings(one)[3];
 }
 
+TEST(Findings, SayWhatASimulationWithoutNoiseMeasures) {
+  auto one = tests::made_up_case_without_noise();
+  set_l1(one, "fd-kf", "mcs", 2.69e-5, 2.36e-5);
+  for (auto& pair : one.pairs) {
+    if (pair.l1_standard_error) pair.l1_standard_error = 5e-7;
+  }
+  solution_of(one, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 2.3e-5};
+  const std::string words = "as the simulation (mcs) measures it";
+  EXPECT_EQ(sentence_with(one, words),
+            "The full jump equation (fd-kf) is off by 2.7e-05 +- 5e-07 in p(y) (it states 2.8e-05) "
+            "and 2.4e-05 +- 5e-07 in p(y') (it states 2.3e-05), in L1 over smooth bins, as the "
+            "simulation (mcs) measures it.");
+  EXPECT_EQ(sentence_with(one, "differ by"), "");
+  // By more than a tenth, the sampling and three standard errors.
+  solution_of(one, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 1.6e-5};
+  EXPECT_TRUE(contains(sentence_with(one, words), "measures it: more than it states."));
+}
+
+TEST(Findings, SayWhatResidualsTell) {
+  auto one = tests::made_up_case_without_noise();
+  one.own_errors = {{"epc-gaussian-n6", {}, {.y2 = 1, .v2 = 1}},
+                    {"fd-kf", {.y2 = 0.5, .v2 = 0.25}, {.y2 = 4.3e-7, .v2 = -1.2e-6}}};
+  solution_of(one, "mcs").moments.y2 = 0.5 + 2e-9;
+  solution_of(one, "mcs").moments.v2 = 0.25 - 1e-9;
+  EXPECT_EQ(sentence_with(one, "residuals"),
+            "By their own residuals E[y^2] and E[y'^2] are off by 4.3e-07 and -1.2e-06 in fd-kf; "
+            "corrected they are 0.500000000 and 0.250000000, within 2e-09 of the simulation.");
+  one.own_errors.pop_back();
+  EXPECT_EQ(sentence_with(one, "residuals"), "");
+}
+
 TEST(Findings, ComparesEquationsOfOneMethodThatDifferInOneRespectAlone) {
   auto one = made_up_case();
   auto& white = solution_of(one, "fd-white").identity;

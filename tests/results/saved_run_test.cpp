@@ -39,6 +39,23 @@ TEST(SavedRun, IsReadBackWhole) {
   EXPECT_EQ(read.cases[0].joints[2].solution, run.cases[0].joints[2].solution);
 }
 
+TEST(SavedRun, WithSmoothBinsAndOwnErrorsIsReadBackWhole) {
+  const tests::TemporaryDirectory directory;
+  results::Run run{results::this_program("fpkcheck run"), {tests::made_up_case_without_noise()}};
+  auto& one = run.cases[0];
+  one.own_errors = {{"fd-kf", {.y2 = 0.5, .v4 = 2}, {.y1 = 1e-7, .v2 = -1e-6}}};
+  save(directory.path(), run);
+  const results::Run read = load_run(directory.path());
+  EXPECT_EQ(summary_text(read), summary_text(run));
+  EXPECT_EQ(read.cases[0].smooth, one.smooth);
+  EXPECT_EQ(read.cases[0].pairs.back().l1_standard_error, one.pairs.back().l1_standard_error);
+  EXPECT_EQ(read.cases[0].solutions.back().smooth_sampling->ydot_99, 6e-6);
+  EXPECT_EQ(read.cases[0].own_errors[0].error.v2, -1e-6);
+  // And of a run without them nothing of an earlier one is left.
+  save(directory.path(), tests::made_up_run());
+  EXPECT_FALSE(fs::exists(directory.path() / kSmoothFile));
+}
+
 TEST(SavedRun, OfAnOlderVersionHasNoJointDensities) {
   const tests::TemporaryDirectory directory;
   save(directory.path(), tests::made_up_run());

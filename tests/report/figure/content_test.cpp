@@ -29,6 +29,28 @@ TEST(FigureContent, SubtractsTheReference) {
   EXPECT_TRUE(figure_content(one).sides[0].curves[0].difference.empty());
 }
 
+TEST(FigureContent, HasTheSizesOfDifferencesOverSmoothBins) {
+  auto one = tests::made_up_case_without_noise();
+  const auto content = figure_content(one);
+  EXPECT_EQ(content.reference, "mcs");
+  EXPECT_TRUE(content.smooth_differences);
+  const auto& simulated = *one.smooth_curve("mcs", Variable::y);
+  for (const auto& drawn : content.sides[0].curves) {
+    const auto& own = *one.smooth_curve(drawn.curve->solution, Variable::y);
+    EXPECT_EQ(drawn.difference.abscissa, simulated.abscissa);
+    for (const std::size_t k : {0u, 7u, 40u}) {
+      EXPECT_EQ(drawn.difference.values[k], drawn.curve->solution == "mcs"
+                                                ? (own.upper[k] - own.lower[k]) / 2
+                                                : std::abs(own.density[k] - simulated.density[k]));
+    }
+  }
+  // Where another is known better there are the sharp ones.
+  solution_of(one, "fd-kf").error = {.y_l1 = 1e-7, .ydot_l1 = 1e-7};
+  EXPECT_EQ(figure_content(one).reference, "fd-kf");
+  EXPECT_FALSE(figure_content(one).smooth_differences);
+  EXPECT_EQ(figure_content(one).sides[0].curves[0].difference.values.size(), 140u);
+}
+
 TEST(FigureContent, SubtractsNothingWhereTheReferenceLacksACurve) {
   auto one = made_up_case();
   std::erase_if(one.curves, [](const auto& curve) {

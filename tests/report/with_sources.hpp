@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "changed_case.hpp"
+
+namespace fpkcheck::tests {
+
+/// made_up_case() with errors of the second moments and where they come from: of epc-gaussian-n6
+/// .001 and -.002, of fd-kf a thousandth of that, all in the two cells on the wall about rest.
+inline results::Case case_with_sources() {
+  auto one = made_up_case();
+  const auto axes = compare::comparison_axes(one.problem);
+  one.joints.clear();
+  for (const char* id : {"fd-kf", "epc-gaussian-n6", "mcs"}) {
+    const auto* solution = one.find(id);
+    if (!solution->density) continue;
+    one.joints.push_back(
+        {id, transform::on_cells(std::get<transform::SmoothDensity>(*solution->density),
+                                 axes.y_edges, axes.v_edges)});
+  }
+  one.joints.push_back({"mcs", one.joints.front().density});
+  for (const auto& [id, size] : {std::pair{"epc-gaussian-n6", 1.0}, std::pair{"fd-kf", 1e-3}}) {
+    one.own_errors.push_back({id, {}, {.y2 = 1e-3 * size, .v2 = -2e-3 * size}});
+    for (const auto& [moment, error] : {std::pair{"y2", 1e-3}, std::pair{"v2", -2e-3}}) {
+      results::ErrorSource source{id, moment, one.joints.front().density};
+      auto& map = source.density;
+      map.averages.assign(map.ny() * map.nv(), 0);
+      const double area = map.y_edges[1] * map.v_edges.back() * 2 / static_cast<double>(map.nv());
+      map.averages[map.nv() / 2] = 2 * error * size / area;
+      map.averages[map.nv() / 2 - 1] = -error * size / area;
+      one.error_sources.push_back(source);
+    }
+  }
+  return one;
+}
+
+}  // namespace fpkcheck::tests
