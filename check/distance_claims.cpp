@@ -61,11 +61,15 @@ Claims distance_claims(const results::Case& one, const results::Case& other,
     Claim& l1 = add("L1", d.l1, 1);
     for (const auto* end : {a, b}) {
       if (end == nullptr) continue;
-      move_by_sampling(l1, transform::best_sampling(*end), pair.variable, tolerances);
+      const bool measured = pair.l1_standard_error.has_value();
+      move_by_sampling(l1, measured ? transform::best_sampling(*end) : end->sampling, pair.variable,
+                       tolerances);
     }
     const bool by_chance = l1.kind == FigureKind::simulated_l1;
-    const bool to_a_measure = pair.l1_standard_error && b != nullptr && b->smooth_sampling;
-    if (to_a_measure) add_standard_error(pair, *b, tolerances, part);
+    const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
+    if (pair.l1_standard_error && measure != nullptr) {
+      add_standard_error(pair, *measure, tolerances, part);
+    }
     if (by_chance) continue;
     const double unit = 1 / deviation(b, pair.variable);
     add("L2", d.l2, std::sqrt(unit));

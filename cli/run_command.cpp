@@ -105,7 +105,7 @@ int run_command(const Call& call) {
   return solve_and_report(common, methods,
                           {.required = list ? Required::all : Required::references,
                            .threads = threads_in(given),
-                           .with_bounds = true},
+                           .with_dual = true},
                           call.command_line);
 }
 

@@ -67,7 +67,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                    methods::run_cases(problems, methods, control.threads,
                                       [&](const methods::RunProgress& at) { progress.show(at); })};
   throw_if_interrupted();
-  if (control.with_bounds) {
+  if (control.with_dual) {
     methods::add_bounds(run.cases, control.threads);
     methods::add_own_errors(run.cases, control.threads);
   }

@@ -21,7 +21,7 @@ struct SolveControl {
   Required required = Required::all;
   int threads = 0;  ///< for methods side by side; 0 for one per processor
   OnInterruption on_interruption = OnInterruption::give_up;
-  bool with_bounds = false;  ///< hold every solution to the guaranteed bounds of its case
+  bool with_dual = false;  ///< bounds, and every density's own error, by the backward equation
 };
 
 /// Solves the cases by the methods, prints the table (or the JSON), and writes the report when a

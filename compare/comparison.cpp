@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "compare/limits.hpp"
@@ -21,14 +23,15 @@ bool has_marginal(const Solution& solution, Variable variable, const std::vector
 }
 
 /// @param smooth the same as `sharp` in smooth bins, or empty
+/// @param noisy solutions with errors by chance that are stated of sharp bins
 PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
                       const std::vector<SolutionMarginal>& smooth, std::size_t a, std::size_t b,
-                      const Solution* measure) {
+                      const Solution* measure, const std::set<std::string>& noisy) {
   const auto& [from, variable, one] = sharp[a];
   const auto& [to, same_variable, other] = sharp[b];
-  if (measure == nullptr || (from != measure->id() && to != measure->id())) {
-    return {from, to, variable, distances(one, other)};
-  }
+  const bool is_measured = measure != nullptr && (from == measure->id() || to == measure->id()) &&
+                           !noisy.contains(from == measure->id() ? to : from);
+  if (!is_measured) return {from, to, variable, distances(one, other)};
   const auto& measured = smooth[to == measure->id() ? a : b].marginal;
   return {from, to, variable, distances(smooth[a].marginal, smooth[b].marginal),
           l1_standard_error(measured, *transform::smooth_estimate(*measure, variable))};
@@ -39,6 +42,10 @@ PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
 Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solution> solutions) {
   Comparison result;
   const Solution* measure = smooth_measure(solutions);
+  std::set<std::string> noisy;
+  for (const auto& solution : solutions) {
+    if (&solution != measure && solution.sampling) noisy.insert(solution.id());
+  }
   for (const auto variable : transform::kVariables) {
     const auto& bins = edges(axes, variable);
     std::vector<SolutionMarginal> found;
@@ -50,7 +57,7 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
         measure == nullptr ? std::vector<SolutionMarginal>{} : in_smooth_bins(found, *measure);
     for (std::size_t a = 0; a < found.size(); ++a) {
       for (std::size_t b = a + 1; b < found.size(); ++b) {
-        result.pairs.push_back(pair_of(found, smooth, a, b, measure));
+        result.pairs.push_back(pair_of(found, smooth, a, b, measure, noisy));
       }
     }
     std::ranges::move(found, std::back_inserter(result.marginals));

@@ -10,7 +10,8 @@ using transform::Solution;
 
 const Solution* smooth_measure(std::span<const Solution> solutions) {
   const auto found = std::ranges::find_if(solutions, [](const Solution& s) {
-    return s.is_ok() && s.identity.equation == problem::Equation::kf && !s.smooth_estimates.empty();
+    return s.is_ok() && s.identity.role == transform::Role::simulation &&
+           s.identity.equation == problem::Equation::kf && !s.smooth_estimates.empty();
   });
   return found == solutions.end() ? nullptr : &*found;
 }

@@ -57,6 +57,7 @@ void judge_impulses(const problem::ImpulseTrain& train, const Sums& sums, Checks
   const auto& law = train.law();
   const double expected = train.arrival_rate() * sums.time, n = sums.impulses[0];
   checks.rate = (n - expected) / std::sqrt(expected);
+  if (n == 0) return;
   checks.mean = (sums.impulses[1] / n - law.mean()) / (law.deviation() / std::sqrt(n));
   // Two values of one size have no spread of their squares: rounding is their scale.
   const double square = law.moment(2), spread = law.moment(4) - square * square;
@@ -82,7 +83,8 @@ Eigen::MatrixXd polynomial_coefficients(const Places& places) {
 
 }  // namespace
 
-Hotelling hotelling(const Eigen::MatrixXd& values) {
+Hotelling hotelling(const Eigen::MatrixXd& all) {
+  const Eigen::MatrixXd values = all.topRows(std::min(all.rows(), all.cols() / 2));
   const auto n = static_cast<double>(values.cols()), p = static_cast<double>(values.rows());
   // In units of each variable's deviation, for the rounding.
   const Eigen::VectorXd mean = values.rowwise().mean();
@@ -106,8 +108,10 @@ Checks checks(const Prepared& prepared, const Eigen::MatrixXd& generator,
   Checks result;
   result.generator = hotelling(polynomial_coefficients(prepared.places).transpose() * generator);
   judge_flights(prepared.problem.system, sums, result);
-  result.restitution = sums.wall[1] / sums.wall[0] - prepared.problem.system.restitution();
-  result.wall_distance = sums.wall[2] / sums.impacts / std::sqrt(sums.mean(2, 0));
+  if (sums.impacts > 0) {
+    result.restitution = sums.wall[1] / sums.wall[0] - prepared.problem.system.restitution();
+    result.wall_distance = sums.wall[2] / sums.impacts / std::sqrt(sums.mean(2, 0));
+  }
   judge_impulses(prepared.problem.impulses, sums, result);
   for (const auto& [controlled, plain] : estimates.moments) {
     result.plain_moments = std::max(result.plain_moments,

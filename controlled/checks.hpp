@@ -16,7 +16,8 @@ struct Hotelling {
   int dimensions = 0;
   double p_value = 1;
 };
-/// @param values shape (dimensions, streams), more streams than dimensions
+/// @param values shape (dimensions, streams); of more than half as many dimensions as streams the
+///        first are tested alone
 Hotelling hotelling(const Eigen::MatrixXd& values);
 
 /// What a run tells of its own motion, impacts and impulses, judged by the problem's coefficients
@@ -29,7 +30,7 @@ struct Checks {
   /// E[phi^2])^1/2, phi = 1, y, y': momentum, virial, power. Without noise: the error of the
   /// flights relative to the damping.
   double momentum = 0, virial = 0, power = 0;
-  /// Mean of y'(+) over mean of -y'(-), less r.
+  /// Mean of y'(+) over mean of -y'(-), less r; 0 without impacts, as the next.
   double restitution = 0;
   /// Mean distance from the wall at which impacts were found, over (E[y^2])^1/2.
   double wall_distance = 0;

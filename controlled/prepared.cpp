@@ -52,6 +52,7 @@ Places places(const problem::Problem& problem, const Cells& cells) {
   for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
     p.grid.shifts.push_back({amplitude, probability});
   }
+  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;  // not used
   return p;
 }
 

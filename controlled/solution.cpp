@@ -43,7 +43,7 @@ void observe_checks(const Checks& checks, transform::Observer& observer) {
 std::string note_of(const Checks& checks) {
   const auto failed = checks.failed();
   const std::string verdict =
-      failed.empty() ? "motion, impacts and impulses as drawn are those of the problem"
+      failed.empty() ? "no check of motion, impacts and impulses sees a difference from the problem"
                      : fmt::format("checks that see something wrong: {}", fmt::join(failed, ", "));
   return fmt::format(
       "{}; Hotelling's test that the generator's mean is 0 on {} polynomials: p = {:.2g}", verdict,

@@ -15,15 +15,31 @@ namespace {
 // 6e-9 of E[y^2] in case 1: more than is left of the noise. At 0.5 it is a hundredth of that.
 constexpr double kStep = 0.5;
 
+constexpr double kMostBytes = 256e6;  // of the lattices of all streams
+
+double bytes_of(const mcs::DepositGrid& grid) {
+  return static_cast<double>(sizeof(double)) * grid.y_functions() * grid.lattice_points;
+}
+
+transform::Solution plainly(const problem::Problem& problem, const Options& options,
+                            const std::string& why) {
+  mcs::Options plain = options.simulation;
+  plain.controlled = false;
+  return without_control(mcs::solve(problem, plain).solution, why);
+}
+
 }  // namespace
 
 transform::Solution solve(const problem::Problem& problem, const Options& options) {
   if (options.simulation.equation != mcs::Equation::kf || options.simulation.tails) {
-    return without_control(mcs::solve(problem, options.simulation).solution,
-                           "control functions are those of the impulses, unsplit");
+    return plainly(problem, options, "control functions are those of the impulses, unsplit");
   }
   const auto begin = std::chrono::steady_clock::now();
   const Places where = places(problem, options.cells);
+  if (bytes_of(where.grid) * options.simulation.streams > kMostBytes) {
+    return plainly(problem, options,
+                   "the impulses are so small that it would take too much memory");
+  }
   mcs::Options simulation = options.simulation;
   simulation.deposit = where.grid;
   simulation.step = simulation.step.value_or(kStep);
@@ -36,7 +52,8 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     solution = std::move(simulated.solution);
   } else {
     try {
-      solution = solution_of(combined(prepared.get(), std::move(simulated)));
+      const Prepared fitted = prepared.get();  // before anything is moved: it may throw
+      solution = solution_of(combined(fitted, std::move(simulated)));
     } catch (const dual::FitBrokeDown& why) {
       solution = without_control(std::move(simulated.solution), why.what());
     }

@@ -51,6 +51,17 @@ Pair l1_of(const Case& one, const Solution& a, const Solution& b) {
   return {one.l1(a.id(), b.id(), Variable::y), one.l1(a.id(), b.id(), Variable::ydot)};
 }
 
+std::optional<double> l1_standard_error(const Case& one, const Solution& a, const Solution& b,
+                                        Variable variable) {
+  const auto* pair = compare::find_pair(one.pairs, a.id(), b.id(), variable);
+  return pair == nullptr ? std::nullopt : pair->l1_standard_error;
+}
+
+/// Whether their distances are those over the smooth bins of one of them.
+bool is_measured(const Case& one, const Solution& a, const Solution& b) {
+  return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
+}
+
 // Of a solution of the problem itself.
 std::string words_for(const Solution& solution) {
   return fmt::format(
@@ -135,10 +146,17 @@ void say_what_residuals_tell(const Case& one, Sentences& sentences) {
     largest_gap = std::max({largest_gap, std::abs(solution.moments.y2 - first->corrected.y2),
                             std::abs(solution.moments.v2 - first->corrected.v2)});
   }
+  // As many as the simulation confirms; without it the usual ones.
+  const auto digits = [&](double value) {
+    constexpr int kUsual = 7, kMost = 10;
+    if (!(largest_gap > 0)) return kUsual;
+    return std::clamp(1 + static_cast<int>(std::log10(std::abs(value) / largest_gap)), 2, kMost);
+  };
   sentences.push_back(fmt::format(
-      "By their own residuals E[y^2] and E[y'^2] are off by {}; corrected they are {:.9f} and "
-      "{:.9f}{}.",
-      fmt::join(parts, ", "), first->corrected.y2, first->corrected.v2,
+      "By their own residuals E[y^2] and E[y'^2] are off by {}; corrected, those of {} are {:.{}g} "
+      "and {:.{}g}{}.",
+      fmt::join(parts, ", "), first->solution, first->corrected.y2, digits(first->corrected.y2),
+      first->corrected.v2, digits(first->corrected.v2),
       largest_gap > 0 ? fmt::format(", within {:.0e} of the simulation", largest_gap) : ""));
 }
 
@@ -189,9 +207,11 @@ struct Chance {
   Pair expected, in_99;
 };
 
-Chance chance_of(const Solution& solution) {
-  if (!best_sampling(solution)) return {};
-  const auto& sampling = *best_sampling(solution);
+/// @param smooth whether the difference is one over smooth bins
+Chance chance_of(const Solution& solution, bool smooth = false) {
+  const auto& stated = smooth ? best_sampling(solution) : solution.sampling;
+  if (!stated) return {};
+  const auto& sampling = *stated;
   // Where only that is known: single runs reach nearly twice the expectation.
   constexpr double kScatter = 2;
   const auto most = [](const std::optional<double>& in_99, const std::optional<double>& expected) {
@@ -222,31 +242,36 @@ std::string whether_explained(const Pair& gap, const Chance& one, const Chance& 
                      numbers(in_99), explained ? "explains" : "does not explain");
 }
 
-std::optional<double> l1_standard_error(const Case& one, const Solution& a, const Solution& b,
-                                        Variable variable) {
-  const auto* pair = compare::find_pair(one.pairs, a.id(), b.id(), variable);
-  return pair == nullptr ? std::nullopt : pair->l1_standard_error;
+/// What a measure finds of one marginal.
+struct Measured {
+  double l1, error, chance, stated;
+
+  /// Below that a distance is nearly all the measure's own noise.
+  bool is_seen() const { return l1 > 3 * chance; }
+  bool is_more_than_stated() const {
+    return l1 - chance - 3 * error > transform::kErrorBand * stated;
+  }
+};
+
+Measured measured(const Case& one, const Solution& solution, const Solution& measure,
+                  Variable variable) {
+  return {.l1 = one.l1(solution.id(), measure.id(), variable).value_or(0),
+          .error = *l1_standard_error(one, solution, measure, variable),
+          .chance = expected(*best_sampling(measure), variable).value_or(0),
+          .stated = compare::own_error(solution, variable)};
 }
 
-bool is_measured(const Case& one, const Solution& a, const Solution& measure) {
-  return l1_standard_error(one, a, measure, Variable::y) &&
-         l1_standard_error(one, a, measure, Variable::ydot);
-}
-
-/// "2.7e-05 +- 5e-07 in p(y)", and what the solution states of it.
-std::string measured_text(const Case& one, const Solution& solution, const Solution& measure,
-                          Variable variable, bool& more_than_stated) {
-  constexpr double kSure = 3;         // standard errors
-  constexpr double kEstimated = 1.1;  // what is estimated is known to a digit or two
-  const double l1 = one.l1(solution.id(), measure.id(), variable).value_or(0);
-  const double error = *l1_standard_error(one, solution, measure, variable);
-  const double stated = compare::own_error(solution, variable);
-  // Below what chance explains nothing is measured.
-  const auto chance = expected(*best_sampling(measure), variable).value_or(0);
-  more_than_stated = more_than_stated || l1 - chance - kSure * error > kEstimated * stated;
-  return fmt::format("{:.2g} +- {:.0g} in {}{}", l1, error,
-                     variable == Variable::y ? "p(y)" : "p(y')",
-                     std::isfinite(stated) ? fmt::format(" (it states {:.2g})", stated) : "");
+// "2.7e-05 +- 5e-07 in p(y) (it states 2.8e-05)"
+std::string measured_text(const Measured& found, Variable variable) {
+  const std::string stated = std::isfinite(found.stated)
+                                 ? fmt::format(" (it states {:.2g})", found.stated)
+                                 : std::string();
+  const char* density = variable == Variable::y ? "p(y)" : "p(y')";
+  if (!found.is_seen()) {
+    return fmt::format("no more than the simulation's own {:.1g} in {}{}", 3 * found.chance,
+                       density, stated);
+  }
+  return fmt::format("{:.2g} +- {:.0g} in {}{}", found.l1, found.error, density, stated);
 }
 
 void say_what_is_measured(const Case& one, Sentences& sentences) {
@@ -254,14 +279,14 @@ void say_what_is_measured(const Case& one, Sentences& sentences) {
   if (measure == nullptr || !measure->smooth_sampling) return;
   for (const Solution* other : references(one)) {
     if (other == measure || !is_measured(one, *other, *measure)) continue;
-    bool more_than_stated = false;
-    const std::string y = measured_text(one, *other, *measure, Variable::y, more_than_stated);
-    const std::string ydot = measured_text(one, *other, *measure, Variable::ydot, more_than_stated);
+    const Measured y = measured(one, *other, *measure, Variable::y);
+    const Measured ydot = measured(one, *other, *measure, Variable::ydot);
+    const bool more = y.is_more_than_stated() || ydot.is_more_than_stated();
     sentences.push_back(
-        fmt::format("{} is off by {} and {}, in L1 over smooth bins, as {} measures "
-                    "it{}.",
-                    capitalised(words_for(*other)), y, ydot, words_for(*measure),
-                    more_than_stated ? ": more than it states" : ""));
+        fmt::format("{} is off by {} and {}, in L1 over smooth bins, as {} measures it{}.",
+                    capitalised(words_for(*other)), measured_text(y, Variable::y),
+                    measured_text(ydot, Variable::ydot), words_for(*measure),
+                    more ? ": more than it states" : ""));
   }
 }
 
@@ -272,7 +297,8 @@ void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
     if (reference.smooth_sampling && is_measured(one, other, reference)) continue;
     const Pair gap = l1_of(one, reference, other);
     if (!gap.whole()) continue;
-    const Chance own = chance_of(reference), others = chance_of(other);
+    const bool smooth = is_measured(one, reference, other);
+    const Chance own = chance_of(reference, smooth), others = chance_of(other, smooth);
     const bool both = own.expected.any() && others.expected.any();
     std::string chance;
     if (own.expected.any() || others.expected.any()) {
@@ -296,7 +322,7 @@ void say_how_far_files_are(const Case& one, Sentences& sentences) {
       if (!gap.any()) continue;
       // Only in the variables in which the file says how far off it may be.
       const Chance own = chance_of(given);
-      Chance other = chance_of(*reference);
+      Chance other = chance_of(*reference, is_measured(one, given, *reference));
       for (auto* part : {&other.expected, &other.in_99}) {
         if (!own.expected.y) part->y.reset();
         if (!own.expected.ydot) part->ydot.reset();

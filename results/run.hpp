@@ -35,7 +35,8 @@ struct JointDensity {
   transform::GridDensity density;
 };
 
-/// What the moments of a solution are off by, from its density and the problem alone (docs/residuals.md).
+/// What the moments of a solution are off by, from its density and the problem alone
+/// (docs/residuals.md).
 struct OwnError {
   std::string solution;          ///< id
   transform::Moments corrected;  ///< E[f] without the error
@@ -43,7 +44,7 @@ struct OwnError {
 };
 
 /// Where the error of a moment comes from: values over the cells of the joint densities, which times
-/// the areas sum to the error.
+/// the areas sum to the error but for what lies beyond the cells.
 struct ErrorSource {
   std::string solution;  ///< id
   std::string moment;    ///< its name in transform::kMoments: y2, v2

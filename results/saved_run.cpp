@@ -83,6 +83,11 @@ void load_joints(const fs::path& file, Run& run) {
   }
   for (auto& [case_name, source] : sources) {
     Case& one = owner(case_name, source.solution);
+    const auto& cells = source.density;
+    if (one.joints.empty() || one.joints.front().density.y_edges != cells.y_edges ||
+        one.joints.front().density.v_edges != cells.v_edges) {
+      refuse_other_run(file);
+    }
     one.error_sources.push_back(std::move(source));
   }
 }

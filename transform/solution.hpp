@@ -61,6 +61,10 @@ struct SmoothEstimate {
   std::vector<double> covariance;  ///< of the averages, row-major
 };
 
+/// An error by extrapolation is an estimate, whose band ends at this much of it: the factor of safety
+/// of three grids and more (Roache, J. Fluids Eng. 116 (1994) 405).
+inline constexpr double kErrorBand = 1.25;
+
 /// What a method states of its own error (other than by chance).
 struct StatedError {
   double y_l1 = 0;       ///< of p(y), in L1

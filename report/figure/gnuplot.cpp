@@ -122,14 +122,16 @@ std::string gnuplot_string(const std::string& text) {
   return quoted + "'";
 }
 
-std::string gnuplot_literal(const std::string& text) {
+std::string without_marks(const std::string& text) {
   constexpr std::string_view kMarks = "_^{}@&~\\";
   std::string escaped;
   for (const char c : text) {
     if (kMarks.find(c) != std::string_view::npos) escaped += '\\';
     escaped += c;
   }
-  return gnuplot_string(escaped);
+  return escaped;
 }
+
+std::string gnuplot_literal(const std::string& text) { return gnuplot_string(without_marks(text)); }
 
 }  // namespace fpkcheck::report

@@ -22,7 +22,10 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
 /// A text as a gnuplot string constant; control characters become blanks.
 std::string gnuplot_string(const std::string& text);
 
-/// As gnuplot_string, with the marks of enhanced text escaped: it is shown letter by letter.
+/// A text with the marks of enhanced text escaped, as a part of one: it is shown letter by letter.
+std::string without_marks(const std::string& text);
+
+/// Both: a text shown letter by letter, as a string constant.
 std::string gnuplot_literal(const std::string& text);
 
 }  // namespace fpkcheck::report

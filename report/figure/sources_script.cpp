@@ -141,13 +141,14 @@ std::string source_panel(const Case& one, const std::string& id, std::size_t col
   const auto& v = source.density.v_edges;
   const double dy = y[1] - y[0], dv = v[1] - v[0];  // uniform cells
   return fmt::format(
-      "set title \"{} of {}: {:+.1e}\"\nset ylabel \"{}\" offset 1\n"
+      "set title {}\nset ylabel {} offset 1\n"
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
       "set xrange [0:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\nset cbtics ({})\n"
       "set colorbox user origin screen {:.4f},{:.4f} size screen {},{:.4f}\n"
       "plot {} matrix using ({:.6g}+{:.6g}*$1):({:.6g}+{:.6g}*$2):3 with image notitle\n\n",
-      what.symbol, id, error, column == 0 ? "{/:Italic y}'" : "", left, left + kMapWidth, top,
+      gnuplot_string(fmt::format("{} of {}: {:+.1e}", what.symbol, without_marks(id), error)),
+      gnuplot_string(column == 0 ? "{/:Italic y}'" : ""), left, left + kMapWidth, top,
       top - kMapHeight, y[part.y], v[part.v_begin], v[part.v_end], colour_tics(limit_of(source)),
       left + kMapWidth + 0.006, top - kMapHeight, kBarWidth, kMapHeight,
       source_block_name(column, what), y[0] + dy / 2, dy, v[part.v_begin] + dv / 2, dv);
@@ -155,7 +156,14 @@ std::string source_panel(const Case& one, const std::string& id, std::size_t col
 
 }  // namespace
 
-bool has_sources(const Case& one) { return !shown_sources(one).empty(); }
+bool has_sources(const Case& one) {
+  const auto ids = shown_sources(one);
+  return std::ranges::any_of(ids, [&](const std::string& id) {
+    return std::ranges::any_of(kRows, [&](const MapRow& row) {
+      return largest_value(*find_source(one, id, row.moment)) > 0;
+    });
+  });
+}
 
 std::string sources_script(const Case& one, const std::string& file_stem) {
   const auto ids = shown_sources(one);

@@ -8,6 +8,7 @@ using transform::GridDensity;
 
 CellWindow window_above(const GridDensity& density, double part) {
   const double peak = *std::ranges::max_element(density.averages);
+  if (!(peak > 0)) return {density.ny(), 0, density.nv()};
   CellWindow window{1, density.nv() - 1, 1};
   for (std::size_t i = 0; i < density.ny(); ++i) {
     for (std::size_t j = 0; j < density.nv(); ++j) {

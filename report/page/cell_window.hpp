@@ -15,7 +15,7 @@ inline constexpr double kSeen = 1e-5, kBulk = 1.0 / 500;
 struct CellWindow {
   std::size_t y_end, v_begin, v_end;
 };
-/// Where the density exceeds this part of its peak.
+/// Where the density exceeds this part of its peak; all where it has none.
 CellWindow window_above(const transform::GridDensity& density, double part);
 
 /// The averages in a window as heat maps are drawn: shape (nv, ny).

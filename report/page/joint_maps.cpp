@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "compare/reference.hpp"
@@ -62,14 +63,18 @@ bool on_the_same_cells(const GridDensity& a, const GridDensity& b) {
 }
 
 // The reference, but a simulation's cells have all the noise that its smooth bins have lost: then
-// the solution known best among the others.
+// the solution known best among the others that have a joint density.
 const transform::Solution* joint_reference(const results::Case& one) {
-  const auto all = references(one);
-  for (const auto* solution : all) {
-    if (solution->smooth_sampling && all.size() > 1) continue;
-    return solution;
+  const transform::Solution* best = nullptr;
+  const auto error = [](const transform::Solution& solution) {
+    return solution.smooth_sampling ? std::numeric_limits<double>::infinity()
+                                    : compare::own_error(solution);
+  };
+  for (const auto* solution : references(one)) {
+    if (find(one, solution->id()) == nullptr) continue;
+    if (best == nullptr || error(*solution) < error(*best)) best = solution;
   }
-  return nullptr;
+  return best;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/comparison.hpp"
 #include "compare/distances.hpp"
 #include "compare/reference.hpp"
 #include "made_up_solutions.hpp"
@@ -75,6 +76,18 @@ TEST(SmoothMeasure, AllDistancesToItAreThoseOfSmoothAverages) {
               *l1_between(plain.pairs, "fd-white", "fd-kf", variable));
     EXPECT_FALSE(find_pair(one.pairs, "fd-white", "fd-kf", variable)->l1_standard_error);
   }
+}
+
+// What chance does to the other end is stated of sharp bins, and judged there.
+TEST(SmoothMeasure, IsComparedInSharpBinsWithWhatIsNoisyItself) {
+  auto one = tests::made_up_case_without_noise();
+  auto solutions = one.solutions;
+  solutions[5].sampling = {.y = 1e-3, .ydot = 1e-3};  // fd-km4, as if from a file
+  const auto compared = compare_solutions(comparison_axes(one.problem), solutions);
+  EXPECT_FALSE(find_pair(compared.pairs, "fd-km4", "mcs", Variable::y)->l1_standard_error);
+  EXPECT_EQ(*l1_between(compared.pairs, "fd-km4", "mcs", Variable::y),
+            *l1_between(tests::made_up_case().pairs, "fd-km4", "mcs", Variable::y));
+  EXPECT_TRUE(find_pair(compared.pairs, "fd-kf", "mcs", Variable::y)->l1_standard_error);
 }
 
 TEST(SmoothMeasure, EndsTheChainWithTheDiscretisation) {

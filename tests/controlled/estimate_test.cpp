@@ -106,6 +106,45 @@ TEST(Controlled, HoldsForLossesRareImpulsesAndAMean) {
   }
 }
 
+TEST(Controlled, IsPlainWhereThereAreNoControlFunctions) {
+  const auto note = [](const problem::Problem& problem, mcs::Options options, Cells cells) {
+    options.controlled = true;
+    options.streams = 8;
+    const auto solution = solve(problem, {.simulation = options, .cells = cells});
+    EXPECT_TRUE(solution.smooth_estimates.empty());
+    EXPECT_FALSE(solution.smooth_sampling);
+    return transform::word(solution.observations, "notes[0]").value_or("");
+  };
+  const std::string not_taken = "the noise is not taken out (";
+  const auto problem = tests::paper_case(1);
+  EXPECT_EQ(note(problem, {.equation = mcs::Equation::white, .time = 2e3}, {20, 40}),
+            not_taken + "control functions are those of the impulses, unsplit)");
+  EXPECT_EQ(note(problem, {.time = 2e3, .tails = true}, {20, 40}),
+            not_taken + "control functions are those of the impulses, unsplit)");
+  EXPECT_EQ(note(tests::make_problem({.rate = 100}), {.time = 20}, {3000, 40}),
+            not_taken + "the impulses are so small that it would take too much memory)");
+}
+
+// Fifteen polynomials cannot be tested by eight streams.
+TEST(Controlled, TestsTheGeneratorByAsManyStreamsAsThereAre) {
+  const mcs::Options few{.time = 5e3, .streams = 8};
+  const auto solution = solve(tests::paper_case(1), {.simulation = few, .cells = {20, 40}});
+  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  EXPECT_EQ(transform::number(solution.observations, "checks.generator.dimensions"), 4);
+  const double p = *transform::number(solution.observations, "checks.generator.p_value");
+  EXPECT_GT(p, 0);
+  EXPECT_LT(p, 1);
+}
+
+// Pushed away from the wall it never impacts: nothing is wrong with impacts that did not happen.
+TEST(Controlled, DoesWithoutImpacts) {
+  const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
+  const auto solution =
+      solve(problem, {.simulation = {.time = 2e3, .streams = 16}, .cells = {20, 40}});
+  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  EXPECT_EQ(transform::number(solution.observations, "checks.impacts.restitution"), 0);
+}
+
 TEST(Controlled, DoesAllOfItInOneCall) {
   const auto problem = tests::paper_case(1);
   const mcs::Options simulation{.time = 5e4, .streams = 32};

@@ -65,9 +65,19 @@ TEST(Findings, SayWhatASimulationWithoutNoiseMeasures) {
             "and 2.4e-05 +- 5e-07 in p(y') (it states 2.3e-05), in L1 over smooth bins, as the "
             "simulation (mcs) measures it.");
   EXPECT_EQ(sentence_with(one, "differ by"), "");
-  // By more than a tenth, the sampling and three standard errors.
-  solution_of(one, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 1.6e-5};
+  // By more than a quarter, the sampling and three standard errors.
+  solution_of(one, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 1.2e-5};
   EXPECT_TRUE(contains(sentence_with(one, words), "measures it: more than it states."));
+  // Three times what chance makes is seen.
+  set_l1(one, "fd-kf", "mcs", 8e-6, 2.36e-5);
+  EXPECT_TRUE(contains(sentence_with(one, words),
+                       "is off by no more than the simulation's own 9e-06 in p(y) (it states "
+                       "2.8e-05) and 2.4e-05 +- 5e-07 in p(y')"))
+      << sentence_with(one, words);
+  // Known better than the simulation, it is not measured by it.
+  solution_of(one, "fd-kf").error = {.y_l1 = 1e-8, .ydot_l1 = 1e-8};
+  EXPECT_EQ(sentence_with(one, "measures it"), "");
+  EXPECT_TRUE(contains(sentence_with(one, "differ by"), "which does not explain that"));
 }
 
 TEST(Findings, SayWhatResidualsTell) {
@@ -78,7 +88,7 @@ TEST(Findings, SayWhatResidualsTell) {
   solution_of(one, "mcs").moments.v2 = 0.25 - 1e-9;
   EXPECT_EQ(sentence_with(one, "residuals"),
             "By their own residuals E[y^2] and E[y'^2] are off by 4.3e-07 and -1.2e-06 in fd-kf; "
-            "corrected they are 0.500000000 and 0.250000000, within 2e-09 of the simulation.");
+            "corrected, those of fd-kf are 0.5 and 0.25, within 2e-09 of the simulation.");
   one.own_errors.pop_back();
   EXPECT_EQ(sentence_with(one, "residuals"), "");
 }
