@@ -23,7 +23,8 @@ struct CommonArguments {
 boost::program_options::options_description with_common_options(
     const boost::program_options::options_description& own, CommonArguments& common,
     const char* what_out_does =
-        "write summary.json, marginals.csv, joint.nc and figures/ there (run: default fpkcheck-out)");
+        "write summary.json, marginals.csv, smooth.csv, joint.nc and figures/ there (run: default "
+        "fpkcheck-out)");
 
 /// Parses, with the positional arguments going to `positional`. Options are not guessed from
 /// prefixes.

@@ -25,8 +25,10 @@ tables and draws pictures. Methods, by increasing trust:
         epc-moment-n4, -n8, -n12 and epc-polar-n4, -n6, -n8 (exact moment equations)
   fd    finite differences: white noise, series cut after the 4th derivative, all jumps
         fd-white, fd-km4-delta (impact to first order in 1-r, as in epc-gaussian), fd-km4, fd-kf
-  mcs   simulation of the impact system itself
-Moments are held to guaranteed bounds (fpkcheck bounds). Exit code 0 when finite differences and
+  mcs   simulation of the impact system itself, its noise taken out by the backward equation:
+        all others are measured by it
+Moments are held to guaranteed bounds (fpkcheck bounds), and every density tells its own error
+by its residuals (docs/residuals.md). Exit code 0 when finite differences and
 simulation reached their solutions and do not contradict the bounds: how far the closures and
 the impact to first order carry is what the run finds out. With --methods, every method of the
 list must reach one.

@@ -89,15 +89,19 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   }
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    const bool any_joint = std::ranges::any_of(
-        run.cases, [](const results::Case& one) { return !one.joints.empty(); });
-    fmt::print("\n{}{:.1f} s.\n",
-               common.out ? fmt::format(
-                                "Wrote report.html, summary.json, marginals.csv{} and {} to {} in ",
-                                any_joint ? ", joint.nc" : "",
-                                all_drawn ? "figures/" : "what could be drawn", *common.out)
-                          : "Done in ",
-               elapsed.count());
+    const auto any = [&](auto results::Case::*list) {
+      return std::ranges::any_of(run.cases,
+                                 [&](const results::Case& one) { return !(one.*list).empty(); });
+    };
+    fmt::print(
+        "\n{}{:.1f} s.\n",
+        common.out
+            ? fmt::format("Wrote report.html, summary.json, marginals.csv{}{} and {} to {} in ",
+                          any(&results::Case::smooth) ? ", smooth.csv" : "",
+                          any(&results::Case::joints) ? ", joint.nc" : "",
+                          all_drawn ? "figures/" : "what could be drawn", *common.out)
+            : "Done in ",
+        elapsed.count());
   }
   return reached(run, control.required) ? kDone : kNotReached;
 }

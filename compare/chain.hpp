@@ -33,10 +33,10 @@ struct ChainNode {
 ///             -> what its grids tend to (Richardson)                   discretisation
 ///             -> simulation                                            sampling
 ///
-/// Where a simulation knows itself in smooth bins to far less than grids do, all of the chain is in
+/// Where a simulation knows itself in smooth bins (compare/smooth.hpp) all of the chain is in
 /// these, and its last step, from the full jump integral to the simulation, is the discretisation
-/// as measured. A model that is not there, not ok, or the same as the one before is left out; where it is
-/// missing, the links join. The chain ends with the simulation, else the limit, else the full
+/// as measured. A model that is not there, not ok, or the same as the one before is left out; where it
+/// is missing, the links join. The chain ends with the simulation, else the limit, else the full
 /// equation itself.
 /// @param closure one of the solutions
 /// @return at least two nodes; none where there is no such end, or the closure has no marginal

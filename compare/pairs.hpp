@@ -18,8 +18,8 @@ struct SolutionMarginal {
 };
 
 /// Distances between one marginal of two solutions; `b` is the more trusted of them. Where one of
-/// them is the smooth measure (compare/smooth.hpp), and the other has no errors by chance of its own,
-/// they are those of averages over smooth bins.
+/// them is the smooth measure (compare/smooth.hpp), and the other has no errors by chance of its
+/// own, they are those of averages over smooth bins.
 struct PairDistances {
   std::string a;
   std::string b;

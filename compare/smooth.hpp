@@ -6,16 +6,16 @@
 #include "compare/pairs.hpp"
 #include "transform/solution.hpp"
 
-/// Measuring in smooth bins: by a simulation from which the noise was taken, which knows the density
-/// there to about 1e-6 in L1 and owes nothing to any discretisation.
+/// Measuring in smooth bins: by a simulation from which the noise was taken, which knows the
+/// density there to about 1e-6 in L1 and owes nothing to any discretisation.
 namespace fpkcheck::compare {
 
 /// The simulation that all others are measured by: ok, of the jumps, with smooth estimates; null
 /// where there is none.
 const transform::Solution* smooth_measure(std::span<const transform::Solution> solutions);
 
-/// The marginals of one variable in the measure's smooth bins: its own estimate, and the averages of
-/// all others.
+/// The marginals of one variable in the measure's smooth bins: its own estimate, and the averages
+/// of all others.
 /// @param sharp on the comparison axes
 std::vector<SolutionMarginal> in_smooth_bins(std::span<const SolutionMarginal> sharp,
                                              const transform::Solution& measure);

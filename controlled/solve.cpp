@@ -17,6 +17,16 @@ constexpr double kStep = 0.5;
 
 constexpr double kMostBytes = 256e6;  // of the lattices of all streams
 
+constexpr double kFewSamples = 2e5;
+constexpr Cells kCoarse{.y = 40, .v = 88};
+
+Cells cells_of(const problem::Problem& problem, const Options& options) {
+  if (options.cells) return *options.cells;
+  if (!options.simulation.time) return {};
+  const auto plan = mcs::make_plan(problem, options.simulation);
+  return *options.simulation.time < kFewSamples * plan.sampling_interval ? kCoarse : Cells{};
+}
+
 double bytes_of(const mcs::DepositGrid& grid) {
   return static_cast<double>(sizeof(double)) * grid.y_functions() * grid.lattice_points;
 }
@@ -35,7 +45,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     return plainly(problem, options, "control functions are those of the impulses, unsplit");
   }
   const auto begin = std::chrono::steady_clock::now();
-  const Places where = places(problem, options.cells);
+  const Places where = places(problem, cells_of(problem, options));
   if (bytes_of(where.grid) * options.simulation.streams > kMostBytes) {
     return plainly(problem, options,
                    "the impulses are so small that it would take too much memory");

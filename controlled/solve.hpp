@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "controlled/prepared.hpp"
 #include "mcs/options.hpp"
 #include "problem/problem.hpp"
@@ -13,7 +15,9 @@ namespace fpkcheck::controlled {
 struct Options {
   /// Its `deposit` is chosen here, and a `step` of 0.5 if it has none.
   mcs::Options simulation{};
-  Cells cells{};
+  /// Automatic: 80 x 176, and 40 x 88 where so few samples are asked for that the fit would take
+  /// many times as long as the simulation.
+  std::optional<Cells> cells{};
 };
 
 /// Simulates, fits the control functions meanwhile, and gives what both tell: moments with what is

@@ -30,7 +30,8 @@ std::string list_html(const std::vector<std::string>& sentences) {
 }
 
 constexpr const char* kSimulationHint =
-    "<p>Circles in a grey band: the simulation with its 95 % intervals.</p>\n";
+    "<p>Circles in a grey band: the simulation with its 95 % intervals, before any noise is taken "
+    "out of it.</p>\n";
 constexpr const char* kLegendHint =
     "<p class=\"on-screen\">A click on a name in a legend switches that solution off or on in all "
     "plots of this case, a double click shows it alone.</p>\n";

@@ -35,7 +35,8 @@ constexpr const char* kColumns =
 
 constexpr const char* kUncertainty =
     R"html(<dt>±</dt><dd>Discretisation errors of both ends of a step, added: a part below it may be nought. If all else is right,
-the step to the simulation is chance alone, which makes the mean L1 of the last columns.</dd>
+the step to the simulation is chance alone, which makes the mean L1 of the last columns; to a simulation without noise it is the
+discretisation as measured, over smooth bins.</dd>
 )html";
 
 std::string term(std::string_view name, const std::string& meaning) {

@@ -128,7 +128,7 @@ TEST(Controlled, IsPlainWhereThereAreNoControlFunctions) {
 // Fifteen polynomials cannot be tested by eight streams.
 TEST(Controlled, TestsTheGeneratorByAsManyStreamsAsThereAre) {
   const mcs::Options few{.time = 5e3, .streams = 8};
-  const auto solution = solve(tests::paper_case(1), {.simulation = few, .cells = {20, 40}});
+  const auto solution = solve(tests::paper_case(1), {.simulation = few, .cells = Cells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   EXPECT_EQ(transform::number(solution.observations, "checks.generator.dimensions"), 4);
   const double p = *transform::number(solution.observations, "checks.generator.p_value");
@@ -140,7 +140,7 @@ TEST(Controlled, TestsTheGeneratorByAsManyStreamsAsThereAre) {
 TEST(Controlled, DoesWithoutImpacts) {
   const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
   const auto solution =
-      solve(problem, {.simulation = {.time = 2e3, .streams = 16}, .cells = {20, 40}});
+      solve(problem, {.simulation = {.time = 2e3, .streams = 16}, .cells = Cells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   EXPECT_EQ(transform::number(solution.observations, "checks.impacts.restitution"), 0);
 }
@@ -148,7 +148,7 @@ TEST(Controlled, DoesWithoutImpacts) {
 TEST(Controlled, DoesAllOfItInOneCall) {
   const auto problem = tests::paper_case(1);
   const mcs::Options simulation{.time = 5e4, .streams = 32};
-  const auto solution = solve(problem, {.simulation = simulation, .cells = {24, 48}});
+  const auto solution = solve(problem, {.simulation = simulation, .cells = Cells{24, 48}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   const double error = solution.standard_errors->moments.y2;
   EXPECT_LT(error, 1e-6);
