@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <future>
+#include <iterator>
+
 #include "report/figure/gnuplot.hpp"
 #include "results/directory.hpp"
 
@@ -41,16 +45,20 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
 
 std::vector<std::string> draw_both(const std::string& gnuplot, const fs::path& figures,
                                    const std::string& stem) {
-  std::vector<std::string> warnings;
-  for (const char* format : {".png", ".svg"}) {
+  // What went wrong, or nothing.
+  const auto attempt = [&](const char* format) -> std::vector<std::string> {
     try {
       draw(gnuplot, figures / (stem + ".gp"), figures / (stem + format));
     } catch (const GnuplotMissing&) {
       throw;
     } catch (const std::runtime_error& error) {
-      warnings.emplace_back(error.what());
+      return {error.what()};
     }
-  }
+    return {};
+  };
+  auto svg = std::async(std::launch::async, attempt, ".svg");
+  auto warnings = attempt(".png");
+  std::ranges::move(svg.get(), std::back_inserter(warnings));
   return warnings;
 }
 

@@ -1,5 +1,6 @@
 #include "report/figure/gnuplot.hpp"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,7 +24,7 @@ namespace {
 class ErrorPipe {
  public:
   ErrorPipe() {
-    if (pipe(ends_.data()) != 0) fail(errno, "pipe");
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0) fail(errno, "pipe");  // two may run at once
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDOUT_FILENO);
