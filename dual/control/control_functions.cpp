@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "dual/backward/normal_equations.hpp"
 #include "dual/control/generator_factors.hpp"
 #include "dual/control/impulse_means.hpp"
 #include "dual/spline/block_banded_cholesky.hpp"
+#include "dual/spline/gauss_rule.hpp"
 
 namespace fpkcheck::dual {
 namespace {
@@ -17,31 +17,7 @@ constexpr int kTerms = kGeneratorTerms;
 constexpr int kDegree = KnotSplines::kDegree;
 constexpr int kPoints = 8;  // of Gauss's rule on a cell
 
-struct Quadrature {
-  std::vector<double> points;
-  Eigen::VectorXd weights;
-};
-
-Quadrature quadrature(const std::vector<double>& breaks) {
-  using Gauss = boost::math::quadrature::gauss<double, kPoints>;
-  Quadrature q;
-  std::vector<double> weights;
-  for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
-    const double centre = (breaks[cell] + breaks[cell + 1]) / 2;
-    const double half = (breaks[cell + 1] - breaks[cell]) / 2;
-    for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
-      for (const double sign : {-1.0, 1.0}) {
-        q.points.push_back(centre + sign * half * Gauss::abscissa()[n]);
-        weights.push_back(half * Gauss::weights()[n]);
-      }
-    }
-  }
-  q.weights =
-      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
-  return q;
-}
-
-void weigh(Quadrature& q, const std::function<double(double)>& weight) {
+void weigh(QuadratureRule& q, const std::function<double(double)>& weight) {
   for (std::size_t n = 0; n < q.points.size(); ++n) {
     q.weights(static_cast<Eigen::Index>(n)) *= weight(q.points[n]);
   }
@@ -78,7 +54,7 @@ Eigen::MatrixXd wall_gram(const ControlProblem& p) {
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::remove_if(breaks.begin(), breaks.end(), [&](double u) { return u > end; }),
                breaks.end());
-  Quadrature q = quadrature(breaks);
+  QuadratureRule q = gauss_rule<kPoints>(breaks);
   weigh(q, [&](double u) { return u * p.weight_v(u); });
   std::vector<double> in, out;
   for (const double u : q.points) {
@@ -109,7 +85,8 @@ BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& in_y, cons
 
 ControlFunctions control_functions(const ControlProblem& problem,
                                    const std::vector<SeparableFunction>& functions) {
-  Quadrature in_y = quadrature(problem.y.breaks()), in_v = quadrature(problem.v.breaks());
+  QuadratureRule in_y = gauss_rule<kPoints>(problem.y.breaks()),
+                 in_v = gauss_rule<kPoints>(problem.v.breaks());
   weigh(in_y, problem.weight_y);
   weigh(in_v, problem.weight_v);
   const GeneratorFactors y = factors_of_y(problem.problem.system, problem.y, in_y.points);

@@ -1,11 +1,15 @@
 #include "dual/control/impulse_means.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
 #include <vector>
+
+#include "dual/spline/gauss_rule.hpp"
 
 namespace fpkcheck::dual {
 namespace {
+
+constexpr unsigned kPointsOfAPart = 8;
 
 void add(const KnotSplines& splines, double at, double probability,
          Eigen::Ref<Eigen::RowVectorXd> row) {
@@ -35,7 +39,6 @@ std::vector<double> parts(const KnotSplines& splines, double from, double to, do
 
 Eigen::MatrixXd impulse_means(const KnotSplines& splines, const problem::ImpulseLaw& law,
                               std::span<const double> v) {
-  using Gauss = boost::math::quadrature::gauss<double, 8>;
   Eigen::MatrixXd means =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(v.size()), splines.size());
   const auto atoms = law.atoms();
@@ -46,15 +49,10 @@ Eigen::MatrixXd impulse_means(const KnotSplines& splines, const problem::Impulse
     for (const auto& atom : atoms) add(splines, v[i] + atom.amplitude, atom.probability, row);
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
       const auto ends = parts(splines, v[i] + pieces[k], v[i] + pieces[k + 1], law.deviation());
-      for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
-        const double centre = (ends[part] + ends[part + 1]) / 2;
-        const double half = (ends[part + 1] - ends[part]) / 2;
-        for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
-          for (const double sign : {-1.0, 1.0}) {
-            const double z = centre + sign * half * Gauss::abscissa()[n];
-            add(splines, z, half * Gauss::weights()[n] * law.density(z - v[i]), row);
-          }
-        }
+      const auto [points, weights] = gauss_rule<kPointsOfAPart>(ends);
+      for (std::size_t n = 0; n < points.size(); ++n) {
+        const double z = points[n];
+        add(splines, z, weights(static_cast<Eigen::Index>(n)) * law.density(z - v[i]), row);
       }
     }
     means.row(static_cast<Eigen::Index>(i)) = row;

@@ -1,7 +1,6 @@
 #include "dual/residual/sampled_density.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -9,21 +8,18 @@
 #include <utility>
 #include <variant>
 
+#include "dual/spline/gauss_rule.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::dual {
 namespace {
 
-using SixPoints = boost::math::quadrature::gauss<double, 6>;
+constexpr unsigned kSixPoints = 6;
 constexpr int kPanelsOfRange = 24;
 
-struct Rule {
-  std::vector<double> points;
-  Eigen::VectorXd weights;
-};
-
 /// On [begin, end], cut at both kinds of breaks.
-Rule rule_between(double begin, double end, std::span<const double> a, std::span<const double> b) {
+QuadratureRule rule_between(double begin, double end, std::span<const double> a,
+                            std::span<const double> b) {
   std::vector<double> cuts{begin, end};
   for (const auto& breaks : {a, b}) {
     std::ranges::copy_if(breaks, std::back_inserter(cuts),
@@ -31,32 +27,18 @@ Rule rule_between(double begin, double end, std::span<const double> a, std::span
   }
   std::ranges::sort(cuts);
   cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
-  Rule rule;
-  std::vector<double> weights;
-  for (std::size_t panel = 0; panel + 1 < cuts.size(); ++panel) {
-    const double centre = (cuts[panel] + cuts[panel + 1]) / 2;
-    const double half = (cuts[panel + 1] - cuts[panel]) / 2;
-    for (std::size_t n = 0; n < SixPoints::abscissa().size(); ++n) {
-      for (const double sign : {-1.0, 1.0}) {
-        rule.points.push_back(centre + sign * half * SixPoints::abscissa()[n]);
-        weights.push_back(half * SixPoints::weights()[n]);
-      }
-    }
-  }
-  rule.weights =
-      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
-  return rule;
+  return gauss_rule<kSixPoints>(cuts);
 }
 
 /// The samples are averages over cells.
-SampledAxis of_averages(const Rule& rule, std::span<const double> edges) {
+SampledAxis of_averages(const QuadratureRule& rule, std::span<const double> edges) {
   SparseRows rows = reconstruction(edges, rule.points);
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.row(n) *= rule.weights(n);
   return {rule.points, std::move(rows)};
 }
 
 /// The samples are values at the points.
-SampledAxis of_values(const Rule& rule) {
+SampledAxis of_values(const QuadratureRule& rule) {
   SparseRows rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.coeffRef(n, n) = rule.weights(n);
@@ -87,7 +69,8 @@ SampledDensity sampled_form(const transform::GridDensity& density, const Integra
   for (const double edge : v) speed_edges.push_back(-edge);
   std::ranges::reverse(speed_edges);
   const double wall[] = {0.0};
-  const Rule impacts = rule_between(0, std::max(0.0, -v.front()), breaks.wall, speed_edges);
+  const QuadratureRule impacts =
+      rule_between(0, std::max(0.0, -v.front()), breaks.wall, speed_edges);
   SampledDensity result{
       .y = of_averages(rule_between(0, y.back(), breaks.y, y), y),
       .v = of_averages(rule_between(v.front(), v.back(), breaks.v, v), v),

@@ -1,10 +1,10 @@
 #include "dual/residual/spline_shares.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <functional>
 #include <vector>
 
+#include "dual/spline/gauss_rule.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::dual {
@@ -15,25 +15,18 @@ Eigen::MatrixXd spline_shares(const KnotSplines& splines, std::span<const double
     throw InputError("the edges of the cells of a map must increase");
   }
   // Between all breaks and edges splines are polynomials of degree 5: three points are exact.
-  using Gauss = boost::math::quadrature::gauss<double, 3>;
   std::vector<double> cuts(splines.breaks());
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double x) { return splines.begin() < x && x < splines.end(); });
   std::ranges::sort(cuts);
   Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(std::ssize(edges) - 1, splines.size());
-  for (std::size_t part = 0; part + 1 < cuts.size(); ++part) {
-    const double centre = (cuts[part] + cuts[part + 1]) / 2;
-    const double half = (cuts[part + 1] - cuts[part]) / 2;
-    const auto cell = std::ranges::upper_bound(edges, centre) - edges.begin() - 1;
+  const auto [points, weights] = gauss_rule<3>(cuts);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto cell = std::ranges::upper_bound(edges, points[n]) - edges.begin() - 1;
     if (cell < 0 || cell >= shares.rows()) continue;
-    for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
-      for (const double sign : {-1.0, 1.0}) {
-        if (sign < 0 && Gauss::abscissa()[n] == 0) continue;
-        const auto b = splines.at(centre + sign * half * Gauss::abscissa()[n]);
-        for (int l = 0; l <= KnotSplines::kDegree; ++l) {
-          shares(cell, b.first + l) += half * Gauss::weights()[n] * b.value[l];
-        }
-      }
+    const auto b = splines.at(points[n]);
+    for (int l = 0; l <= KnotSplines::kDegree; ++l) {
+      shares(cell, b.first + l) += weights(static_cast<Eigen::Index>(n)) * b.value[l];
     }
   }
   // The integral of a spline is the width of its support by its degree plus 1 (de Boor).

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <utility>
 
 #include "dual/control/generator_factors.hpp"
 #include "dual/control/impulse_means.hpp"
+#include "dual/spline/gauss_rule.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::dual {
@@ -20,15 +20,7 @@ constexpr int kPowers = 5;            // 0 .. 4
 constexpr double kLeastCell = 1e-12;  // of the range: breaks that are one but for rounding
 
 std::vector<double> nodes_of(const std::vector<double>& breaks) {
-  using Gauss = boost::math::quadrature::gauss<double, kNodes>;
-  std::vector<double> nodes;
-  for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
-    const double centre = (breaks[cell] + breaks[cell + 1]) / 2;
-    const double half = (breaks[cell + 1] - breaks[cell]) / 2;
-    for (const double x : Gauss::abscissa()) {
-      for (const double sign : {-1.0, 1.0}) nodes.push_back(centre + sign * half * x);
-    }
-  }
+  auto nodes = gauss_rule<kNodes>(breaks).points;
   std::ranges::sort(nodes);
   return nodes;
 }
