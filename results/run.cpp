@@ -35,6 +35,18 @@ const Curve* Case::smooth_curve(std::string_view solution, transform::Variable v
   return curve_among(smooth, solution, variable);
 }
 
+const OwnError* Case::own_error(std::string_view solution) const {
+  const auto found = std::ranges::find(own_errors, solution, &OwnError::solution);
+  return found == own_errors.end() ? nullptr : &*found;
+}
+
+const ErrorSource* Case::error_source(std::string_view solution, std::string_view moment) const {
+  const auto found = std::ranges::find_if(error_sources, [&](const ErrorSource& source) {
+    return source.solution == solution && source.moment == moment;
+  });
+  return found == error_sources.end() ? nullptr : &*found;
+}
+
 Program this_program(const std::string& command) { return {"fpkcheck", FPKCHECK_VERSION, command}; }
 
 Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& axes,

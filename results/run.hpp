@@ -75,6 +75,9 @@ struct Case {
   const Curve* curve(std::string_view solution, transform::Variable variable) const;
   /// The same in smooth bins.
   const Curve* smooth_curve(std::string_view solution, transform::Variable variable) const;
+  /// Own error of a solution, and where that of a moment comes from, or null.
+  const OwnError* own_error(std::string_view solution) const;
+  const ErrorSource* error_source(std::string_view solution, std::string_view moment) const;
   /// compare::l1_between of its pairs.
   std::optional<double> l1(std::string_view one, std::string_view other,
                            transform::Variable variable) const {

@@ -34,20 +34,12 @@ struct MapRow {
 constexpr MapRow kRows[] = {{"y2", "E[{/:Italic y}²]", &Moments::y2},
                             {"v2", "E[{/:Italic y}'²]", &Moments::v2}};
 
-const ErrorSource* find_source(const Case& one, const std::string& solution,
-                               const std::string& moment) {
-  const auto found = std::ranges::find_if(one.error_sources, [&](const ErrorSource& source) {
-    return source.solution == solution && source.moment == moment;
-  });
-  return found == one.error_sources.end() ? nullptr : &*found;
-}
-
 std::vector<std::string> shown_sources(const Case& one) {
   std::vector<std::string> ids;
   std::set<std::string> formulations;
   const auto add = [&](const transform::Solution& solution) {
     const bool whole = std::ranges::all_of(kRows, [&](const MapRow& row) {
-      return find_source(one, solution.id(), row.moment) != nullptr;
+      return one.error_source(solution.id(), row.moment) != nullptr;
     });
     if (whole && ids.size() < kMostMaps) ids.push_back(solution.id());
   };
@@ -80,11 +72,11 @@ struct VisiblePart {
 };
 
 VisiblePart visible_part(const Case& one, const std::vector<std::string>& ids) {
-  const auto& cells = find_source(one, ids.front(), kRows[0].moment)->density;
+  const auto& cells = one.error_source(ids.front(), kRows[0].moment)->density;
   VisiblePart part{.y = 1, .v_begin = cells.nv(), .v_end = 0};
   for (const auto& id : ids) {
     for (const MapRow& row : kRows) {
-      const ErrorSource& source = *find_source(one, id, row.moment);
+      const ErrorSource& source = *one.error_source(id, row.moment);
       const double least = kVisibleShare * largest_value(source);
       for (std::size_t i = 0; i < source.density.ny(); ++i) {
         for (std::size_t j = 0; j < source.density.nv(); ++j) {
@@ -132,11 +124,11 @@ std::string colour_tics(double limit) {
 std::string source_panel(const Case& one, const std::string& id, std::size_t column,
                          std::size_t row, const VisiblePart& part) {
   const MapRow& what = kRows[row];
-  const auto own = std::ranges::find(one.own_errors, id, &results::OwnError::solution);
-  const double error = own == one.own_errors.end() ? 0 : own->error.*what.member;
+  const auto* own = one.own_error(id);
+  const double error = own == nullptr ? 0 : own->error.*what.member;
   const double left = kFirstLeft + static_cast<double>(column) * (kMapWidth + kBetweenColumns);
   const double top = kFirstTop - static_cast<double>(row) * (kMapHeight + kBetweenRows);
-  const ErrorSource& source = *find_source(one, id, what.moment);
+  const ErrorSource& source = *one.error_source(id, what.moment);
   const auto& y = source.density.y_edges;
   const auto& v = source.density.v_edges;
   const double dy = y[1] - y[0], dv = v[1] - v[0];  // uniform cells
@@ -160,7 +152,7 @@ bool has_sources(const Case& one) {
   const auto ids = shown_sources(one);
   return std::ranges::any_of(ids, [&](const std::string& id) {
     return std::ranges::any_of(kRows, [&](const MapRow& row) {
-      return largest_value(*find_source(one, id, row.moment)) > 0;
+      return largest_value(*one.error_source(id, row.moment)) > 0;
     });
   });
 }
@@ -171,7 +163,7 @@ std::string sources_script(const Case& one, const std::string& file_stem) {
   const VisiblePart part = visible_part(one, ids);
   for (std::size_t column = 0; column < ids.size(); ++column) {
     for (std::size_t row = 0; row < std::size(kRows); ++row) {
-      blocks += source_block(*find_source(one, ids[column], kRows[row].moment),
+      blocks += source_block(*one.error_source(ids[column], kRows[row].moment),
                              source_block_name(column, kRows[row]), part);
       panels += source_panel(one, ids[column], column, row, part);
     }

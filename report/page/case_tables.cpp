@@ -105,9 +105,8 @@ std::string own_errors_table(const results::Case& one) {
   SolutionsTable table(one);
   for (const auto& [header, member] : kShownMoments) {
     table.add_number(header, [&one, member = member](const Solution& s) {
-      const auto own = std::ranges::find(one.own_errors, s.id(), &results::OwnError::solution);
-      return own == one.own_errors.end() ? std::string(kNoValue)
-                                         : number_text(own->error.*member, 2);
+      const auto* own = one.own_error(s.id());
+      return own == nullptr ? std::string(kNoValue) : number_text(own->error.*member, 2);
     });
   }
   return std::move(table).html("Errors of moments, by each density's own residuals");

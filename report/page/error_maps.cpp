@@ -27,14 +27,6 @@ struct ShownMoment {
 constexpr ShownMoment kMapped[] = {{"y2", "E[y\u00b2]", &Moments::y2},
                                    {"v2", "E[y\u2032\u00b2]", &Moments::v2}};
 
-const results::ErrorSource* find(const Case& one, const std::string& solution,
-                                 const std::string& moment) {
-  const auto found = std::ranges::find_if(one.error_sources, [&](const auto& source) {
-    return source.solution == solution && source.moment == moment;
-  });
-  return found == one.error_sources.end() ? nullptr : &*found;
-}
-
 // The closures that are ok, the closest first, then all others.
 std::vector<std::string> in_order(const Case& one) {
   std::vector<std::string> ids;
@@ -49,10 +41,10 @@ std::vector<std::string> in_order(const Case& one) {
 
 ErrorMaps::OfSolution maps_of(const Case& one, const std::string& id, const CellWindow& window) {
   ErrorMaps::OfSolution maps{id, {}};
-  const auto own = std::ranges::find(one.own_errors, id, &results::OwnError::solution);
-  if (own == one.own_errors.end()) return maps;
+  const auto* own = one.own_error(id);
+  if (own == nullptr) return maps;
   for (const auto& [name, text, member] : kMapped) {
-    const auto* source = find(one, id, name);
+    const auto* source = one.error_source(id, name);
     if (source == nullptr) continue;
     maps.moments.push_back({text, own->error.*member,
                             signed_roots(rows_of_constant_velocity(source->density, window))});
