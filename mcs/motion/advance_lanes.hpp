@@ -174,7 +174,10 @@ struct Lanes {
     const Real in_front = larger(x, Real{});
     if (motion.y_bins->even() && motion.v_bins->even()) {
       const auto row = truncated(place(*motion.y_bins, in_front));
-      const auto column = truncated(place(*motion.v_bins, u));
+      // At rest the side of 0 counts, however close: half of a spike is there.
+      const Real hair = all_lanes<Real>(motion.v_bins->hair());
+      const Real off_zero = select(u < 0.0, smaller(u, -hair), larger(u, hair));
+      const auto column = truncated(place(*motion.v_bins, off_zero));
       const auto cell = row * static_cast<std::int32_t>(motion.v_bins->bins() + 2) + column;
       Array<std::int32_t> cell_of;
       Array<double> weights;

@@ -29,6 +29,8 @@ class BinFinder {
   bool even() const { return even_; }
   double first_edge() const { return first_edge_; }
   double bins_per_length() const { return bins_per_length_; }
+  /// Narrow for a bin, and wide for rounding: numbers further apart are told apart by arithmetic.
+  double hair() const { return 1e-13 * (edges_.back() - edges_.front()); }
 
   std::size_t bins() const { return edges_.size() - 1; }
   const std::vector<double>& edges() const { return edges_; }
