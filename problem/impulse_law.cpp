@@ -84,6 +84,10 @@ double ImpulseLaw::density(double amplitude) const {
   return std::visit([&](const auto& law) { return law.density(amplitude); }, kind_);
 }
 
+double ImpulseLaw::cumulative(double amplitude) const {
+  return std::visit([&](const auto& law) { return law.cumulative(amplitude); }, kind_);
+}
+
 std::vector<Atom> ImpulseLaw::atoms() const {
   return std::visit([](const auto& law) { return law.atoms(); }, kind_);
 }

@@ -48,6 +48,8 @@ class ImpulseLaw {
   /// The law is a continuous part with this density, and atoms. A law without a continuous part
   /// has the density 0.
   double density(double amplitude) const;
+  /// P(Y <= amplitude).
+  double cumulative(double amplitude) const;
   /// The values that Y takes with a positive probability, increasing; none for a law with a
   /// density.
   std::vector<Atom> atoms() const;

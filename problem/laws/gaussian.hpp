@@ -30,6 +30,9 @@ struct GaussianLaw {
   double density(double y) const {
     return boost::math::pdf(boost::math::normal(mean, deviation), y);
   }
+  double cumulative(double y) const {
+    return boost::math::cdf(boost::math::normal(mean, deviation), y);
+  }
   std::vector<Atom> atoms() const { return {}; }
   std::vector<double> smooth_pieces() const { return {mean - 9 * deviation, mean + 9 * deviation}; }
   /// E[exp(iu (Y - mean))]

@@ -32,6 +32,9 @@ struct LaplaceLaw {
     return boost::math::factorial<double>(static_cast<unsigned>(n)) / std::pow(2.0, n / 2);
   }
   double density(double y) const { return boost::math::pdf(boost::math::laplace(mean, scale), y); }
+  double cumulative(double y) const {
+    return boost::math::cdf(boost::math::laplace(mean, scale), y);
+  }
   std::vector<Atom> atoms() const { return {}; }
   std::vector<double> smooth_pieces() const { return {mean - 42 * scale, mean, mean + 42 * scale}; }
   std::complex<double> centred_characteristic_function(double u) const {

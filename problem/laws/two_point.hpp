@@ -22,6 +22,9 @@ struct TwoPointLaw {
 
   double standardised_moment(int n) const { return n % 2 == 0 ? 1 : 0; }
   double density(double) const { return 0; }
+  double cumulative(double y) const {
+    return y < mean - deviation ? 0 : y < mean + deviation ? 0.5 : 1;
+  }
   std::vector<Atom> atoms() const { return {{mean - deviation, 0.5}, {mean + deviation, 0.5}}; }
   std::vector<double> smooth_pieces() const { return {}; }
   std::complex<double> centred_characteristic_function(double u) const {

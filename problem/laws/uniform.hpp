@@ -33,6 +33,9 @@ struct UniformLaw {
   double density(double y) const {
     return boost::math::pdf(boost::math::uniform(mean - half_width, mean + half_width), y);
   }
+  double cumulative(double y) const {
+    return boost::math::cdf(boost::math::uniform(mean - half_width, mean + half_width), y);
+  }
   std::vector<Atom> atoms() const { return {}; }
   std::vector<double> smooth_pieces() const { return {mean - half_width, mean + half_width}; }
   std::complex<double> centred_characteristic_function(double u) const {
