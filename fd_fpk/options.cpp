@@ -48,6 +48,11 @@ const Description<Options>& description() {
                 "in 1-r"})
           .with_choices(impact_names())
           .add("stepper", &O::stepper, {"S", "cvode, or direct: the null vector alone"})
+          .add("transport", &O::transport,
+               {"T",
+                "upwind differences, or characteristics: along the motion between impulses, for kf "
+                "(default: where impulses are rare or losses strong)"})
+          .with_fallback(std::string(name(Transport::upwind)))
           .add("order", &O::order,
                {"P", "order of the transport terms, 2 .. 8; odd ones are upwind-biased"},
                between(2, 8))
@@ -79,8 +84,16 @@ const Description<Options>& description() {
                {"", "an automatic grid that does not resolve its density is refined"})
           .without_flag()
           .add("error_estimate", &O::error_estimate,
-               {"", "estimate the discretisation error from two coarser grids"})
-          .with_flag("error")
+               {"", "the discretisation error is estimated from two coarser grids"})
+          .without_flag()
+          .add("accuracy", &O::accuracy,
+               {"A", "largest estimated error of p(y) or p(y') in L1 of a solution that is ok"},
+               positive())
+          .with_fallback(Options{}.accuracy)
+          .add("max_seconds", &O::max_seconds,
+               {"S", "no finer grid is begun that would end later: the best answer until then"},
+               positive())
+          .with_fallback(Options{}.max_seconds)
           .add("tolerance", &O::tolerance,
                {"T",
                 "pick the grid whose error estimate, L1 of p(y) and p(y') and the second moments, "
@@ -96,6 +109,13 @@ void validate(const Options& options) {
   description().validate(options);
   require(options.impact != Impact::exact,
           "impact exact (only the simulation has it: use map or delta)");
+  const bool along = options.transport == Transport::characteristics;
+  require(!along || (options.equation == Equation::kf && options.impact == Impact::map),
+          fmt::format("transport characteristics with equation {} and impact {} (between impulses "
+                      "the motion is exact for kf and map alone: use upwind)",
+                      problem::name(options.equation), problem::name(options.impact)));
+  require(!along || (!options.nx && !options.nv),
+          "nx or nv with transport characteristics (its cells follow the problem: use refinement)");
   require(!options.regularisation_length || options.equation == Equation::km4,
           fmt::format("regularisation length with equation {} (only km4 has one: leave it out)",
                       problem::name(options.equation)));

@@ -24,10 +24,23 @@ inline constexpr parameters::Named<Stepper> kStepperNames[] = {
 constexpr std::span<const parameters::Named<Stepper>> names(Stepper) { return kStepperNames; }
 constexpr std::string_view name(Stepper stepper) { return parameters::name_of(stepper); }
 
+/// How what is between two impulses is discretised.
+enum class Transport {
+  upwind,          ///< differences of high order on the cells
+  characteristics  ///< along the motion itself, for `kf` and impact `map`
+};
+inline constexpr parameters::Named<Transport> kTransportNames[] = {
+    {Transport::upwind, "upwind", "differences of high order"},
+    {Transport::characteristics, "characteristics", "along the motion itself"}};
+constexpr std::span<const parameters::Named<Transport>> names(Transport) { return kTransportNames; }
+constexpr std::string_view name(Transport transport) { return parameters::name_of(transport); }
+
 struct Options {
   Equation equation = Equation::kf;
   Impact impact = Impact::map;  ///< map or delta
   Stepper stepper = Stepper::cvode;
+  /// Automatic: characteristics where impulses are rare or losses strong.
+  std::optional<Transport> transport{};
   /// Order of the transport terms, 2 .. 8. Odd orders are upwind-biased and keep the tails clean;
   /// even ones are centred and leave grid-scale ripples of about 1e-4 of the peak.
   int order = 5;
@@ -50,8 +63,13 @@ struct Options {
   double wall_density = 1e-6;
   /// An automatic grid that does not resolve its density is refined.
   bool refine_unresolved = true;
-  /// Adds an estimate of the discretisation error, from two coarser grids.
-  bool error_estimate = false;
+  /// Adds an estimate of the discretisation error, from two coarser grids. Where the options leave
+  /// transport and grid free, both follow from it: see solve().
+  bool error_estimate = true;
+  /// The largest estimated error of a marginal, in L1, of an `ok`.
+  double accuracy = 1e-2;
+  /// No finer grid is begun that is expected to end after so long: the best answer until then it is.
+  double max_seconds = 20;
   /// Picks the grid: the first whose error estimate, L1 of both marginals and the second moments
   /// relative, meets this.
   std::optional<double> tolerance{};

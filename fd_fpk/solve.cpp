@@ -1,18 +1,111 @@
 #include "fd_fpk/solve.hpp"
 
+#include <fmt/format.h>
+
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/stationary/along_characteristics.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
 #include "fd_fpk/stationary/one_grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
+namespace {
+
+// Impulses per decay time beyond which characteristics are not tried.
+constexpr double kMostFrequent = 3000;
+
+// Characteristics are offered where the motion between impulses is that of the problem, unless the
+// options ask for what they do not have.
+bool may_follow_characteristics(const Options& options) {
+  const Options usual;
+  return options.equation == Equation::kf && options.impact == Impact::map &&
+         options.transport != Transport::upwind && !options.nx && !options.nv &&
+         !options.origin_refinement && options.order == usual.order;
+}
+
+double impulses_per_decay_time(const problem::Problem& problem) {
+  return problem.impulses.arrival_rate() /
+         problem::slowest_decay(problem::equivalent_linearisation(problem));
+}
+
+// Whether they are the first choice: by experience with random problems (docs/limits.md).
+bool prefer_characteristics(const problem::Problem& problem) {
+  constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
+  constexpr double kStrongLosses = 0.4;
+  constexpr double kOffTheWall = 2;  // deviations, of the static deflection
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double per_decay_time = impulses_per_decay_time(problem);
+  const bool losses =
+      problem.system.restitution() < kStrongLosses &&
+      problem::static_deflection(problem) < kOffTheWall * linear.displacement_deviation;
+  return per_decay_time < kRare || (losses && per_decay_time < kFrequent);
+}
+
+// Whether finer grids than the options' may answer.
+bool grid_is_free(const Options& options) {
+  const Options usual;
+  return options.error_estimate && options.refine_unresolved && !options.nx && !options.nv &&
+         options.refinement == usual.refinement;
+}
+
+class Solver {
+ public:
+  Solver(const problem::Problem& problem, const Options& options)
+      : problem_(problem), options_(options), deadline_(options.max_seconds) {}
+
+  Result solve() const {
+    if (!may_follow_characteristics(options_)) return by(Transport::upwind);
+    if (options_.transport == Transport::characteristics) return by(Transport::characteristics);
+    const bool along = prefer_characteristics(problem_);
+    if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
+    // Differences do not hold what is unbounded.
+    if (along && unbounded_at_origin(problem_)) return by(Transport::characteristics);
+    // The first choice may take half of the time, lest there is none for the other.
+    Result first = by(along ? Transport::characteristics : Transport::upwind,
+                      Deadline(options_.max_seconds / 2));
+    // Where they are not the first choice differences do not know what they err.
+    if (first.solution.is_ok() && (along || good(first))) return first;
+    // Impulses shorter than cells are lost in them, and a box that was given is the same for both.
+    const bool given_box = options_.x1_max || options_.x2_max;
+    if (given_box || (!along && impulses_per_decay_time(problem_) > kMostFrequent)) return first;
+    Result second = by(along ? Transport::upwind : Transport::characteristics);
+    return better(second, first) ? second : first;
+  }
+
+ private:
+  static bool good(const Result& result) {
+    constexpr double kGood = 1e-3;
+    const auto& error = result.summary.error;
+    return error && error->y_l1 <= kGood && error->ydot_l1 <= kGood;
+  }
+
+  Result by(Transport transport) const { return by(transport, deadline_); }
+
+  Result by(Transport transport, const Deadline& deadline) const {
+    Options options = options_;
+    options.transport = transport;
+    const auto on_one_grid = [&](const Options& grid) {
+      return transport == Transport::characteristics ? solve_along_characteristics(problem_, grid)
+                                                     : solve_on_one_grid(problem_, grid, deadline);
+    };
+    if (options.tolerance) return solve_to_tolerance(on_one_grid, options);
+    if (grid_is_free(options)) return solve_within(on_one_grid, options, deadline);
+    if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options);
+    return on_one_grid(options);
+  }
+
+  const problem::Problem& problem_;
+  const Options& options_;
+  Deadline deadline_;
+};
+
+}  // namespace
 
 Result solve(const problem::Problem& problem, const Options& options) {
   validate(options);
   const Stopwatch stopwatch;
-  const auto on_one_grid = [&](const Options& grid) { return solve_on_one_grid(problem, grid); };
-  Result result = options.tolerance        ? solve_to_tolerance(on_one_grid, options)
-                  : options.error_estimate ? solve_with_error_estimate(on_one_grid, options)
-                                           : on_one_grid(options);
+  Result result = Solver(problem, options).solve();
   auto& [solution, summary] = result;
   solution.seconds = stopwatch.seconds();
   solution.identity = identity(options);

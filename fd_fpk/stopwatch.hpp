@@ -15,4 +15,18 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// What is left of the time that a solution may take.
+class Deadline {
+ public:
+  explicit Deadline(double seconds) : seconds_(seconds) {}
+
+  double passed() const { return stopwatch_.seconds(); }
+  /// Whether what takes so long may begin.
+  bool allows(double seconds) const { return passed() + seconds <= seconds_; }
+
+ private:
+  Stopwatch stopwatch_;
+  double seconds_;
+};
+
 }  // namespace fpkcheck::fd_fpk

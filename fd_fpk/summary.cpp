@@ -59,6 +59,11 @@ transform::Observations observations(const Summary& summary) {
   observe_faint(observer, "wall_density.ydot", summary.wall.x2);
   observer.result("impact_rate", summary.impact_rate);
   observe(observer, summary.balances);
+  if (summary.transport == Transport::characteristics) {
+    observer.result("transport", std::string(name(summary.transport)))
+        .work("visits", counted(summary.visits))
+        .result("rest_mass", summary.rest_mass);
+  }
   if (summary.error) observe(observer, *summary.error);
   return std::move(observer).take();
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "fd_fpk/operator/wall_density.hpp"
+#include "fd_fpk/options.hpp"
 #include "transform/balance_residuals.hpp"
 #include "transform/density.hpp"
 #include "transform/observation.hpp"
@@ -28,10 +29,13 @@ struct Summary {
   double origin_refinement = 1;  ///< as used
   double x1_max = 0;
   double x2_max = 0;
-  long nonzeros = 0;        ///< of the operator without the jumps
-  double leak = 0;          ///< largest rate at which the operator would lose mass
-  long steps = 0;           ///< of CVODE; 0 for the direct solve
-  long factorisations = 0;  ///< KLU factorisations on the final grid
+  Transport transport = Transport::upwind;  ///< as used
+  long visits = 0;                          ///< of cells by characteristics
+  double rest_mass = 0;                     ///< of the two innermost cells of characteristics
+  long nonzeros = 0;                        ///< of the operator without the jumps
+  double leak = 0;                          ///< largest rate at which the operator would lose mass
+  long steps = 0;                           ///< of CVODE; 0 for the direct solve
+  long factorisations = 0;                  ///< KLU factorisations on the final grid
   long rhs_evaluations = 0;
   long krylov_iterations = 0;  ///< of GMRES, in all
   long factor_entries = 0;     ///< of both factors of the preconditioner

@@ -59,9 +59,10 @@ const Description<TransientOptions>& transient_description() {
 void validate(const Options& options, const TransientOptions& transient) {
   validate(options);
   require_stable_order(options.order);
-  if (options.tolerance || options.error_estimate) {
+  if (options.tolerance || options.transport == Transport::characteristics) {
     throw InputError(
-        "tolerance or error over time (they are for the stationary density: leave them out)");
+        "tolerance or transport characteristics over time (they are for the stationary density: "
+        "leave them out)");
   }
   transient_description().validate(transient);
 }

@@ -17,6 +17,10 @@ the same operator. The excitation term of the equation:
   km4-pade  the Pade approximant of that series: well-posed without a length
   kf        the full jump integral (Kolmogorov-Feller equation), for every law of the impulses
 
+Where impulses are rare or losses strong, kf is solved along the characteristics of the motion
+instead (--transport). Every solution has an estimate of its error; finer grids follow while it is
+above 1e-4 and may be expected to fall below it in time, and above --accuracy it is not ok.
+
 examples:
   fpkcheck fd case1
   fpkcheck fd case1 --equation km4 --impact delta                (the equation of the closure)
@@ -24,13 +28,6 @@ examples:
   fpkcheck fd case4 --stepper direct --order 7 --refinement 1.5
   fpkcheck fd case1 --until 20 --snapshots 80 --out transient    (the density over time)
 )";
-
-// In a list of methods each difference stands beside what it is known to.
-std::optional<fd_fpk::Options> with_estimated_error(std::string_view id) {
-  auto options = fd_fpk::options_of(id);
-  if (options) options->error_estimate = true;
-  return options;
-}
 
 }  // namespace
 
@@ -53,7 +50,7 @@ Solver fd_solver() {
       {.description = fd_fpk::description(),
        .validate = fd_fpk::validate,
        .identity = fd_fpk::identity,
-       .options_of = with_estimated_error,
+       .options_of = fd_fpk::options_of,
        .solve = [](const problem::Problem& problem, const fd_fpk::Options& options,
                    const Setting&) { return fd_fpk::solve(problem, options).solution; }});
 }

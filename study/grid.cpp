@@ -48,7 +48,8 @@ class Solving {
                                           .x1_max = y_max_,
                                           .x2_max = v_max_,
                                           .wall_density = kWallDensity,
-                                          .refine_unresolved = false});
+                                          .refine_unresolved = false,
+                                          .error_estimate = false});
     ++done_;
     row.origin_refinement = found.summary.origin_refinement;
     row.nx = found.summary.nx;

@@ -21,6 +21,7 @@ enum class Status {
   ok,
   not_converged,  ///< the equations are not met
   ill_posed,      ///< the discrete problem as asked for grows without bound
+  inaccurate,     ///< the equations are met, with an error larger than was asked for
   inadmissible,   ///< the equations are met, but by no probability density
   failed          ///< the solver broke down
 };
@@ -29,6 +30,7 @@ inline constexpr parameters::Named<Status> kStatusNames[] = {
     {Status::ok, "ok"},
     {Status::not_converged, "not_converged", "the equations are not met"},
     {Status::ill_posed, "ill_posed", "the discrete problem grows without bound"},
+    {Status::inaccurate, "inaccurate", "the stated error is larger than was asked for"},
     {Status::inadmissible, "inadmissible",
      "the equations are met, but not by a probability density"},
     {Status::failed, "failed", "the solver broke down"}};

@@ -63,6 +63,7 @@ Excitation jumps(const problem::ImpulseTrain& impulses, const Line& line) {
   return {.drift = 0,
           .diffusion = 0,
           .exchange = impulses.arrival_rate() * jump_matrix(line, impulses.law()),
+          .exchange_drift = impulses.rate_moment(1),
           .exchange_diffusion = impulses.rate_moment(2) / 2,
           .exchange_rate = impulses.arrival_rate()};
 }

@@ -18,9 +18,10 @@ struct Excitation {
   double diffusion = 0;      ///< D in D p''
   Eigen::MatrixXd exchange;  ///< shape (cells, cells), or empty: jumps, or third and fourth
                              ///< differences. The widths of the cells times it is zero: no leak.
-  /// What a diffusion must look like to stand in for the exchange: its strength for long waves, and
-  /// the rate at which the exchange saturates for short ones. Zero where the differences of
-  /// `diffusion` will do.
+  /// What a drift and a diffusion must look like to stand in for the exchange: their strength for
+  /// long waves, and the rate at which the exchange saturates for short ones. Zero where the
+  /// differences of `diffusion` will do.
+  double exchange_drift = 0;
   double exchange_diffusion = 0;
   double exchange_rate = 0;
 };

@@ -55,4 +55,38 @@ std::vector<double> graded_faces(double length, int cells, const Grading& gradin
   return faces;
 }
 
+std::vector<double> faces_graded_to(double from, double to, double step,
+                                    std::span<const Centre> centres) {
+  // The number of cells up to x, but for a constant.
+  const auto cells_to = [&](double x) {
+    double cells = x;
+    for (const auto& [centre, grading] : centres) {
+      cells += std::copysign(grading.reach * std::log1p(std::abs(x - centre) / grading.core),
+                             x - centre);
+    }
+    return cells / step;
+  };
+  std::vector<double> ends{from};
+  for (const Centre& centre : centres) {
+    if (centre.x > ends.back() && centre.x < to) ends.push_back(centre.x);
+  }
+  if (to > ends.back()) ends.push_back(to);
+  std::vector<double> faces{from};
+  for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+    const double first = cells_to(ends[n]), last = cells_to(ends[n + 1]);
+    const int count = std::max(1, static_cast<int>(std::ceil(last - first - 1e-9)));
+    for (int k = 1; k < count; ++k) {
+      const double wanted = first + (last - first) * k / count;
+      double below = faces.back(), above = ends[n + 1];
+      for (int bisection = 0; bisection < 60; ++bisection) {
+        const double middle = (below + above) / 2;
+        (cells_to(middle) < wanted ? below : above) = middle;
+      }
+      faces.push_back((below + above) / 2);
+    }
+    faces.push_back(ends[n + 1]);
+  }
+  return faces;
+}
+
 }  // namespace fpkcheck::fd_fpk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace fpkcheck::fd_fpk {
@@ -49,6 +50,18 @@ struct Grading {
 
 /// Faces 0 = x_0 < ... < x_cells = length, graded towards 0.
 std::vector<double> graded_faces(double length, int cells, const Grading& grading);
+
+/// Where cells shrink.
+struct Centre {
+  double x;
+  Grading grading;
+};
+
+/// Faces from `from` to `to` on which every centre between lies, graded towards each of them; cells
+/// are `step` wide far from all.
+/// @param centres increasing
+std::vector<double> faces_graded_to(double from, double to, double step,
+                                    std::span<const Centre> centres);
 
 /// Cells that graded_faces needs for cells of width `step` far from the origin, not rounded.
 double graded_cells(double length, double step, const Grading& grading);

@@ -137,6 +137,12 @@ bool unbounded_at_origin(const problem::Problem& problem) {
   return problem.impulses.arrival_rate() <= 2 * decay;
 }
 
+bool off_the_wall(const problem::Problem& problem) {
+  constexpr double kDeviations = 4;
+  return problem::static_deflection(problem) >
+         kDeviations * problem::equivalent_linearisation(problem).displacement_deviation;
+}
+
 double origin_refinement(const problem::Problem& problem, const Options& options) {
   constexpr double kSmallJump = 0.1;
   const double r = problem.system.restitution();
@@ -144,7 +150,8 @@ double origin_refinement(const problem::Problem& problem, const Options& options
   // High orders ring on narrow cells at the spike that rare impulses leave; wide ones hold it as
   // the mass that it is. White noise leaves none.
   const bool singular = follows_singularity(problem, options);
-  const bool narrow = jumps && (singular || !unbounded_at_origin(problem));
+  const bool narrow =
+      jumps && !off_the_wall(problem) && (singular || !unbounded_at_origin(problem));
   return options.origin_refinement.value_or(!narrow    ? 1
                                             : singular ? kOriginUnderWhiteNoise
                                                        : kRefinedOrigin);

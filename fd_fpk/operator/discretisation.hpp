@@ -31,6 +31,9 @@ struct Discretisation {
 /// density goes like a^(lambda/kappa - 2): true where that is unbounded.
 bool unbounded_at_origin(const problem::Problem& problem);
 
+/// The mean of the impulses holds the oscillator so far off the wall that it hardly meets it.
+bool off_the_wall(const problem::Problem& problem);
+
 /// How much narrower cells are at the origin where it is refined without being asked to.
 inline constexpr double kRefinedOrigin = 16;
 /// The same in x2 under white noise with losses, where the density at the wall goes as u^-beta and

@@ -76,7 +76,8 @@ double energy_residual(const problem::Problem& problem, problem::Impact impact, 
 }
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
-                                              const Eigen::VectorXd& averages, int order) {
+                                              const Eigen::VectorXd& averages, int order,
+                                              double impact_momentum) {
   const auto [y, v] = marginals(grid, averages);
   const auto& force = problem.system.force();
   const auto virial = problem::virial_balance(
@@ -84,8 +85,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
                 .mean_square_velocity = integral(grid.x2, v, order, monomial(2)),
                 .mean_virial = integral(grid.x1, y, order, force.times_argument())});
   const auto momentum = problem::momentum_balance(
-      problem, {.mean_force = integral(grid.x1, y, order, force),
-                .impact_momentum = impact_flux(grid, averages, order, 2)});
+      problem,
+      {.mean_force = integral(grid.x1, y, order, force), .impact_momentum = impact_momentum});
   return {.virial = virial.residual(), .momentum = momentum.residual()};
 }
 

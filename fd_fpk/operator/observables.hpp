@@ -38,8 +38,10 @@ double energy_residual(const problem::Problem& problem, problem::Impact impact, 
 
 /// problem::virial_balance and problem::momentum_balance of cell averages. The force is averaged
 /// over the cells as the operator averages it.
+/// @param impact_momentum int_{v<0} v^2 p(0, v) dv
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
-                                              const Eigen::VectorXd& averages, int order);
+                                              const Eigen::VectorXd& averages, int order,
+                                              double impact_momentum);
 
 /// Density on the outer walls relative to the peak, or to the peak of equivalent linearisation
 /// where that is lower: a spike at rest must not hide a tail.

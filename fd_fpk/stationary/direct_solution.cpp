@@ -10,6 +10,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
+// Of the residual, by GMRES.
+constexpr double kLeastReduction = 1e-4;
+
 DirectSolution solve_in(const problem::Problem& problem, const Options& options, const Box& box) {
   Discretisation discretisation = discretise(problem, options, box);
   if (!discretisation.refusal.empty()) {
@@ -20,14 +23,16 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
   FokkerPlanckOperator op = fokker_planck_operator(problem, options, discretisation);
   Preconditioner preconditioner(problem, discretisation.excitation, options.impact, grid,
                                 options.order);
-  auto [averages, iterations, failure, krylov_seconds] =
-      null_vector(op, preconditioner, gaussian_start(grid, problem));
+  const Eigen::VectorXd start = gaussian_start(grid, problem);
+  auto [averages, iterations, failure, krylov_seconds] = null_vector(op, preconditioner, start);
+  const bool converged = averages && op.residual(*averages) < kLeastReduction * op.residual(start);
   return {.discretisation = std::move(discretisation),
           .refinement = options.refinement,
           .origin_refinement = origin_refinement(problem, options),
           .op = std::move(op),
           .preconditioner = std::move(preconditioner),
           .averages = std::move(averages),
+          .converged = converged,
           .krylov_iterations = iterations,
           .failure = std::move(failure),
           .krylov_seconds = krylov_seconds};
@@ -41,7 +46,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const O
   WallDensity last{HUGE_VAL, HUGE_VAL};
   while (true) {
     DirectSolution direct = solve_in(problem, options, box);
-    if (!direct.averages) return direct;
+    if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(problem, direct.discretisation.grid, *direct.averages);
     // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
@@ -82,18 +87,21 @@ Box stationary_box(const problem::Problem& problem, const Options& options) {
   return box;
 }
 
-DirectSolution solve_directly(const problem::Problem& problem, const Options& options) {
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
+                              const Deadline& deadline) {
   constexpr int kRefinements = 2;
   constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
   constexpr double kRefinement = 1.5;
+  constexpr double kSlower = 5;  // a grid so much finer, about
   Box box = stationary_box(problem, options);
   Options on_grid = options;
   for (int refinement = 0;; ++refinement) {
+    const Stopwatch stopwatch;
     DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, box);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
-    if (!direct.averages || !automatic || refinement == kRefinements ||
+    if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||
         direct.discretisation.grid.size() > kMostCellsRefined ||
-        resolved(problem, options, direct)) {
+        !deadline.allows(kSlower * stopwatch.seconds()) || resolved(problem, options, direct)) {
       return direct;
     }
     // What is not resolved of a spike is the spike.

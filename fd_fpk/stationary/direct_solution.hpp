@@ -8,6 +8,7 @@
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/operator.hpp"
 #include "fd_fpk/options.hpp"
+#include "fd_fpk/stopwatch.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -20,6 +21,7 @@ struct DirectSolution {
   FokkerPlanckOperator op = {};
   std::optional<Preconditioner> preconditioner = {};
   std::optional<Eigen::VectorXd> averages = {};  ///< mass 1
+  bool converged = true;                         ///< GMRES did, to what is worth going on from
   long krylov_iterations = 0;                    ///< of GMRES, on the final grid
   std::string failure = {};                      ///< why there are no averages, and what to do
   double krylov_seconds = 0;                     ///< of GMRES, on the final grid
@@ -34,7 +36,8 @@ Box stationary_box(const problem::Problem& problem, const Options& options);
 /// - a wall with more than options.wall_density of the peak moves out by 15 % as long as the
 ///   density on it falls, first on coarse grids;
 /// - an automatic grid is refined, at a spike at the origin first, while the density exceeds
-///   kAutomaticGridBars.
-DirectSolution solve_directly(const problem::Problem& problem, const Options& options);
+///   kAutomaticGridBars and the time lasts.
+DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
+                              const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

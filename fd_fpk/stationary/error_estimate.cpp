@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/stationary/judgement.hpp"
 #include "transform/richardson.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -21,10 +23,30 @@ const transform::GridDensity& grid_of(const Solution& solution) {
   return std::get<transform::GridDensity>(*solution.density);
 }
 
-// On the cells of the finer one.
+// Edges that leave no bin narrower than `width`, but for what is next to 0 and the end.
+std::vector<double> no_narrower(const std::vector<double>& edges, double width) {
+  std::vector<double> kept;
+  for (const double edge : edges) {
+    if (edge == 0) {
+      while (!kept.empty() && kept.back() < 0 && kept.back() > -width) kept.pop_back();
+      kept.push_back(edge);
+    } else if (kept.empty() || edge >= kept.back() + width) {
+      kept.push_back(edge);
+    }
+  }
+  kept.back() = edges.back();
+  return kept;
+}
+
+// On the cells of the finer one, where they are not narrower than what anybody looks at: on the
+// cells into which a spike falls no two grids agree.
 transform::Change change(const Solution& coarser, const Solution& finer) {
+  constexpr double kNarrowest = 0.02;  // root mean squares
   const auto& [y_edges, v_edges, averages] = grid_of(finer);
-  return transform::change(level(coarser, y_edges, v_edges), level(finer, y_edges, v_edges));
+  const auto& moments = finer.moments;
+  const auto y = no_narrower(y_edges, kNarrowest * std::sqrt(moments.y2));
+  const auto v = no_narrower(v_edges, kNarrowest * std::sqrt(moments.v2));
+  return transform::change(level(coarser, y, v), level(finer, y, v));
 }
 
 // The options of a grid whose cells are `factor` times narrower, without automatic changes.
@@ -41,26 +63,24 @@ Options direct(Options options) {
   return options;
 }
 
+// Of the scheme; the transport along characteristics spreads a cell's mass linearly.
+int order_of(const Options& options) {
+  constexpr int kAlongCharacteristics = 2;
+  return options.transport == Transport::characteristics ? kAlongCharacteristics : options.order;
+}
+
 double worst(const ErrorEstimate& error, const Moments& moments) {
   return std::max(
       {error.y_l1, error.ydot_l1, error.moments.y2 / moments.y2, error.moments.v2 / moments.v2});
 }
+
+double l1(const ErrorEstimate& error) { return std::max(error.y_l1, error.ydot_l1); }
 
 void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
   fine.summary.error = error;
   if (error.observed_order >= transform::kLeastOrderOfALimit) {
     fine.solution.extrapolation = {*coarser.density, error.factor};
   }
-}
-
-void require_small(const ErrorEstimate& error, Solution& solution) {
-  const double l1 = std::max(error.y_l1, error.ydot_l1);
-  if (solution.status != Status::ok || l1 <= kUnresolvedError) return;
-  solution.status = Status::inadmissible;
-  solution.reason = fmt::format(
-      "the discretisation error is estimated as {:.1g} in L1, with an observed order of {:.1f}: the "
-      "grid does not resolve the density (ask for a tolerance, or refine)",
-      l1, error.observed_order);
 }
 
 // The best there is when a finer grid gave nothing.
@@ -77,6 +97,15 @@ Result given_up(Result best, const Options& options, const std::string& reason) 
 }
 
 }  // namespace
+
+bool better(const Result& one, const Result& other) {
+  const auto rank = [](const Result& result) {
+    return result.solution.is_ok() ? 3 : result.summary.error ? 2 : result.solution.density ? 1 : 0;
+  };
+  if (rank(one) != rank(other)) return rank(one) > rank(other);
+  return one.summary.error && other.summary.error &&
+         l1(*one.summary.error) < l1(*other.summary.error);
+}
 
 ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, const Solution& fine,
                              int order) {
@@ -96,15 +125,70 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   // An automatic grid may have been refined on the way: the coarser ones follow the one it became.
   Options used = options;
   used.refinement = fine.summary.refinement;
-  used.origin_refinement = fine.summary.origin_refinement;
+  if (options.transport == Transport::characteristics) {
+    used.x1_max = fine.summary.x1_max;
+    used.x2_max = fine.summary.x2_max;
+  } else {
+    used.origin_refinement = fine.summary.origin_refinement;
+  }
   const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
   const Result coarse = solve(direct(refined(used, 1 / (kLevelRatio * kLevelRatio))));
   if (middle.solution.density && coarse.solution.density) {
-    add_estimate(fine, middle.solution,
-                 estimate_error(coarse.solution, middle.solution, fine.solution, options.order));
-    require_small(*fine.summary.error, fine.solution);
+    add_estimate(
+        fine, middle.solution,
+        estimate_error(coarse.solution, middle.solution, fine.solution, order_of(options)));
+    judge_error(options, fine);
   }
   return fine;
+}
+
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline) {
+  // A level takes at least as many times as long as the one before.
+  constexpr double kSlower = 2.5;
+  constexpr double kSoon = 5;  // of the time that is left, its inverse
+  const Stopwatch stopwatch;
+  Result best = solve_with_error_estimate(solve, options);
+  if (!best.summary.error) return best;
+  // The three grids together took about 1 + 1/2.5 + 1/6 times as long as the finest.
+  double seconds = stopwatch.seconds() / 1.6;
+  Options level = direct(options);
+  level.refinement = best.summary.refinement;
+  if (options.transport == Transport::characteristics) {
+    level.x1_max = best.summary.x1_max;
+    level.x2_max = best.summary.x2_max;
+  } else {
+    level.origin_refinement = best.summary.origin_refinement;
+  }
+  // Of the three last levels the two coarser ones.
+  const Options before = refined(level, 1 / kLevelRatio);
+  Result middle = best;
+  std::optional<Result> coarse;
+  while (l1(*best.summary.error) > kUsualAccuracy) {
+    // How many levels are missing, by what the last three have shown.
+    const double order =
+        std::clamp(best.summary.error->observed_order, 0.5, static_cast<double>(order_of(options)));
+    const double missing = std::ceil(std::log(l1(*best.summary.error) / kUsualAccuracy) /
+                                     (order * std::log(kLevelRatio)));
+    double expected = 0;
+    for (int n = 1; n <= missing; ++n) expected += seconds * std::pow(kSlower, n);
+    // Without a hope of that accuracy soon only what is not ok yet is improved.
+    const bool hopeful = deadline.allows(kSoon * expected);
+    if (!hopeful && (best.solution.is_ok() || !deadline.allows(kSlower * seconds))) break;
+    level = refined(level, kLevelRatio);
+    const Stopwatch of_level;
+    Result fine = solve(level);
+    seconds = of_level.seconds();
+    if (!fine.solution.density) break;
+    if (!coarse) coarse = solve(before);
+    if (!coarse->solution.density) break;
+    add_estimate(
+        fine, middle.solution,
+        estimate_error(coarse->solution, middle.solution, fine.solution, order_of(options)));
+    judge_error(options, fine);
+    coarse = std::exchange(middle, fine);
+    if (better(fine, best)) best = std::move(fine);
+  }
+  return best;
 }
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
@@ -129,13 +213,18 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
           estimate_error(last[0]->solution, last[1]->solution, last[2]->solution, options.order);
       add_estimate(*last[2], last[1]->solution, error);
       if (worst(error, last[2]->solution.moments) <= *options.tolerance) {
-        if (options.stepper == Stepper::direct) return *last[2];
+        if (options.stepper == Stepper::direct) {
+          judge_error(options, *last[2]);
+          return *last[2];
+        }
         level.stepper = options.stepper;
         Result stepped = solve(level);
         if (stepped.solution.density) add_estimate(stepped, last[1]->solution, error);
+        judge_error(options, stepped);
         return stepped;
       }
-      if (error.observed_order < options.order - kOrdersMissing &&
+      if (options.transport != Transport::characteristics &&
+          error.observed_order < options.order - kOrdersMissing &&
           last[2]->summary.origin_refinement == 1) {
         level.origin_refinement = kRefinedOrigin;
         estimated = std::move(last[2]);

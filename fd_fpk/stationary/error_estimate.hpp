@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "fd_fpk/options.hpp"
+#include "fd_fpk/stopwatch.hpp"
 #include "fd_fpk/summary.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -15,9 +16,6 @@ namespace fpkcheck::fd_fpk {
 ErrorEstimate estimate_error(const transform::Solution& coarse, const transform::Solution& middle,
                              const transform::Solution& fine, int order);
 
-/// An error estimate in L1 beyond which a density is `inadmissible`: its grid does not resolve it.
-inline constexpr double kUnresolvedError = 0.05;
-
 /// Solves one problem with given options on one grid.
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
@@ -25,6 +23,17 @@ using SolveOnOneGrid = std::function<Result(const Options&)>;
 /// transform::kLevelRatio and its square (direct solves). The solution carries its extrapolation
 /// where the observed order is at least transform::kLeastOrderOfALimit.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
+
+/// The error in L1 that the automatic grid is made for where it can be had in time.
+inline constexpr double kUsualAccuracy = 1e-4;
+
+/// As above, and on finer grids as long as the estimate is larger than kUsualAccuracy, may be
+/// expected to get there before the deadline, or is larger than the accuracy asked for and there is
+/// time for another.
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline);
+
+/// Whether the one is ok and the other is not, or has an error estimate, or the smaller one.
+bool better(const Result& one, const Result& other);
 
 /// The solution on the first of a sequence of grids, each with cells narrower by
 /// transform::kLevelRatio, whose error estimate meets options.tolerance: L1 of both marginals, and

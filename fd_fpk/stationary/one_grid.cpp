@@ -9,6 +9,7 @@
 #include "fd_fpk/operator/resolution.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
+#include "fd_fpk/stationary/judgement.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
@@ -25,7 +26,8 @@ constexpr double kLongestStep = 500;
 // The density by the chosen stepper; empty when there is none. Fills in the status.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
                                                   const problem::Problem& problem,
-                                                  const Options& options, Result& result) {
+                                                  const Options& options, const Deadline& deadline,
+                                                  Result& result) {
   auto& [solution, summary] = result;
   if (!direct.averages) {
     solution.status = Status::failed;
@@ -35,7 +37,10 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
   const auto linear = problem::equivalent_linearisation(problem);
   const double frequency = std::sqrt(linear.stiffness);
   std::optional<Eigen::VectorXd> averages;
-  if (options.stepper == Stepper::direct) {
+  // CVODE takes its steps by the same linear solver, each of which may take as long.
+  constexpr double kStepsInFull = 20;
+  if (options.stepper == Stepper::direct || !direct.converged ||
+      !deadline.allows(kStepsInFull * direct.krylov_seconds)) {
     summary.factorisations = 1;
     summary.krylov_iterations = direct.krylov_iterations;
     summary.factor_seconds = direct.preconditioner->factor_seconds();
@@ -72,31 +77,6 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
   return averages;
 }
 
-void require_empty_walls(const Grid& grid, Result& result) {
-  auto& [solution, summary] = result;
-  if (solution.status != Status::ok) return;
-  solution.reason = box_objection(grid, summary.wall);
-  if (!solution.reason.empty()) solution.status = Status::failed;
-}
-
-void require_resolved(const Options& options, transform::Solution& solution) {
-  if (solution.status != Status::ok) return;
-  if (!kStationaryBars.allow_density(solution.min_density)) {
-    const bool first_order_impact = options.impact == Impact::delta;
-    solution.reason = fmt::format(
-        "the density is negative down to {:.1g} of its peak: {}", solution.min_density,
-        first_order_impact ? "the grid does not resolve it, or the impact to first order in 1-r, "
-                             "which keeps no sign, has no density (compare with a finer grid)"
-                           : "the grid does not resolve it (refine with nx and nv)");
-  } else if (!kStationaryBars.allow_imbalance(solution.energy_residual)) {
-    solution.reason = fmt::format(
-        "the balance of power is missed by {:.1g} of the input: the grid does not resolve the "
-        "density (refine with nx and nv)",
-        solution.energy_residual);
-  }
-  if (!solution.reason.empty()) solution.status = Status::inadmissible;
-}
-
 void observe(const problem::Problem& problem, const Options& options, const Grid& grid,
              const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
@@ -108,7 +88,8 @@ void observe(const problem::Problem& problem, const Options& options, const Grid
   summary.wall = relative_wall_density(problem, grid, averages);
   summary.impact_rate = impact_flux(grid, averages, order, 1);
   solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
-  summary.balances = balance_residuals(problem, grid, averages, order);
+  summary.balances =
+      balance_residuals(problem, grid, averages, order, impact_flux(grid, averages, order, 2));
 }
 
 void describe(const Discretisation& discretisation, Summary& summary) {
@@ -122,7 +103,8 @@ void describe(const Discretisation& discretisation, Summary& summary) {
 
 }  // namespace
 
-Result solve_on_one_grid(const problem::Problem& problem, const Options& options) {
+Result solve_on_one_grid(const problem::Problem& problem, const Options& options,
+                         const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
   // Growth depends on the velocity step alone, so it is judged before anything is solved.
@@ -142,7 +124,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Options& options
     return result;
   }
 
-  DirectSolution direct = solve_directly(problem, options);
+  DirectSolution direct = solve_directly(problem, options, deadline);
   describe(direct.discretisation, summary);
   summary.refinement = direct.refinement;
   summary.origin_refinement = direct.origin_refinement;
@@ -151,12 +133,12 @@ Result solve_on_one_grid(const problem::Problem& problem, const Options& options
     summary.leak = direct.op.leak();
     summary.factor_entries = direct.preconditioner->entries();
   }
-  const auto density = stationary_density(direct, problem, options, result);
+  const auto density = stationary_density(direct, problem, options, deadline, result);
   if (density) {
     const Grid& grid = direct.discretisation.grid;
     observe(problem, options, grid, *density, result);
-    require_empty_walls(grid, result);
-    require_resolved(options, solution);
+    judge_box(grid, result);
+    judge_resolution(options, result);
   }
   return result;
 }

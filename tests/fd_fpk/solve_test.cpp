@@ -60,7 +60,10 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
 
 TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
   const auto p = tests::paper_case(1);
-  Options options{.equation = Equation::km4, .impact = Impact::delta, .stepper = Stepper::direct};
+  Options options{.equation = Equation::km4,
+                  .impact = Impact::delta,
+                  .stepper = Stepper::direct,
+                  .error_estimate = false};
   const auto plain = solve(p, options);
   EXPECT_EQ(plain.solution.identity, identity(options));
   EXPECT_EQ(plain.solution.observations, observations(plain.summary));
@@ -218,9 +221,14 @@ TEST(Solve, WidensItsBoxForHeavyTails) {
 TEST(Solve, DoesNotPassOffAnUnresolvedDensity) {
   for (const auto& p :
        {tests::make_problem({.damping = 3, .cubic = 0}), tests::make_problem({.rate = 0.02})}) {
-    const auto solution = solve(p, direct(Equation::kf)).solution;
-    EXPECT_EQ(solution.status, Status::inadmissible) << solution.min_density;
-    EXPECT_NE(solution.reason.find("refine"), std::string::npos) << solution.reason;
+    Options upwind = direct(Equation::kf);
+    upwind.transport = Transport::upwind;
+    const auto unresolved = solve(p, upwind).solution;
+    EXPECT_EQ(unresolved.status, Status::inadmissible) << unresolved.min_density;
+    EXPECT_NE(unresolved.reason.find("refine"), std::string::npos) << unresolved.reason;
+    const auto [solution, summary] = solve(p, direct(Equation::kf));
+    EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+    EXPECT_EQ(summary.transport, Transport::characteristics);
   }
 }
 

@@ -52,6 +52,17 @@ TEST(Summary, IsObservedInTheOrderOfSummaryFiles) {
   EXPECT_EQ(paths(observations({.error = ErrorEstimate{}})), with_estimate);
 }
 
+TEST(Summary, OfCharacteristicsTellsWhatTheyHold) {
+  Summary summary;
+  summary.transport = Transport::characteristics;
+  summary.visits = 1000;
+  summary.rest_mass = 0.25;
+  const auto all = observations(summary);
+  EXPECT_EQ(find(all, "transport")->value, parameters::Value(std::string("characteristics")));
+  EXPECT_EQ(find(all, "visits")->kind, Kind::work);
+  EXPECT_EQ(number(all, "rest_mass"), 0.25);
+}
+
 TEST(Summary, TellsTheAnswerFromTheWork) {
   const auto all = observations({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
   EXPECT_EQ(find(all, "nx")->value, parameters::Value(std::int64_t{40}));

@@ -43,7 +43,7 @@ TEST(TransientOptions, ThatCannotBeUsedAreRefused) {
   refused({.until = 1, .relative_tolerance = 0});
   refused({.until = 1, .max_order = 6});
   refused({.until = 1}, {.tolerance = 1e-4});
-  refused({.until = 1}, {.error_estimate = true});
+  refused({.until = 1}, {.transport = Transport::characteristics});
   refused({.until = 1}, {.refinement = -1});
   for (const int order : {2, 4, 6, 7, 8}) refused({.until = 1}, {.order = order});
 }

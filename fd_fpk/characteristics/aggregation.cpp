@@ -1,0 +1,100 @@
+#include "fd_fpk/characteristics/aggregation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Every `stride`-th face from the first on, and the last.
+std::vector<double> coarser(const std::vector<double>& faces, int stride) {
+  std::vector<double> kept;
+  for (std::size_t f = 0; f + 1 < faces.size(); f += static_cast<std::size_t>(stride)) {
+    kept.push_back(faces[f]);
+  }
+  kept.push_back(faces.back());
+  return kept;
+}
+
+Grid coarser(const Grid& grid, int stride) {
+  const auto half = coarser(grid.speeds().faces(), stride);
+  std::vector<double> x2;
+  for (auto face = half.rbegin(); face + 1 != half.rend(); ++face) x2.push_back(-*face);
+  x2.insert(x2.end(), half.begin(), half.end());
+  return {Line(coarser(grid.x1.faces(), stride), Beyond::boundary), Line(std::move(x2))};
+}
+
+int stride_for(const Grid& grid, int most) {
+  int stride = 1;
+  const auto count = [&](int cells) { return (cells + stride - 1) / stride; };
+  while (count(grid.nx()) * 2 * count(grid.nv() / 2) > most) ++stride;
+  return stride;
+}
+
+std::vector<int> block_of(const Line& line, const Line& blocks) {
+  std::vector<int> block(line.cells());
+  int b = 0;
+  for (int i = 0; i < line.cells(); ++i) {
+    while (line.centre(i) > blocks.face(b + 1)) ++b;
+    block[i] = b;
+  }
+  return block;
+}
+
+}  // namespace
+
+Aggregation::Aggregation(const Grid& grid, int most)
+    : grid_(grid), blocks_(coarser(grid, stride_for(grid, most))) {
+  block_of_y_ = block_of(grid.x1, blocks_.x1);
+  block_of_v_ = block_of(grid.x2, blocks_.x2);
+  spread_like(Eigen::VectorXd::Zero(grid.size()));
+}
+
+void Aggregation::set_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step) {
+  const int count = blocks_.size();
+  Eigen::MatrixXd system(count, count);
+  Eigen::VectorXd one = Eigen::VectorXd::Zero(count);
+  for (int b = 0; b < count; ++b) {
+    one(b) = 1;
+    system.col(b) = one - step(one);
+    one(b) = 0;
+  }
+  // 1 - A has no inverse. Any mass that is added in proportion to the areas gives it one.
+  system.colwise() += blocks_.areas() / blocks_.areas().sum();
+  factors_.compute(system);
+}
+
+void Aggregation::spread_like(const Eigen::VectorXd& masses) {
+  constexpr double kEven = 1e-6;  // of the mass of all
+  const Eigen::VectorXd areas = grid_.areas();
+  weights_ = masses.cwiseMax(0) + kEven / areas.sum() * areas;
+  const Eigen::VectorXd sums = aggregated(weights_);
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int j = 0; j < grid_.nv(); ++j) {
+      weights_(i * grid_.nv() + j) /= sums(block_of_y_[i] * blocks_.nv() + block_of_v_[j]);
+    }
+  }
+}
+
+Eigen::VectorXd Aggregation::aggregated(const Eigen::Ref<const Eigen::VectorXd>& masses) const {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(blocks_.size());
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int j = 0; j < grid_.nv(); ++j) {
+      sums(block_of_y_[i] * blocks_.nv() + block_of_v_[j]) += masses(i * grid_.nv() + j);
+    }
+  }
+  return sums;
+}
+
+void Aggregation::correct(Eigen::Ref<Eigen::VectorXd> masses) const {
+  const Eigen::VectorXd sums = aggregated(masses);
+  const Eigen::VectorXd missing = factors_.solve(sums) - sums;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int j = 0; j < grid_.nv(); ++j) {
+      const int cell = i * grid_.nv() + j;
+      masses(cell) += weights_(cell) * missing(block_of_y_[i] * blocks_.nv() + block_of_v_[j]);
+    }
+  }
+}
+
+}  // namespace fpkcheck::fd_fpk

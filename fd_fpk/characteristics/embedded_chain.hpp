@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "fd_fpk/characteristics/passage.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// A stationary density as masses on cells.
+struct StationaryMasses {
+  std::optional<Eigen::VectorXd> masses;  ///< of p; they sum to 1
+  ImpactSums impacts = {};
+  double residual = 0;  ///< ||J T q - q||_1 of the density after impulses, whose mass is 1
+  long iterations = 0;  ///< of GMRES
+  std::string failure = {};
+  RestCells rest = {};  ///< as the characteristics have them
+  long visits = 0;      ///< of cells by characteristics
+};
+
+/// The chain of the states right after impulses, q = J T q with the passage T and the jumps J of
+/// the velocity at fixed displacement, solved by GMRES: first with the mass evenly spread in each
+/// cell, which keeps it positive, then with tilts limited by that solution. GMRES is preconditioned by
+/// the same chain on blocks of cells.
+StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
+                                   int characteristics_per_cell);
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,75 @@
+#include "fd_fpk/characteristics/passage.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace fpkcheck::fd_fpk {
+
+Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& tilts,
+                                    ImpactSums* impacts) const {
+  const auto& visits = characteristics_.visits();
+  const auto& from_wall = characteristics_.from_wall();
+  const RestCells& rest = characteristics_.rest();
+  Eigen::VectorXd ended = Eigen::VectorXd::Zero(masses.size());
+  double at_rest = masses(rest.below) + masses(rest.above);
+  std::vector<double> entering(from_wall.size(), 0.0);
+
+  const auto source = [&](const Visit& visit) {
+    return visit.share *
+           (masses(visit.cell) + tilts.y(visit.cell) * visit.y + tilts.v(visit.cell) * visit.v);
+  };
+  // What is left at the end of a track.
+  const auto follow = [&](const Track& track, double mass) {
+    for (std::size_t n = track.first; n < track.last; ++n) {
+      const Visit& visit = visits[n];
+      const double begins = source(visit);
+      const double left = visit.survival * mass + visit.kept * begins;
+      ended(visit.cell) += mass + begins - left;
+      mass = left;
+    }
+    return mass;
+  };
+  const auto land = [&](const Landing& landing, double mass) {
+    if (landing.speed == 0) {
+      at_rest += mass;
+      return;
+    }
+    entering[landing.faster] += landing.to_faster * mass;
+    entering[landing.slower] += (1 - landing.to_faster) * mass;
+    if (impacts) {
+      impacts->number += mass;
+      impacts->momentum += landing.speed * mass;
+      impacts->energy += landing.speed * landing.speed * mass;
+    }
+  };
+
+  for (const Track& track : characteristics_.from_outside()) {
+    land(track.landing, follow(track, 0));
+  }
+  for (std::size_t n = 0; n < from_wall.size(); ++n) {
+    const Track& track = from_wall[n];
+    const Landing& landing = track.landing;
+    double mass = entering[n];
+    // Part of what leaves here may land here again: the mass is then that of all rounds.
+    double again = 0;
+    if (landing.speed > 0) {
+      if (landing.faster == static_cast<int>(n)) again += landing.to_faster;
+      if (landing.slower == static_cast<int>(n)) again += 1 - landing.to_faster;
+    }
+    if (again > 0) {
+      double survival = 1, left = 0;
+      for (std::size_t m = track.first; m < track.last; ++m) {
+        const Visit& visit = visits[m];
+        left = visit.survival * left + visit.kept * source(visit);
+        survival *= visit.survival;
+      }
+      mass = (mass + again * left) / (1 - again * survival);
+    }
+    land(landing, follow(track, mass));
+  }
+  ended(rest.below) += rest.share_below * at_rest;
+  ended(rest.above) += (1 - rest.share_below) * at_rest;
+  return ended;
+}
+
+}  // namespace fpkcheck::fd_fpk

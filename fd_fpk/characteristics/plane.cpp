@@ -1,0 +1,127 @@
+#include "fd_fpk/characteristics/plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fd_fpk/characteristics/flow.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+constexpr double kWidth = 0.2;  // of cells far out, in usual amplitudes
+constexpr double kCore = 1e-3;  // where cells cease to shrink towards the origin, likewise
+// And towards other singularities, nearer by.
+constexpr double kSpikeReach = 0.25;
+constexpr double kSpikeCore = 0.005;
+
+// The acceleration by which the mean of the impulses presses the oscillator against the wall.
+double pressing(const problem::Problem& problem) {
+  return std::max(0.0, -problem.impulses.rate_moment(1));
+}
+
+// Where a mean G presses it against the wall, the oscillator bounces: it meets the wall G / 2 v
+// times per unit time, and the power D2 of the impulses is c v^2 + (1 - r^2) G v / 4.
+double usual_speed(const problem::Problem& problem) {
+  const double linear = problem::equivalent_linearisation(problem).velocity_deviation;
+  const double r = problem.system.restitution(), c = problem.system.damping();
+  const double loss = (1 - r * r) * pressing(problem) / 8;
+  const double d2 = problem.impulses.intensity() / 2;
+  const double bouncing = d2 / (loss + std::sqrt(loss * loss + c * d2));
+  return std::max(std::min(linear, bouncing), 0.5 * std::sqrt(problem.impulses.law().moment(2)));
+}
+
+double usual_height(const problem::Problem& problem, const Flow& flow, double speed) {
+  const double bounce = pressing(problem) > 0 ? speed * speed / (2 * pressing(problem))
+                                              : std::numeric_limits<double>::infinity();
+  return std::min(flow.winding(speed).height, bounce);
+}
+
+// |Y| does not exceed it but with this probability.
+double largest_impulse(const problem::ImpulseLaw& law, double probability) {
+  double amplitude = std::sqrt(law.moment(2));
+  while (1 - law.cumulative(amplitude) + law.cumulative(-amplitude) > probability) {
+    amplitude *= 1.05;
+  }
+  return amplitude;
+}
+
+// Amplitudes and speeds at which the density is as singular as at rest, or steps.
+struct Singularities {
+  std::vector<double> y, v;
+};
+
+// Atoms take what is at rest to a speed; its characteristic turns at known heights and meets the
+// wall at known speeds. A law that begins with a step leaves one up to that speed.
+Singularities singularities(const problem::Problem& problem, const Flow& flow, double usual_speed) {
+  constexpr int kWindings = 6;
+  constexpr double kFaint = 0.02, kSlow = 0.02, kApart = 0.9, kStep = 1e-3;
+  const auto& law = problem.impulses.law();
+  Singularities found;
+  for (const auto& [amplitude, probability] : law.atoms()) {
+    double speed = amplitude > 0 ? amplitude : -flow.restitution() * amplitude;
+    double left = 1;
+    found.v.push_back(std::abs(amplitude));
+    for (int n = 0; n < kWindings && left > kFaint && speed > kSlow * usual_speed; ++n) {
+      const Winding winding = flow.winding(speed);
+      found.y.push_back(winding.height);
+      found.v.push_back(speed);
+      found.v.push_back(winding.landing);
+      // Windings that lie close together make no spikes of their own.
+      const double next = flow.restitution() * winding.landing;
+      if (next > kApart * speed) break;
+      speed = next;
+      left *= std::exp(-problem.impulses.arrival_rate() * winding.duration);
+    }
+  }
+  const double deviation = law.deviation(), inside = 1e-6 * deviation;
+  for (const double end : law.smooth_pieces()) {
+    const double step = std::abs(law.density(end + inside) - law.density(end - inside));
+    if (step * deviation > kStep) found.v.push_back(std::abs(end));
+  }
+  return found;
+}
+
+// The origin, and what else is singular, once where there are two as good as one.
+std::vector<Centre> centres(double usual, std::vector<double> singular) {
+  const Grading to_spike{.reach = kSpikeReach * usual, .core = kSpikeCore * usual};
+  std::vector<Centre> centres{{0, {.reach = usual, .core = kCore * usual}}};
+  std::ranges::sort(singular);
+  for (const double x : singular) {
+    if (x > centres.back().x + 2 * to_spike.core) centres.push_back({x, to_spike});
+  }
+  return centres;
+}
+
+}  // namespace
+
+Grid characteristic_grid(const problem::Problem& problem, const Options& options, const Box& box) {
+  const Flow flow(problem.system);
+  const double v = usual_speed(problem), y = usual_height(problem, flow, v);
+  const double width = kWidth / options.refinement;
+  // What is at rest is then as sharp after an impulse.
+  const Singularities singular =
+      unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
+  const auto half = faces_graded_to(0, box.x2_max, width * v, centres(v, singular.v));
+  std::vector<double> x2;
+  for (auto face = half.rbegin(); face + 1 != half.rend(); ++face) x2.push_back(-*face);
+  x2.insert(x2.end(), half.begin(), half.end());
+  return {Line(faces_graded_to(0, box.x1_max, width * y, centres(y, singular.y)), Beyond::boundary),
+          Line(std::move(x2))};
+}
+
+Box generous_box(const problem::Problem& problem, const Options& options) {
+  constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
+  const double v_max = options.x2_max.value_or(
+      kTimes * usual_speed(problem) + kImpulses * largest_impulse(problem.impulses.law(), kRare));
+  double y_max = kHigher * usual_height(problem, Flow(problem.system), v_max);
+  if (pressing(problem) == 0) {
+    const auto linear = problem::equivalent_linearisation(problem);
+    y_max = std::max(y_max,
+                     problem::static_deflection(problem) + kTimes * linear.displacement_deviation);
+  }
+  return {.x1_max = options.x1_max.value_or(y_max), .x2_max = v_max};
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "fd_fpk/options.hpp"
+#include "fd_fpk/summary.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// The stationary density of `kf` with the exact impact on one grid, by the chain of the states
+/// right after impulses: along characteristics from one impulse to the next
+/// (characteristics/passage.hpp), then by the jump. Where impulses are rare, what is between them
+/// is all there is, and it is exact; the density may be unbounded at the origin. As solve_on_one_grid
+/// otherwise.
+Result solve_along_characteristics(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,53 @@
+#include "fd_fpk/stationary/judgement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fd_fpk/operator/resolution.hpp"
+
+namespace fpkcheck::fd_fpk {
+using transform::Status;
+
+void judge_box(const Grid& grid, Result& result) {
+  auto& [solution, summary] = result;
+  if (solution.status != Status::ok) return;
+  solution.reason = box_objection(grid, summary.wall);
+  if (!solution.reason.empty()) solution.status = Status::failed;
+}
+
+void judge_resolution(const Options& options, Result& result) {
+  auto& solution = result.solution;
+  if (solution.status != Status::ok) return;
+  if (!kStationaryBars.allow_density(solution.min_density)) {
+    const bool first_order_impact = options.impact == Impact::delta;
+    solution.reason = fmt::format(
+        "the density is negative down to {:.1g} of its peak: {}", solution.min_density,
+        first_order_impact ? "the grid does not resolve it, or the impact to first order in 1-r, "
+                             "which keeps no sign, has no density (compare with a finer grid)"
+                           : "the grid does not resolve it (refine with nx and nv)");
+  } else if (std::abs(solution.energy_residual) >
+                 std::max(kStationaryBars.power, options.accuracy) ||
+             std::isnan(solution.energy_residual)) {
+    solution.reason = fmt::format(
+        "the balance of power is missed by {:.1g} of the input: the grid does not resolve the "
+        "density (refine with nx and nv)",
+        solution.energy_residual);
+  }
+  if (!solution.reason.empty()) solution.status = Status::inadmissible;
+}
+
+void judge_error(const Options& options, Result& result) {
+  auto& [solution, summary] = result;
+  if (solution.status != Status::ok || !summary.error) return;
+  const double l1 = std::max(summary.error->y_l1, summary.error->ydot_l1);
+  if (l1 <= options.accuracy) return;
+  solution.status = Status::inaccurate;
+  solution.reason = fmt::format(
+      "the discretisation error is estimated as {:.1g} in L1, with an observed order of {:.1f}, and "
+      "{:g} is asked for (allow more time by max-seconds, or less accuracy)",
+      l1, summary.error->observed_order, options.accuracy);
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "fd_fpk/operator/grid.hpp"
+#include "fd_fpk/options.hpp"
+#include "fd_fpk/summary.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// Takes the `ok` from a solution whose density fills its box to the walls, and says why.
+void judge_box(const Grid& grid, Result& result);
+
+/// The same of one whose density is negative or misses the balance of power by more than
+/// kStationaryBars (of power: or the accuracy asked for) allow.
+void judge_resolution(const Options& options, Result& result);
+
+/// The same of one whose estimated error in L1 is larger than the accuracy asked for: `inaccurate`.
+void judge_error(const Options& options, Result& result);
+
+}  // namespace fpkcheck::fd_fpk

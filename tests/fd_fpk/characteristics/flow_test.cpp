@@ -1,0 +1,62 @@
+#include "fd_fpk/characteristics/flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// y'' + c y' + k y = 0 from the wall.
+TEST(Flow, WindingOfTheLinearOscillatorIsThatOfItsFormulas) {
+  const double c = 0.6, k = 2, v = 1.3;
+  const Flow flow(tests::make_problem({.damping = c, .stiffness = k, .cubic = 0}).system);
+  const double w = std::sqrt(k - c * c / 4);
+  const auto winding = flow.winding(v);
+  EXPECT_NEAR(winding.duration, std::numbers::pi / w, 3e-6);
+  EXPECT_NEAR(winding.landing, v * std::exp(-c / 2 * std::numbers::pi / w), 3e-6);
+  const double top = std::atan(2 * w / c) / w;
+  EXPECT_NEAR(winding.height, v / w * std::exp(-c / 2 * top) * std::sin(w * top), 1e-4);
+}
+
+TEST(Flow, OverdampedCreepsAndDoesNotComeBack) {
+  const Flow flow(tests::make_problem({.damping = 5, .cubic = 0}).system);
+  const auto winding = flow.winding(1);
+  EXPECT_TRUE(std::isinf(winding.duration));
+  EXPECT_EQ(winding.landing, 0);
+  EXPECT_GT(winding.height, 0.1);
+}
+
+// mu y^4 / 4 = v^2 / 2 at the top of a flight without losses.
+TEST(Flow, HardSpringTurnsWhereItsEnergySays) {
+  const double mu = 7, v = 3;
+  const Flow flow(tests::make_problem({.damping = 1e-9, .stiffness = 0, .cubic = mu}).system);
+  const auto winding = flow.winding(v);
+  EXPECT_NEAR(winding.height, std::pow(2 * v * v / mu, 0.25), 1e-4);
+  EXPECT_NEAR(winding.landing / v, 1, 3e-5);
+}
+
+TEST(Flow, StepsKeepTheEnergyOfAnUndampedMotion) {
+  const Flow flow(tests::make_problem({.damping = 1e-12, .cubic = 3}).system);
+  State state{0.2, 1.1};
+  const double energy = flow.energy(state);
+  for (int step = 0; step < 100; ++step) {
+    state = flow.after(state, flow.longest_step(state, flow.frequency(state)));
+    if (state.y < 0) state = {-state.y, -state.v};  // the odd continuation
+  }
+  EXPECT_NEAR(flow.energy(state) / energy, 1, 3e-5);
+}
+
+TEST(Flow, ImpactTimeIsWhereTheWallIs) {
+  const Flow flow(tests::paper_case(2).system);
+  const State from{0.05, -0.7};
+  ASSERT_LT(flow.after(from, 0.1).y, 0);
+  const double time = flow.impact_time(from, 0.1);
+  EXPECT_NEAR(flow.after(from, time).y, 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "distances.hpp"
+#include "exact/linear_density.hpp"
+#include "exact/closed_forms.hpp"
+#include "fd_fpk/solve.hpp"
+#include "paper_cases.hpp"
+#include "uniform_edges.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+using transform::Variable;
+
+Options along(double refinement = 1) {
+  return {.transport = Transport::characteristics, .refinement = refinement};
+}
+
+double distance(const transform::Marginal& a, const std::vector<double>& exact) {
+  double sum = 0;
+  for (std::size_t b = 0; b < a.size(); ++b) {
+    sum += std::abs(a.density[b] - exact[b]) * a.width(b);
+  }
+  return sum;
+}
+
+// The linear oscillator without losses at the wall has a density by a formula.
+TEST(AlongCharacteristics, MeetsTheExactDensityWithinItsStatedError) {
+  const auto p = tests::make_problem({.damping = 0.2, .cubic = 0, .restitution = 1, .rate = 1.3});
+  const exact::LinearDensity exact(p);
+  const auto y = tests::uniform_edges(0, 4, 80), v = tests::uniform_edges(-3, 3, 120);
+  std::vector<double> errors;
+  for (const double refinement : {0.5, 1.0, 2.0}) {
+    const auto solution = solve(p, along(refinement)).solution;
+    ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+    const double of_y = distance(transform::marginal(*solution.density, Variable::y, y),
+                                 exact.displacement_averages(y));
+    const double of_v = distance(transform::marginal(*solution.density, Variable::ydot, v),
+                                 exact.velocity_averages(v));
+    ASSERT_TRUE(solution.error);
+    EXPECT_LT(of_y, 1.25 * solution.error->y_l1);
+    EXPECT_LT(of_v, 1.25 * solution.error->ydot_l1);
+    errors.push_back(of_y + of_v);
+  }
+  EXPECT_LT(errors[2], 1e-3);
+  // Between the first and the second order.
+  EXPECT_GT(errors[0] / errors[2], 4);
+  EXPECT_LT(errors[0] / errors[2], 40);
+}
+
+// Down to a fifth of an impulse per decay time, where p ~ rho^-1.8 at the origin.
+TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareTheImpulses) {
+  for (const auto* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    for (const double rate : {0.02, 0.2}) {
+      const auto p = tests::make_problem(
+          {.damping = 0.2, .cubic = 0, .restitution = 1, .rate = rate, .law = law});
+      const auto solution = solve(p, along(0.999)).solution;  // not refined any further
+      const double y2 = exact::linear_cumulant(p, 2, 0), v2 = exact::linear_cumulant(p, 0, 2);
+      const double y4 = exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2;
+      const double v4 = exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2;
+      SCOPED_TRACE(std::string(law) + " " + std::to_string(rate));
+      EXPECT_NEAR(solution.moments.y2 / y2, 1, 1e-3);
+      EXPECT_NEAR(solution.moments.v2 / v2, 1, 1e-3);
+      EXPECT_NEAR(solution.moments.y4 / y4, 1, 4e-3);
+      EXPECT_NEAR(solution.moments.v4 / v4, 1, 4e-3);
+      EXPECT_NEAR(solution.mass, 1, 1e-12);
+      EXPECT_GT(solution.min_density, -1e-8);
+      EXPECT_LT(std::abs(solution.energy_residual), 2e-3);
+    }
+  }
+}
+
+// With losses the two discretisations have nothing in common but the problem.
+TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
+  const auto y = tests::uniform_edges(0, 2.5, 50);
+  for (const double restitution : {0.6, 0.98}) {
+    for (const double cubic : {0.0, 2.0}) {
+      const auto p = tests::make_problem({.cubic = cubic, .restitution = restitution});
+      const auto upwind = solve(p, {.stepper = Stepper::direct, .transport = Transport::upwind});
+      const auto other = solve(p, along());
+      ASSERT_EQ(upwind.solution.status, Status::ok) << upwind.solution.reason;
+      ASSERT_EQ(other.solution.status, Status::ok) << other.solution.reason;
+      const double apart =
+          transform::l1(transform::marginal(*upwind.solution.density, Variable::y, y),
+                        transform::marginal(*other.solution.density, Variable::y, y));
+      EXPECT_LT(apart, 2e-3) << restitution << " " << cubic;
+      EXPECT_NEAR(other.summary.impact_rate / upwind.summary.impact_rate, 1, 2e-3);
+      EXPECT_NEAR(other.solution.moments.v2 / upwind.solution.moments.v2, 1, 1e-3);
+    }
+  }
+}
+
+// Scales by which nothing but the units changes.
+TEST(AlongCharacteristics, DoNotDependOnTheUnits) {
+  const auto reference = solve(tests::make_problem({.cubic = 0, .rate = 0.05}), along());
+  const double t = 1e-5, l = 1e3;
+  const auto scaled = solve(tests::make_problem({.damping = 0.1 / t,
+                                                 .stiffness = 1 / (t * t),
+                                                 .cubic = 0,
+                                                 .rate = 0.05 / t,
+                                                 .intensity = 0.1 * l * l / (t * t * t)}),
+                            along());
+  EXPECT_NEAR(scaled.solution.moments.y2 / (l * l), reference.solution.moments.y2, 1e-8);
+  EXPECT_NEAR(scaled.solution.moments.v4 * std::pow(t / l, 4), reference.solution.moments.v4, 1e-8);
+}
+
+TEST(Solve, ChoosesTheTransportByTheProblem) {
+  const auto transport = [](const tests::Parameters& parameters) {
+    return solve(tests::make_problem(parameters), {.stepper = Stepper::direct}).summary.transport;
+  };
+  EXPECT_EQ(transport({}), Transport::upwind);
+  EXPECT_EQ(transport({.rate = 0.03}), Transport::characteristics);
+  EXPECT_EQ(transport({.restitution = 0.2}), Transport::characteristics);
+}
+
+TEST(Options, CharacteristicsAreForTheExactEquation) {
+  const auto refused = [](const Options& options) {
+    EXPECT_THROW(validate(options), std::exception);
+  };
+  refused({.equation = Equation::km4, .transport = Transport::characteristics});
+  refused({.impact = Impact::delta, .transport = Transport::characteristics});
+  refused({.transport = Transport::characteristics, .nx = 40});
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
