@@ -1,0 +1,282 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "compare/axes.hpp"
+#include "mcs/solve.hpp"
+#include "methods/builtin.hpp"
+#include "methods/run_cases.hpp"
+#include "methods/side_by_side.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "random_problem.hpp"
+#include "transform/solution.hpp"
+
+// Random problems over the whole range that the program accepts, solved by any methods and judged
+// by the simulation: how many each method solves, which of its answers say ok and are wrong, and
+// whether its stated errors hold.
+//
+//   fpkcheck_random [--count 200] [--first 0] [--methods fd-kf] [--keep DIR] [--verbose]
+namespace fpkcheck::benchmarks {
+namespace {
+
+using transform::Marginal;
+using transform::Solution;
+using transform::Status;
+using transform::Variable;
+
+struct Settings {
+  int count = 200;
+  int first = 0;
+  std::string methods = "fd-kf";
+  std::string keep = {};       // directory of simulations to be used again
+  std::string numbers = {};    // of the problems, instead of `count` from `first`
+  std::string transport = {};  // an option of fd, where not automatic
+  bool verbose = false;
+};
+
+// What the simulation knows of a problem.
+struct Judge {
+  Marginal y, ydot;
+  double y_noise, ydot_noise;  // expected L1 by chance
+};
+
+// A method's answer beside it.
+struct Answer {
+  std::string status;
+  double seconds = 0;
+  bool density = false;
+  double y_l1 = 0, ydot_l1 = 0;  // to the simulation
+  std::optional<transform::StatedError> stated;
+  std::string reason;
+
+  double worst() const { return std::max(y_l1, ydot_l1); }
+};
+
+// Impulses and radians that a simulation takes at most, lest one with 1e4 impulses per decay time
+// takes hours: their number makes up for the shorter time.
+constexpr double kMostEvents = 4e8;
+
+mcs::Options judge_options(const problem::Problem& problem, const compare::ComparisonAxes& axes) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double decay_times = 1.6e6 / problem::slowest_decay(linear);
+  const double events = problem.impulses.arrival_rate() + std::sqrt(linear.stiffness);
+  return {.time = std::min(decay_times, kMostEvents / events),
+          .y_edges = axes.y_edges,
+          .v_edges = axes.v_edges};
+}
+
+void write(std::ostream& out, const Marginal& marginal) {
+  for (const double density : marginal.density) out << fmt::format("{:.9g} ", density);
+  out << '\n';
+}
+
+Marginal read(std::istream& in, const std::vector<double>& edges) {
+  Marginal marginal{
+      .edges = edges, .density = std::vector<double>(edges.size() - 1), .lower = {}, .upper = {}};
+  for (double& density : marginal.density) in >> density;
+  return marginal;
+}
+
+Judge judge(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+            const Settings& settings) {
+  const std::filesystem::path kept = std::filesystem::path(settings.keep) / (problem.name + ".txt");
+  if (std::ifstream in(kept); !settings.keep.empty() && in) {
+    Judge judge{};
+    in >> judge.y_noise >> judge.ydot_noise;
+    judge.y = read(in, axes.y_edges);
+    judge.ydot = read(in, axes.v_edges);
+    return judge;
+  }
+  const auto solution = mcs::solve(problem, judge_options(problem, axes)).solution;
+  Judge judge{.y = transform::marginal(solution, Variable::y, axes.y_edges),
+              .ydot = transform::marginal(solution, Variable::ydot, axes.v_edges),
+              .y_noise = solution.sampling->y.value_or(0),
+              .ydot_noise = solution.sampling->ydot.value_or(0)};
+  if (!settings.keep.empty()) {
+    std::ofstream out(kept);
+    out << judge.y_noise << ' ' << judge.ydot_noise << '\n';
+    write(out, judge.y);
+    write(out, judge.ydot);
+  }
+  return judge;
+}
+
+Answer answer(const methods::Method& method, const problem::Problem& problem,
+              const compare::ComparisonAxes& axes, const Judge& judge) {
+  const Solution solution = methods::solve_by(method, problem, {axes, {}});
+  Answer result{.status = std::string(name(solution.status)),
+                .seconds = solution.seconds,
+                .density = solution.density.has_value(),
+                .stated = solution.error,
+                .reason = solution.reason};
+  if (!result.density) return result;
+  result.y_l1 = transform::l1(transform::marginal(solution, Variable::y, axes.y_edges), judge.y);
+  result.ydot_l1 =
+      transform::l1(transform::marginal(solution, Variable::ydot, axes.v_edges), judge.ydot);
+  return result;
+}
+
+void print_case(const problem::Problem& problem, const Judge& judge,
+                const std::vector<methods::Method>& methods, const std::vector<Answer>& answers) {
+  fmt::print("{}: {:.3g} impulses per decay time, {}\n", problem.name,
+             tests::impulses_per_decay_time(problem), problem::parameters_text(problem));
+  fmt::print("  {:20} {:>13} L1 {:.1e} {:.1e} by chance\n", "mcs", "", judge.y_noise,
+             judge.ydot_noise);
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const Answer& a = answers[m];
+    fmt::print("  {:20} {:>13} L1 {:.1e} {:.1e}", methods[m].id(), a.status, a.y_l1, a.ydot_l1);
+    if (a.stated) fmt::print(" stated {:.1e} {:.1e}", a.stated->y_l1, a.stated->ydot_l1);
+    fmt::print("  {:.2f} s  {}\n", a.seconds, a.reason);
+  }
+  std::fflush(stdout);
+}
+
+// Whether both marginals are as far from the simulation as the stated errors, times `safety`, and
+// three times the noise allow.
+bool within(const Answer& a, const Judge& judge, double safety) {
+  if (!a.stated) return false;
+  return a.y_l1 <= safety * a.stated->y_l1 + 3 * judge.y_noise &&
+         a.ydot_l1 <= safety * a.stated->ydot_l1 + 3 * judge.ydot_noise;
+}
+
+// Beyond a distance, as far as the noise lets one say so.
+bool off_by(const Answer& a, const Judge& judge, double distance) {
+  return a.y_l1 > distance + 1.5 * judge.y_noise || a.ydot_l1 > distance + 1.5 * judge.ydot_noise;
+}
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
+}
+
+void print_table(const std::vector<methods::Method>& methods, const std::vector<Judge>& judges,
+                 const std::vector<std::vector<Answer>>& answers) {
+  fmt::print("\n{:18} {:>7} {:>4} {:>10} {:>10} {:>9} {:>12} {:>12} {:>8} {:>8}\n", "method",
+             "density", "ok", "ok, > 1 %", "ok, > 2 %", "worst ok", "> stated x 2", "no statement",
+             "median s", "longest");
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    int density = 0, ok = 0, one = 0, two = 0, beyond = 0, silent = 0;
+    double worst = 0;
+    std::vector<double> seconds;
+    for (std::size_t p = 0; p < answers.size(); ++p) {
+      const Answer& a = answers[p][m];
+      density += a.density;
+      seconds.push_back(a.seconds);
+      if (a.status != "ok") continue;
+      ++ok;
+      one += off_by(a, judges[p], 0.01);
+      two += off_by(a, judges[p], 0.02);
+      worst = std::max(worst, a.worst());
+      silent += !a.stated;
+      beyond += a.stated && !within(a, judges[p], 2);
+    }
+    fmt::print("{:18} {:>7} {:>4} {:>10} {:>10} {:>9.1e} {:>12} {:>12} {:>8.2f} {:>8.1f}\n",
+               methods[m].id(), density, ok, one, two, worst, beyond, silent,
+               quantile(seconds, 0.5), quantile(seconds, 1));
+  }
+}
+
+// Where a method says ok: by impulses per decay time and restitution.
+void print_domain(const methods::Method& method, std::size_t m,
+                  const std::vector<problem::Problem>& problems,
+                  const std::vector<std::vector<Answer>>& answers) {
+  const double rates[] = {0, 1, 3, 10, 100, HUGE_VAL};
+  const double restitutions[] = {0, 0.4, 0.8, 1.01};
+  fmt::print("\n{}: ok of all\n{:>28}", method.id(), "impulses per decay time");
+  for (int i = 0; i < 5; ++i) {
+    fmt::print("{:>12}", i == 4 ? "> 100" : fmt::format("{:g} .. {:g}", rates[i], rates[i + 1]));
+  }
+  for (int j = 0; j < 3; ++j) {
+    fmt::print("\n{:>28}",
+               fmt::format("r {:g} .. {:g}", restitutions[j], std::min(1.0, restitutions[j + 1])));
+    for (int i = 0; i < 5; ++i) {
+      int all = 0, ok = 0;
+      for (std::size_t p = 0; p < problems.size(); ++p) {
+        const double rate = tests::impulses_per_decay_time(problems[p]);
+        const double r = problems[p].system.restitution();
+        if (rate < rates[i] || rate >= rates[i + 1]) continue;
+        if (r < restitutions[j] || r >= restitutions[j + 1]) continue;
+        ++all;
+        ok += answers[p][m].status == "ok";
+      }
+      fmt::print("{:>12}", fmt::format("{} / {}", ok, all));
+    }
+  }
+  fmt::print("\n");
+}
+
+std::vector<int> numbers_of(const Settings& settings) {
+  std::vector<int> numbers;
+  std::istringstream list(settings.numbers);
+  for (std::string number; std::getline(list, number, ',');) numbers.push_back(std::stoi(number));
+  for (int n = 0; settings.numbers.empty() && n < settings.count; ++n) {
+    numbers.push_back(settings.first + n);
+  }
+  return numbers;
+}
+
+int run(const Settings& settings) {
+  const auto registry = methods::builtin();
+  parameters::Values options;
+  if (!settings.transport.empty()) options.push_back({"transport", settings.transport});
+  const auto methods = registry.select(settings.methods, options);
+  if (!settings.keep.empty()) std::filesystem::create_directories(settings.keep);
+  std::vector<problem::Problem> problems;
+  std::vector<Judge> judges;
+  std::vector<std::vector<Answer>> answers;
+  for (const int number : numbers_of(settings)) {
+    problems.push_back(tests::random_problem(static_cast<std::uint64_t>(number)));
+    const auto& problem = problems.back();
+    const auto axes = compare::comparison_axes(problem);
+    judges.push_back(judge(problem, axes, settings));
+    std::vector<Answer> row(methods.size());
+    methods::side_by_side(methods.size(), 0, [&](std::size_t m) {
+      row[m] = answer(methods[m], problem, axes, judges.back());
+    });
+    if (settings.verbose) print_case(problem, judges.back(), methods, row);
+    answers.push_back(std::move(row));
+  }
+  print_table(methods, judges, answers);
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    print_domain(methods[m], m, problems, answers);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace fpkcheck::benchmarks
+
+int main(int argc, char** argv) {
+  namespace po = boost::program_options;
+  fpkcheck::benchmarks::Settings settings;
+  po::options_description options("fpkcheck_random: random problems judged by the simulation");
+  options.add_options()("help", "this text")("count", po::value(&settings.count), "problems")(
+      "first", po::value(&settings.first), "number of the first")(
+      "numbers", po::value(&settings.numbers), "of the problems, by commas, instead")(
+      "transport", po::value(&settings.transport), "of fd: upwind or characteristics")(
+      "methods", po::value(&settings.methods), "as `fpkcheck run --methods` takes them")(
+      "keep", po::value(&settings.keep), "directory of simulations that are used again")(
+      "verbose", po::bool_switch(&settings.verbose), "every answer");
+  try {
+    po::variables_map given;
+    po::store(po::parse_command_line(argc, argv, options), given);
+    po::notify(given);
+    if (given.contains("help")) {
+      std::cout << options;
+      return 0;
+    }
+    return fpkcheck::benchmarks::run(settings);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "fpkcheck_random: {}\n", error.what());
+    return 2;
+  }
+}
