@@ -63,13 +63,15 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
 
   const InterruptionGuard guard(control.on_interruption);
   ProgressLine progress(common.quiet);
+  const auto residuals = methods::residuals_of(problems);
   results::Run run{results::this_program(command_line),
-                   methods::run_cases(problems, methods, control.threads,
-                                      [&](const methods::RunProgress& at) { progress.show(at); })};
+                   methods::run_cases(
+                       problems, methods, control.threads,
+                       [&](const methods::RunProgress& at) { progress.show(at); }, residuals)};
   throw_if_interrupted();
   if (control.with_dual) {
     methods::add_bounds(run.cases, control.threads);
-    methods::add_own_errors(run.cases, control.threads);
+    methods::add_own_errors(run.cases, residuals, control.threads);
   }
   throw_if_interrupted();
   progress.clear();

@@ -64,6 +64,10 @@ struct Options {
   /// On the largest projection (23), relative to gaussian::residual_unit; moment, polar: on
   /// half_plane::size_of.
   double tolerance = 1e-10;
+  /// Largest error of p(y) and of p(y') in L1, against the full problem, with which a solution is
+  /// ok. A closure cannot tell its error: who calls measures it, or does not where this is empty, as
+  /// in files of earlier programs.
+  std::optional<double> accuracy = 2e-2;
   /// Of Newton's method: gaussian: plain steps from equivalent linearisation; moment, polar: at
   /// each order.
   int max_iterations = 30;

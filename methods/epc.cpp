@@ -17,9 +17,13 @@ equations. Three formulations:
   moment     p(y, y') on y >= 0, exact moment equations of the impact process itself
   polar      the same with Q_n a polynomial of amplitude and phase, which carries the jump that an
              impact with losses leaves at the origin
-The status says what the result is worth:
+The error against the full problem is measured by the residuals that the density leaves in the
+stationary equation, weighted by solutions of the backward equation, in L1 of p(y) and p(y') and for
+each moment. The status says what the result is worth:
   ok             the equations are met by a density that has decayed on the whole edge of its
-                 support (gaussian: and keeps the balance of power, and is near that of order n-2)
+                 support (gaussian: and keeps the balance of power, and is near that of order n-2),
+                 and the measured error is no larger than --accuracy
+  inaccurate     likewise, but the error is larger
   inadmissible   the equations are met, but not by such a density (condition (19) of the paper),
                  or by a spurious one
   not_converged  the equations are not met (gaussian with kf: or depend on the disc on which the
@@ -59,19 +63,28 @@ Solver epc_solver() {
                           {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}, kPurple, "square"),
                    family("epc-polar", "Likewise, with a polynomial of amplitude and phase.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
+      .set_by_a_run = {"accuracy"},
       .parameters = nullptr,
       .usual_options = {},
       .options_of = {},
       .method = {}};
   return with_front<epc::Options>(
-      std::move(entry),
-      {.description = epc::description(),
-       .validate = epc::validate,
-       .identity = epc::identity,
-       .options_of = epc::options_of,
-       .solve = [](const problem::Problem& problem, const epc::Options& options, const Setting&) {
-         return epc::solve(problem, options).solution;
-       }});
+      std::move(entry), {.description = epc::description(),
+                         .validate = epc::validate,
+                         .identity = epc::identity,
+                         .options_of = epc::options_of,
+                         .solve = [](const problem::Problem& problem, const epc::Options& options,
+                                     const Setting& setting) {
+                           auto solution = epc::solve(problem, options).solution;
+                           if (!solution.density || !options.accuracy) return solution;
+                           if (setting.residuals != nullptr) {
+                             state_measured_error(*setting.residuals, *options.accuracy, solution);
+                           } else {
+                             state_measured_error(ProblemResiduals(problem), *options.accuracy,
+                                                  solution);
+                           }
+                           return solution;
+                         }});
 }
 
 }  // namespace fpkcheck::methods

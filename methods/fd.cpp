@@ -41,6 +41,7 @@ Solver fd_solver() {
                     .meaning = "Finite differences for the density equation that the id names.",
                     .usual = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
                     .look = equation_look}},
+      .set_by_a_run = {"max_seconds"},
       .parameters = nullptr,
       .usual_options = {},
       .options_of = {},

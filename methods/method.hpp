@@ -4,6 +4,7 @@
 #include <string>
 
 #include "compare/axes.hpp"
+#include "methods/problem_residuals.hpp"
 #include "parameters/value.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
@@ -18,6 +19,9 @@ using Fraction = std::function<void(double, const std::string& note)>;
 struct Setting {
   const compare::ComparisonAxes& axes;  ///< a simulation makes its histogram on these
   const Fraction& progress;             ///< may be empty
+  /// Of the problem, by which a method that cannot tell its own error has it measured
+  /// (state_measured_error). Null where nobody keeps them.
+  const ProblemResiduals* residuals = nullptr;
 };
 
 /// One way to solve a problem, ready to run.

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <utility>
 
-#include "dual/backward/normal_equations.hpp"
-#include "dual/residual/moment_residuals.hpp"
+#include "dual/residual/density_residuals.hpp"
 #include "methods/side_by_side.hpp"
 #include "parameters/input_error.hpp"
 
@@ -23,15 +21,7 @@ struct Found {
   std::vector<results::ErrorSource> sources;
 };
 
-std::unique_ptr<dual::MomentResiduals> residuals_for(const problem::Problem& problem) {
-  try {
-    return std::make_unique<dual::MomentResiduals>(problem);
-  } catch (const dual::FitBrokeDown&) {
-    return nullptr;
-  }
-}
-
-results::ErrorSource source(const dual::MomentResiduals& residuals, const std::string& solution,
+results::ErrorSource source(const dual::DensityResiduals& residuals, const std::string& solution,
                             const transform::NamedMoment& moment,
                             const Eigen::MatrixXd& contributions,
                             const transform::GridDensity& cells) {
@@ -47,7 +37,7 @@ results::ErrorSource source(const dual::MomentResiduals& residuals, const std::s
 }
 
 /// @param cells of the maps; null for none
-std::optional<Found> own_error(const dual::MomentResiduals& residuals,
+std::optional<Found> own_error(const dual::DensityResiduals& residuals,
                                const transform::Solution& solution,
                                const transform::GridDensity* cells) try {
   const auto weighted = residuals.of(*solution.density);
@@ -66,7 +56,7 @@ std::optional<Found> own_error(const dual::MomentResiduals& residuals,
   return std::nullopt;  // nothing that has a mean
 }
 
-void add_to(Case& one, int threads) {
+void add_to(Case& one, const ProblemResiduals& of_problem, int threads) {
   std::vector<const transform::Solution*> densities;
   for (const auto& solution : one.solutions) {
     if (solution.density && solution.identity.role != transform::Role::simulation) {
@@ -74,7 +64,7 @@ void add_to(Case& one, int threads) {
     }
   }
   if (densities.empty()) return;
-  const auto residuals = residuals_for(one.problem);
+  const auto* residuals = of_problem.get();
   if (residuals == nullptr) return;
   const auto* cells = one.joints.empty() ? nullptr : &one.joints.front().density;
   std::vector<std::optional<Found>> found(densities.size());
@@ -89,8 +79,9 @@ void add_to(Case& one, int threads) {
 
 }  // namespace
 
-void add_own_errors(std::vector<Case>& cases, int threads) {
-  for (auto& one : cases) add_to(one, threads);
+void add_own_errors(std::vector<Case>& cases, const std::vector<ProblemResiduals>& residuals,
+                    int threads) {
+  for (std::size_t k = 0; k < cases.size(); ++k) add_to(cases[k], residuals[k], threads);
 }
 
 }  // namespace fpkcheck::methods

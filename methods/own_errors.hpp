@@ -2,15 +2,18 @@
 
 #include <vector>
 
+#include "methods/problem_residuals.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::methods {
 
 /// Gives every solution with a density on cells or as a function its own error, and where that
-/// comes from, by dual-weighted residuals (dual/residual/moment_residuals.hpp). A simulation's
+/// comes from, by dual-weighted residuals (dual/residual/density_residuals.hpp). A simulation's
 /// histogram has none: its noise is no error of an equation. Where the backward equation is not
 /// solved there are none.
+/// @param residuals of each case's problem
 /// @param threads 0 for all processors
-void add_own_errors(std::vector<results::Case>& cases, int threads);
+void add_own_errors(std::vector<results::Case>& cases,
+                    const std::vector<ProblemResiduals>& residuals, int threads);
 
 }  // namespace fpkcheck::methods

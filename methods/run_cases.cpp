@@ -21,8 +21,8 @@ struct Task {
 class Run {
  public:
   Run(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
-      const ProgressListener& listener)
-      : problems_(problems), methods_(methods), listener_(listener) {
+      const ProgressListener& listener, const std::vector<ProblemResiduals>& residuals)
+      : problems_(problems), methods_(methods), listener_(listener), residuals_(residuals) {
     for (const auto& problem : problems) axes_.push_back(compare::comparison_axes(problem));
     solutions_.assign(problems.size(), std::vector<std::optional<Solution>>(methods.size()));
   }
@@ -34,7 +34,8 @@ class Run {
       tell(task, std::min(fraction, 0.999), note);
     };
     solutions_[task.problem][task.method] =
-        solve_by(method, problems_[task.problem], {axes_[task.problem], progress});
+        solve_by(method, problems_[task.problem],
+                 {axes_[task.problem], progress, &residuals_[task.problem]});
     ++done_;
     tell(task, 1, "");
   }
@@ -64,6 +65,7 @@ class Run {
   const std::vector<problem::Problem>& problems_;
   const std::vector<Method>& methods_;
   const ProgressListener& listener_;
+  const std::vector<ProblemResiduals>& residuals_;
   std::vector<compare::ComparisonAxes> axes_;
   std::vector<std::vector<std::optional<Solution>>> solutions_;
   std::atomic<std::size_t> done_ = 0;
@@ -82,7 +84,14 @@ Solution solve_by(const Method& method, const problem::Problem& problem, const S
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener) {
-  Run run(problems, methods, listener);
+  return run_cases(problems, methods, threads, listener, residuals_of(problems));
+}
+
+std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
+                                     const std::vector<Method>& methods, int threads,
+                                     const ProgressListener& listener,
+                                     const std::vector<ProblemResiduals>& residuals) {
+  Run run(problems, methods, listener, residuals);
   std::vector<Task> several;
   std::vector<Task> alone;
   for (std::size_t p = 0; p < problems.size(); ++p) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "methods/method.hpp"
+#include "methods/problem_residuals.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
 
@@ -36,5 +37,11 @@ transform::Solution solve_by(const Method& method, const problem::Problem& probl
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener);
+
+/// The same with residuals that the caller keeps, one for each problem.
+std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
+                                     const std::vector<Method>& methods, int threads,
+                                     const ProgressListener& listener,
+                                     const std::vector<ProblemResiduals>& residuals);
 
 }  // namespace fpkcheck::methods

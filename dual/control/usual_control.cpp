@@ -42,14 +42,15 @@ double widening(const problem::Problem& problem, double velocity_deviation) {
 
 }  // namespace
 
-ControlSplines usual_splines(const problem::Problem& problem, const ControlCells& cells) {
+ControlSplines usual_splines(const problem::Problem& problem, const ControlCells& cells,
+                             int shrinking) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem), wider = widening(problem, s2);
   const double end = wider * kVExtent * s2;
   return {.y = KnotSplines(widening_knots(0, deflection + wider * kYExtent * s1,
-                                          deflection + kYEven * s1, cells.y)),
-          .v = KnotSplines(widening_knots(-end, end, kVEven * s2, cells.v, kWallKnots))};
+                                          deflection + kYEven * s1, cells.y, 1, shrinking)),
+          .v = KnotSplines(widening_knots(-end, end, kVEven * s2, cells.v, kWallKnots, shrinking))};
 }
 
 ControlProblem usual_control(const problem::Problem& problem, const KnotSplines& y,

@@ -19,7 +19,9 @@ struct ControlSplines {
 /// Chosen for a problem alone, in deviations of equivalent linearisation: 9 in y, beyond where the
 /// mean of the impulses holds the oscillator, and 10.5 to both sides in v, with cells of one width
 /// up to 5 and 6 of them, and a triple knot at v = 0, where grazing impacts leave a corner.
-ControlSplines usual_splines(const problem::Problem& problem, const ControlCells& cells);
+/// @param shrinking cells next to the wall, and to v = 0, that shrink towards it (widening_knots)
+ControlSplines usual_splines(const problem::Problem& problem, const ControlCells& cells,
+                             int shrinking = 0);
 
 /// The fit on these splines under the weight
 ///

@@ -66,6 +66,16 @@ Eigen::MatrixXd powers_at(std::span<const double> points) {
   return powers;
 }
 
+/// 1 between two breaks, shape (points, breaks - 1).
+Eigen::MatrixXd indicators(std::span<const double> points, const std::vector<double>& breaks) {
+  Eigen::MatrixXd one = Eigen::MatrixXd::Zero(std::ssize(points), std::ssize(breaks) - 1);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto after = std::ranges::upper_bound(breaks, points[n]) - breaks.begin();
+    one(static_cast<Eigen::Index>(n), std::clamp<Eigen::Index>(after - 1, 0, one.cols() - 1)) = 1;
+  }
+  return one;
+}
+
 }  // namespace
 
 WeakResiduals::WeakResiduals(const problem::Problem& problem, KnotSplines y, KnotSplines v)
@@ -137,6 +147,10 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
     residuals.noalias() += p.y.integrals(y[term]) * p.samples * p.v.integrals(v[term]).transpose();
   }
   residuals.row(0) += impacts(p);  // A_0(0) = 1, and all others vanish at the wall
+  const Eigen::MatrixXd cells = p.y.integrals(indicators(p.y.points, y_.breaks())) * p.samples *
+                                p.v.integrals(indicators(p.v.points, v_.breaks())).transpose();
+  const Eigen::Map<const Eigen::VectorXd> speeds(p.wall.points.data(), std::ssize(p.wall.points));
+  const Eigen::MatrixXd of_impacts = speeds.asDiagonal() * indicators(p.wall.points, wall_breaks_);
   const Eigen::MatrixXd means = p.y.integrals(values_at(y_, p.y.points).value) * p.samples *
                                 p.v.integrals(values_at(v_, p.v.points).value).transpose();
   return {.mass = mass,
@@ -147,7 +161,9 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
                       .v2 = moment(0, 2),
                       .v4 = moment(0, 4)},
           .means = means / mass,
-          .residuals = residuals / mass};
+          .residuals = residuals / mass,
+          .cells = cells / mass,
+          .impacts = p.wall.integrals(of_impacts) * p.wall_samples / mass};
 }
 
 }  // namespace fpkcheck::dual

@@ -16,6 +16,9 @@ struct WeakForm {
   transform::Moments moments;
   Eigen::MatrixXd means;      ///< E_p[A_i(y) B_j(v)]
   Eigen::MatrixXd residuals;  ///< rho_ij; both of shape (functions of y, functions of v)
+  /// Probabilities of the cells between the breaks of the splines, shape (cells of y, of v).
+  Eigen::MatrixXd cells;
+  Eigen::VectorXd impacts;  ///< int u p(0, -u) du between the wall's breaks
 };
 
 /// The weak residuals of the stationary equation with the exact impact under the impulses
@@ -36,6 +39,8 @@ class WeakResiduals {
 
   const KnotSplines& y() const { return y_; }
   const KnotSplines& v() const { return v_; }
+  /// Speeds of impacts, from 0 on: the breaks of B_j(r u) and B_j(-u).
+  const std::vector<double>& wall_breaks() const { return wall_breaks_; }
 
  private:
   Eigen::MatrixXd means_after_impulse(std::span<const double> v) const;
@@ -43,8 +48,8 @@ class WeakResiduals {
 
   problem::Problem problem_;
   KnotSplines y_, v_;
-  std::vector<double> wall_breaks_;  // of B_j(r u) and B_j(-u)
-  std::vector<double> v_breaks_;     // of B_j and K B_j
+  std::vector<double> wall_breaks_;
+  std::vector<double> v_breaks_;  // of B_j and K B_j
   /// K B_j at eight points of Gauss's rule between neighbouring breaks of v, increasing.
   std::vector<double> nodes_;
   Eigen::MatrixXd means_;  // shape (nodes, functions)

@@ -1,6 +1,7 @@
 #include "dual/spline/knot_splines.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace fpkcheck::dual {
@@ -51,11 +52,31 @@ std::vector<double> KnotSplines::power(int power) const {
   return coefficients;
 }
 
+namespace {
+
+/// Knots at 0 and the positive breaks, and at their negatives where both sides are wanted.
+std::vector<double> knots_of(const std::vector<double>& side, bool both, int repetitions) {
+  const double end = side.back();
+  std::vector<double> knots;
+  const auto add = [&](double at, int times) { knots.insert(knots.end(), times, at); };
+  if (both) {
+    for (auto at = side.rbegin(); at != side.rend(); ++at) add(-*at, *at == end ? 6 : 1);
+  }
+  add(0, both ? repetitions : 6);
+  for (const double at : side) add(at, at == end ? 6 : 1);
+  return knots;
+}
+
+}  // namespace
+
 std::vector<double> widening_knots(double begin, double end, double even, int cells,
-                                   int repetitions) {
+                                   int repetitions, int shrinking) {
+  constexpr double kShrink = 1.25;
   const int half = begin < 0 ? cells / 2 : cells;  // of each side
-  const int outer = std::max(1, half / 7), inner = half - outer;
-  const double width = even / inner;
+  const int outer = std::max(1, half / 7), inner = half - outer - shrinking;
+  // The sum of kShrink^-1 .. kShrink^-shrinking.
+  const double shrunk = (1 - std::pow(kShrink, -shrinking)) / (kShrink - 1);
+  const double width = even / (inner + shrunk);
   const auto reach = [&](double factor) {
     double at = even, step = width;
     for (int k = 0; k < outer; ++k) at += step *= factor;
@@ -65,19 +86,15 @@ std::vector<double> widening_knots(double begin, double end, double even, int ce
   while (reach(high) < end) high *= 2;
   for (int k = 0; k < 60; ++k) (reach((low + high) / 2) < end ? low : high) = (low + high) / 2;
   std::vector<double> side;  // breaks > 0
-  for (int k = 1; k <= inner; ++k) side.push_back(k * width);
+  for (int k = shrinking; k > 0; --k) {
+    side.push_back((side.empty() ? 0 : side.back()) + width * std::pow(kShrink, -k));
+  }
+  const double even_from = side.empty() ? 0 : side.back();
+  for (int k = 1; k <= inner; ++k) side.push_back(even_from + k * width);
   double step = width;
   for (int k = 1; k < outer; ++k) side.push_back(side.back() + (step *= high));
   side.push_back(end);
-
-  std::vector<double> knots;
-  const auto add = [&](double at, int times) { knots.insert(knots.end(), times, at); };
-  if (begin < 0) {
-    for (auto at = side.rbegin(); at != side.rend(); ++at) add(-*at, at == side.rbegin() ? 6 : 1);
-  }
-  add(0, begin < 0 ? repetitions : 6);
-  for (const double at : side) add(at, at == end ? 6 : 1);
-  return knots;
+  return knots_of(side, begin < 0, repetitions);
 }
 
 }  // namespace fpkcheck::dual

@@ -42,7 +42,8 @@ class KnotSplines {
 /// seventh of all cells is there. `begin` is 0 or -end.
 /// @param cells even where begin is -end
 /// @param repetitions of the break at 0 inside
+/// @param shrinking how many cells next to 0, on each side, are the narrower by a fifth each
 std::vector<double> widening_knots(double begin, double end, double even, int cells,
-                                   int repetitions = 1);
+                                   int repetitions = 1, int shrinking = 0);
 
 }  // namespace fpkcheck::dual

@@ -20,6 +20,7 @@ Options changed() {
           .equation = Equation::white,
           .tail = Tail::cut,
           .tolerance = 3.1e-9,
+          .accuracy = 0.3,
           .max_iterations = 17};
 }
 
@@ -63,7 +64,7 @@ TEST(ClosureOptions, HaveTheNamesOfTheFiles) {
   std::vector<std::string> names;
   for (const auto& [name, value] : description().values({})) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"order", "formulation", "monomials", "equation",
-                                             "tail", "tolerance", "max_iterations"}));
+                                             "tail", "tolerance", "accuracy", "max_iterations"}));
 }
 
 TEST(ClosureOptions, OnTheCommandLineTheEquationIsOneThatAClosureMaySolve) {
@@ -148,6 +149,7 @@ TEST(ClosureOptions, AreRefusedWithOneLine) {
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
   EXPECT_NE(refusal({.tolerance = 0}), "");
+  EXPECT_NE(refusal({.accuracy = 0}), "");
   EXPECT_NE(refusal({.tolerance = std::nan("")}), "");
   EXPECT_NE(refusal({.max_iterations = 0}), "");
 }

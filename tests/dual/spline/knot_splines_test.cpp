@@ -70,5 +70,25 @@ TEST(WideningKnots, AreEvenInTheMiddleAndWidenOutwards) {
   }
 }
 
+TEST(WideningKnots, ShrinkTowardsZeroWhereAsked) {
+  const KnotSplines fine(widening_knots(-5, 5, 2, 40, 3, 6));
+  const auto& breaks = fine.breaks();
+  ASSERT_EQ(breaks.size(), 41u);
+  EXPECT_EQ(breaks.back(), 5);
+  EXPECT_EQ(std::count(fine.knots().begin(), fine.knots().end(), 0.0), 3);
+  const auto width = [&](std::size_t k) { return breaks[21 + k] - breaks[20 + k]; };
+  for (std::size_t k = 0; k < 20; ++k) {
+    EXPECT_EQ(breaks[20 - k], -breaks[20 + k]);
+    if (k < 6) {
+      EXPECT_NEAR(width(k + 1) / width(k), 1.25, 1e-12);
+    } else if (k < 17) {
+      EXPECT_NEAR(width(k), width(6), 1e-14);
+    }
+  }
+  EXPECT_NEAR(breaks[38], 2, 1e-14);  // two of twenty widen
+  const KnotSplines half(widening_knots(0, 5, 2, 20, 1, 6));
+  EXPECT_EQ(half.breaks(), std::vector<double>(breaks.begin() + 20, breaks.end()));
+}
+
 }  // namespace
 }  // namespace fpkcheck::dual

@@ -5,14 +5,21 @@
 #include <iterator>
 #include <span>
 
-#include "dual/control/usual_control.hpp"
+#include "dual/residual/judged_functions.hpp"
+#include "dual/residual/unresolved.hpp"
 #include "dual/residual/weak_residuals.hpp"
 #include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "transform/solution.hpp"
 
 namespace fpkcheck::dual {
 
 inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
+
+/// What is known of an error.
+struct JudgedError {
+  double found = 0;       ///< by dual-weighted residuals
+  double unresolved = 0;  ///< Unresolved, of what the residuals were weighted by
+};
 
 /// A density's own errors, from itself and the problem alone.
 struct WeightedResiduals {
@@ -22,6 +29,15 @@ struct WeightedResiduals {
   /// Where the errors come from: -(h_ij - E_p[h]) rho_ij of each of transform::kMoments, of shape
   /// (functions of y, functions of v). Their sum is the error.
   std::array<Eigen::MatrixXd, kMomentCount> contributions;
+
+  std::array<double, kMomentCount> unresolved;  ///< of the moments, in their order
+  /// Of p(y) and p(y') in L1, over the bins of judged_functions().
+  JudgedError y_l1, ydot_l1;
+
+  /// What can be said: the errors as found, a quarter more for features that bins do not see, and
+  /// what is unresolved in proportion to the error itself, since (E_p - E)[e] is small where p is
+  /// right.
+  transform::StatedError stated() const;
 };
 
 /// Dual-weighted residuals. Let h = sum h_ij A_i(y) B_j(v) solve L h = E[f] - f with h(0, r u) =
@@ -37,13 +53,13 @@ struct WeightedResiduals {
 ///
 /// The error is that against the full problem, whatever p solves itself: of a solution of the
 /// white-noise equation it is also the model's.
-class MomentResiduals {
+class DensityResiduals {
  public:
   static constexpr ControlCells kCells{.y = 40, .v = 88};
 
   /// Takes most of the time: the fit of h.
   /// @throws FitBrokeDown (dual/backward/normal_equations.hpp)
-  explicit MomentResiduals(const problem::Problem& problem, const ControlCells& cells = kCells);
+  explicit DensityResiduals(const problem::Problem& problem, const ControlCells& cells = kCells);
 
   /// @throws InputError when the density has no positive mass, or no usable cells or range
   WeightedResiduals of(const transform::Density& density) const;
@@ -63,8 +79,13 @@ class MomentResiduals {
   const KnotSplines& v() const { return residuals_.v(); }
 
  private:
+  /// The coefficients h_ij of one function.
+  Eigen::MatrixXd coefficients(Eigen::Index function) const;
+
   WeakResiduals residuals_;
-  std::array<Eigen::MatrixXd, kMomentCount> h_;  // shape (functions of y, functions of v)
+  JudgedFunctions functions_;
+  ControlFunctions h_;
+  Unresolved unresolved_;
 };
 
 }  // namespace fpkcheck::dual

@@ -1,0 +1,112 @@
+#include "dual/residual/density_residuals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "dual/residual/spline_shares.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+// The jumps at the wall count as if in samples of the density four times a radian of the
+// linearised oscillator; the corrected moments hardly depend on it.
+constexpr double kWallWeight = 4;
+
+WeakResiduals usual_residuals(const problem::Problem& problem, ControlSplines splines) {
+  return {problem, std::move(splines.y), std::move(splines.v)};
+}
+
+ControlFunctions backward_solutions(const problem::Problem& problem, const WeakResiduals& residuals,
+                                    const std::vector<SeparableFunction>& functions) {
+  const double frequency = std::sqrt(problem::equivalent_linearisation(problem).stiffness);
+  return control_functions(
+      usual_control(problem, residuals.y(), residuals.v(), kWallWeight * frequency), functions);
+}
+
+// By how many times its error in L1 a density may be off where the backward equation is not
+// resolved: faults gather there.
+constexpr double kGathered = 10;
+// (E_p - E)|e| for densities that have nothing in common.
+constexpr double kDisjoint = 2;
+
+/// The error t with t = found + min(kGathered t, kDisjoint) unresolved.
+double with_unresolved(const JudgedError& error) {
+  const double most = error.found + kDisjoint * error.unresolved;
+  const double left = 1 - kGathered * error.unresolved;
+  return left > 0 ? std::min(most, error.found / left) : most;
+}
+
+}  // namespace
+
+transform::StatedError WeightedResiduals::stated() const {
+  transform::StatedError result{.y_l1 = transform::kErrorBand * with_unresolved(y_l1),
+                                .ydot_l1 = transform::kErrorBand * with_unresolved(ydot_l1),
+                                .moments = {}};
+  const double share = std::min(kGathered * std::max(result.y_l1, result.ydot_l1), kDisjoint);
+  for (std::size_t k = 0; k < kMomentCount; ++k) {
+    const auto moment = transform::kMoments[k].moment;
+    result.moments.*moment = std::abs(error.*moment) + share * unresolved[k];
+  }
+  return result;
+}
+
+DensityResiduals::DensityResiduals(const problem::Problem& problem, const ControlCells& cells)
+    : residuals_(usual_residuals(problem, residual_splines(problem, cells))),
+      functions_(judged_functions(residuals_.y(), residuals_.v())),
+      h_(backward_solutions(problem, residuals_, functions_.all)),
+      unresolved_(problem, residuals_, functions_.all, h_) {}
+
+Eigen::MatrixXd DensityResiduals::coefficients(Eigen::Index function) const {
+  return h_.coefficients.col(function).reshaped<Eigen::RowMajor>(y().size(), v().size());
+}
+
+WeightedResiduals DensityResiduals::of(const transform::Density& density) const {
+  const WeakForm weak = residuals_(density);
+  WeightedResiduals result{.mass = weak.mass,
+                           .corrected = weak.moments,
+                           .error = {},
+                           .contributions = {},
+                           .unresolved = {},
+                           .y_l1 = {},
+                           .ydot_l1 = {}};
+  const Eigen::VectorXd errors =
+      -(h_.coefficients.transpose() * weak.residuals.reshaped<Eigen::RowMajor>().eval());
+  const Eigen::VectorXd unresolved = unresolved_.of(weak);
+  for (std::size_t k = 0; k < kMomentCount; ++k) {
+    const Eigen::MatrixXd h = coefficients(static_cast<Eigen::Index>(k));
+    const double mean = h.cwiseProduct(weak.means).sum();
+    result.contributions[k] = -((h.array() - mean) * weak.residuals.array()).matrix();
+    const auto moment = transform::kMoments[k].moment;
+    result.error.*moment = result.contributions[k].sum();
+    result.corrected.*moment -= result.error.*moment;
+    result.unresolved[k] = unresolved(static_cast<Eigen::Index>(k));
+  }
+  const auto in_bins = [&](int first, int count) {
+    return JudgedError{errors.segment(first, count).cwiseAbs().sum(),
+                       unresolved.segment(first, count).sum()};
+  };
+  result.y_l1 = in_bins(functions_.moments, functions_.y_bins);
+  result.ydot_l1 = in_bins(functions_.moments + functions_.y_bins, functions_.v_bins);
+  return result;
+}
+
+Eigen::MatrixXd DensityResiduals::spread(const Eigen::MatrixXd& contributions,
+                                         std::span<const double> y_edges,
+                                         std::span<const double> v_edges) const {
+  const auto inverse_widths = [](std::span<const double> edges) {
+    Eigen::VectorXd inverse(std::ssize(edges) - 1);
+    for (Eigen::Index k = 0; k < inverse.size(); ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      inverse(k) = 1 / (edges[at + 1] - edges[at]);
+    }
+    return inverse;
+  };
+  const Eigen::MatrixXd in_cells =
+      spline_shares(y(), y_edges) * contributions * spline_shares(v(), v_edges).transpose();
+  return inverse_widths(y_edges).asDiagonal() * in_cells * inverse_widths(v_edges).asDiagonal();
+}
+
+}  // namespace fpkcheck::dual

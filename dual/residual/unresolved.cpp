@@ -1,0 +1,80 @@
+#include "dual/residual/unresolved.hpp"
+
+#include <cstddef>
+
+#include "dual/control/generator_factors.hpp"
+#include "dual/control/impulse_means.hpp"
+#include "dual/spline/gauss_rule.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+constexpr int kPerCell = 2;  // points along an axis
+
+/// Values of f at all points of both axes.
+Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
+                          std::span<const double> v) {
+  const auto along = [](const std::function<double(double)>& g, std::span<const double> points) {
+    Eigen::VectorXd values(std::ssize(points));
+    for (Eigen::Index n = 0; n < values.size(); ++n) {
+      values(n) = g(points[static_cast<std::size_t>(n)]);
+    }
+    return values;
+  };
+  return along(f.of_y, y) * along(f.of_v, v).transpose();
+}
+
+/// B_j(r u) - B_j(-u), shape (speeds, functions).
+Eigen::MatrixXd jumps_at(const KnotSplines& v, double restitution, std::span<const double> speeds) {
+  std::vector<double> before, after;
+  for (const double u : speeds) {
+    before.push_back(-u);
+    after.push_back(restitution * u);
+  }
+  return values_at(v, after).value - values_at(v, before).value;
+}
+
+}  // namespace
+
+Unresolved::Unresolved(const problem::Problem& problem, const WeakResiduals& residuals,
+                       std::span<const SeparableFunction> functions, const ControlFunctions& h) {
+  const KnotSplines &ys = residuals.y(), &vs = residuals.v();
+  const auto y = gauss_rule<kPerCell>(ys.breaks()).points;
+  const auto v = gauss_rule<kPerCell>(vs.breaks()).points;
+  const auto u = gauss_rule<kPerCell>(residuals.wall_breaks()).points;
+  const GeneratorFactors of_y = factors_of_y(problem.system, ys, y);
+  const GeneratorFactors of_v =
+      factors_of_v(problem, vs, v, impulse_means(vs, problem.impulses.law(), v));
+  const Eigen::MatrixXd jumps = jumps_at(vs, problem.system.restitution(), u);
+
+  const Eigen::Index ny = std::ssize(y) / kPerCell, nv = std::ssize(v) / kPerCell;
+  const auto count = static_cast<Eigen::Index>(functions.size());
+  in_cells_.resize(ny * nv, count);
+  at_wall_.resize(std::ssize(u) / kPerCell, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const Eigen::MatrixXd coefficients =
+        h.coefficients.col(k).reshaped<Eigen::RowMajor>(ys.size(), vs.size());
+    Eigen::MatrixXd left = values_of(functions[at], y, v).array() - h.means[at];
+    for (int term = 0; term < kGeneratorTerms; ++term) {
+      left.noalias() += of_y[term] * coefficients * of_v[term].transpose();
+    }
+    for (Eigen::Index i = 0; i < ny; ++i) {
+      for (Eigen::Index j = 0; j < nv; ++j) {
+        in_cells_(i * nv + j, k) =
+            left.block<kPerCell, kPerCell>(i * kPerCell, j * kPerCell).cwiseAbs().mean();
+      }
+    }
+    const Eigen::VectorXd jump = jumps * coefficients.row(0).transpose();
+    for (Eigen::Index i = 0; i < at_wall_.rows(); ++i) {
+      at_wall_(i, k) = jump.segment<kPerCell>(i * kPerCell).cwiseAbs().mean();
+    }
+  }
+}
+
+Eigen::VectorXd Unresolved::of(const WeakForm& density) const {
+  const Eigen::VectorXd masses = density.cells.reshaped<Eigen::RowMajor>().cwiseAbs();
+  return in_cells_.transpose() * masses + at_wall_.transpose() * density.impacts.cwiseAbs();
+}
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "dual/control/control_functions.hpp"
+#include "dual/residual/weak_residuals.hpp"
+
+namespace fpkcheck::dual {
+
+/// What approximate solutions h of backward equations leave of them: e = f - U + L h in the plane
+/// and h(0, r u) - h(0, -u) at the wall, as means of their sizes over the cells of the splines and
+/// over speeds of impacts.
+class Unresolved {
+ public:
+  /// @param functions f, as many as columns of h
+  Unresolved(const problem::Problem& problem, const WeakResiduals& residuals,
+             std::span<const SeparableFunction> functions, const ControlFunctions& h);
+
+  /// E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du of each function, for the density p whose
+  /// weak form is given. (E_p - E)[f], less what -sum h rho says of it, is (E_p - E)[e] and the
+  /// like at the wall: if p were as far off as can be, twice this.
+  Eigen::VectorXd of(const WeakForm& density) const;
+
+ private:
+  Eigen::MatrixXd in_cells_;  // shape (cells of y times cells of v, functions)
+  Eigen::MatrixXd at_wall_;   // shape (cells of speeds, functions)
+};
+
+}  // namespace fpkcheck::dual

@@ -1,0 +1,75 @@
+#include "methods/problem_residuals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+
+#include "dual/backward/normal_equations.hpp"
+#include "dual/residual/density_residuals.hpp"
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::methods {
+
+using transform::Status;
+
+struct ProblemResiduals::Fit {
+  problem::Problem problem;
+  std::once_flag once = {};
+  std::optional<dual::DensityResiduals> residuals = {};
+};
+
+ProblemResiduals::ProblemResiduals(const problem::Problem& problem)
+    : fit_(std::make_unique<Fit>(problem)) {}
+ProblemResiduals::ProblemResiduals(ProblemResiduals&&) noexcept = default;
+ProblemResiduals::~ProblemResiduals() = default;
+
+const dual::DensityResiduals* ProblemResiduals::get() const {
+  std::call_once(fit_->once, [&] {
+    try {
+      fit_->residuals.emplace(fit_->problem);
+    } catch (const dual::FitBrokeDown&) {
+    }
+  });
+  return fit_->residuals ? &*fit_->residuals : nullptr;
+}
+
+std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& problems) {
+  return {problems.begin(), problems.end()};
+}
+
+namespace {
+
+std::optional<transform::StatedError> measured_error(const ProblemResiduals& residuals,
+                                                     const transform::Density& density) try {
+  const auto* known = residuals.get();
+  if (known == nullptr) return std::nullopt;
+  return known->of(density).stated();
+} catch (const InputError&) {
+  return std::nullopt;  // nothing that has a mean
+}
+
+}  // namespace
+
+void state_measured_error(const ProblemResiduals& residuals, double accuracy,
+                          transform::Solution& solution) {
+  if (!solution.density) return;
+  solution.error = measured_error(residuals, *solution.density);
+  if (!solution.is_ok()) return;
+  if (!solution.error) {
+    solution.status = Status::inaccurate;
+    solution.reason =
+        "its error cannot be measured: the backward equation of this problem is not solved";
+    return;
+  }
+  const double l1 = std::max(solution.error->y_l1, solution.error->ydot_l1);
+  if (l1 <= accuracy) return;
+  solution.status = Status::inaccurate;
+  solution.reason = fmt::format(
+      "it meets its equations, but misses the density of the problem by L1 {:.2g} in p(y) and "
+      "{:.2g} in p(y') as measured by its residuals ({:g} is asked for: accuracy)",
+      solution.error->y_l1, solution.error->ydot_l1, accuracy);
+}
+
+}  // namespace fpkcheck::methods
