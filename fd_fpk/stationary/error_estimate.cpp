@@ -163,7 +163,8 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
   const Options before = refined(level, 1 / kLevelRatio);
   Result middle = best;
   std::optional<Result> coarse;
-  while (l1(*best.summary.error) > kUsualAccuracy) {
+  // A box that is too small is not mended by cells.
+  while (best.solution.status != Status::failed && l1(*best.summary.error) > kUsualAccuracy) {
     // How many levels are missing, by what the last three have shown.
     const double order =
         std::clamp(best.summary.error->observed_order, 0.5, static_cast<double>(order_of(options)));
