@@ -22,6 +22,20 @@ std::vector<std::vector<double>> sums_of(const Simulation& simulation,
   return sums;
 }
 
+struct Interval {
+  double lower, upper;
+};
+
+/// The densities d with |d - mean| <= t s(d), where the variance s^2 is in proportion to the density,
+/// s^2(d) = error^2 d / mean: a bin is visited like a Poisson process (the score interval: Wilson, J.
+/// Am. Stat. Assoc. 22 (1927) 209, in the limit of rare events). Where visits are few the truth is
+/// more often above their mean than below, and mean +- t error misses it.
+Interval score_interval(double mean, double error, double t) {
+  const double shift = t * t * error * error / (2 * mean);
+  const double half_width = std::sqrt(shift * (2 * mean + shift));
+  return {std::max(mean + shift - half_width, 0.0), mean + shift + half_width};
+}
+
 }  // namespace
 
 double expected_l1(const BinErrors& errors) {
@@ -83,11 +97,13 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate(densities);
     const double density = std::max(mean, 0.0);  // see estimate_joint_density
-    const double half_width = weights.interval_factor() * error;
-    marginal.density.push_back(density);
-    marginal.lower.push_back(std::max(density - half_width, 0.0));
     // Nothing seen in n independent draws: less than 3/n with 95 % confidence ("rule of three").
-    marginal.upper.push_back(error > 0 ? density + half_width : 3 / (effective_samples * width));
+    const Interval interval = density > 0
+                                  ? score_interval(density, error, weights.interval_factor())
+                                  : Interval{0, 3 / (effective_samples * width)};
+    marginal.density.push_back(density);
+    marginal.lower.push_back(interval.lower);
+    marginal.upper.push_back(interval.upper);
     errors.push_back(weights.errors(densities));
     for (double& part : errors.back()) part *= width;
   }
