@@ -53,8 +53,8 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
       if (!has_marginal(solution, variable, bins)) continue;
       found.push_back({solution.id(), variable, transform::marginal(solution, variable, bins)});
     }
-    const auto smooth =
-        measure == nullptr ? std::vector<SolutionMarginal>{} : in_smooth_bins(found, *measure);
+    const auto smooth = measure == nullptr ? std::vector<SolutionMarginal>{}
+                                           : in_smooth_bins(found, solutions, *measure);
     for (std::size_t a = 0; a < found.size(); ++a) {
       for (std::size_t b = a + 1; b < found.size(); ++b) {
         result.pairs.push_back(pair_of(found, smooth, a, b, measure, noisy));

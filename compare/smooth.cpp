@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <variant>
 
 namespace fpkcheck::compare {
 
 using transform::Solution;
+using transform::Variable;
 
 const Solution* smooth_measure(std::span<const Solution> solutions) {
   const auto found = std::ranges::find_if(solutions, [](const Solution& s) {
@@ -17,13 +19,27 @@ const Solution* smooth_measure(std::span<const Solution> solutions) {
 }
 
 std::vector<SolutionMarginal> in_smooth_bins(std::span<const SolutionMarginal> sharp,
+                                             std::span<const Solution> solutions,
                                              const Solution& measure) {
   std::vector<SolutionMarginal> smooth;
   for (const auto& [id, variable, marginal] : sharp) {
     const auto* estimate = transform::smooth_estimate(measure, variable);
-    smooth.push_back({id, variable,
-                      id == measure.id() ? estimate->averages
-                                         : transform::smooth_averages(marginal, estimate->bins)});
+    if (id == measure.id()) {
+      smooth.push_back({id, variable, estimate->averages});
+      continue;
+    }
+    const Solution* solution = transform::find_solution(solutions, id);
+    const auto* cells = solution != nullptr && solution->density
+                            ? std::get_if<transform::GridDensity>(&*solution->density)
+                            : nullptr;
+    smooth.push_back(
+        {id, variable,
+         transform::smooth_averages(
+             cells == nullptr
+                 ? marginal
+                 : transform::marginal(*solution, variable,
+                                       variable == Variable::y ? cells->y_edges : cells->v_edges),
+             estimate->bins)});
   }
   return smooth;
 }

@@ -15,9 +15,12 @@ namespace fpkcheck::compare {
 const transform::Solution* smooth_measure(std::span<const transform::Solution> solutions);
 
 /// The marginals of one variable in the measure's smooth bins: its own estimate, and the averages
-/// of all others.
+/// of all others. Those of a density on cells come from its cells, which are narrow where it has a
+/// spike, and not from the axes' bins, in which the spike is lost.
 /// @param sharp on the comparison axes
+/// @param solutions that they are of
 std::vector<SolutionMarginal> in_smooth_bins(std::span<const SolutionMarginal> sharp,
+                                             std::span<const transform::Solution> solutions,
                                              const transform::Solution& measure);
 
 /// Standard error of the L1 distance of a marginal from an estimate, to first order: that of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "transform/mass_transfer.hpp"
@@ -10,22 +11,33 @@
 namespace fpkcheck::transform {
 namespace {
 
-constexpr int kReach = 2;        // spacings, of M to both sides
-constexpr int kSubdivision = 8;  // of a spacing, a multiple of 4 for Boole's rule
+constexpr int kReach = 2;  // spacings, of M to both sides
+// Boole's rule on four parts.
+constexpr int kSubdivision = 4;
+constexpr double kBoole[] = {7.0 / 90, 32.0 / 90, 12.0 / 90, 32.0 / 90, 7.0 / 90};
 
 double slope(double t) {
   const double u = std::abs(t), far = std::max(0.0, 2 - u), near = std::max(0.0, 1 - u);
   return std::copysign(1.0, t) * (12 * near * near - 3 * far * far) / 6;
 }
 
-/// Points that subdivide the spacings from the first bin's begin to the last one's end.
-std::vector<double> nodes_of(const SmoothBins& bins) {
-  const int spacings = bins.count - 1 + 2 * kReach;
-  std::vector<double> nodes;
-  for (int n = 0; n <= spacings * kSubdivision; ++n) {
-    nodes.push_back(bins.first + bins.spacing * (static_cast<double>(n) / kSubdivision - kReach));
-  }
-  return nodes;
+/// Where F M' is smooth: between the knots of the bins, their middles and the edges, as far as the
+/// bins reach.
+std::vector<double> cuts_of(const SmoothBins& bins, const std::vector<double>& edges) {
+  const double begin = bins.first - kReach * bins.spacing;
+  const int halves = 2 * (bins.count - 1 + 2 * kReach);
+  std::vector<double> cuts;
+  for (int n = 0; n <= halves; ++n) cuts.push_back(begin + bins.spacing * n / 2);
+  const double end = cuts.back();
+  std::ranges::copy_if(edges, std::back_inserter(cuts),
+                       [&](double edge) { return begin < edge && edge < end; });
+  std::ranges::sort(cuts);
+  // Edges that lie next to knots but for rounding.
+  constexpr double kSame = 1e-9;
+  cuts.erase(std::unique(cuts.begin(), cuts.end(),
+                         [&](double a, double b) { return b - a < kSame * bins.spacing; }),
+             cuts.end());
+  return cuts;
 }
 
 }  // namespace
@@ -54,20 +66,33 @@ Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins) {
   for (std::size_t k = 0; k < sharp.size(); ++k) {
     masses.push_back(sharp.density[k] * sharp.width(k));
   }
-  const std::vector<double> nodes = nodes_of(bins);
+  const std::vector<double> cuts = cuts_of(bins, sharp.edges);
+  std::vector<double> nodes;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    for (int n = 0; n < kSubdivision; ++n) {
+      nodes.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) * n / kSubdivision);
+    }
+  }
+  nodes.push_back(cuts.back());
   const std::vector<double> between = MassTransfer(sharp.edges, nodes)(masses);
   std::vector<double> averages;
   for (int b = 0; b < bins.count; ++b) {
     // int M p = -int F M', where F = 0 at the begin of M serves as well as the whole cumulative.
-    const std::size_t begin = static_cast<std::size_t>(b) * kSubdivision;
+    const double begin = b - kReach, end = b + kReach;  // spacings
+    const auto place = [&](double x) { return (x - bins.first) / bins.spacing; };
     double cumulative = 0, integral = 0;
-    for (int n = 1; n < 2 * kReach * kSubdivision; ++n) {
-      cumulative += between[begin + static_cast<std::size_t>(n) - 1];
-      const double weight = n % 2 == 1 ? 32 : n % 4 == 2 ? 12 : 14;  // M' is 0 at both ends
-      integral -=
-          2.0 / 45 * weight * cumulative * slope(static_cast<double>(n) / kSubdivision - kReach);
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      const double middle = place((cuts[k] + cuts[k + 1]) / 2);
+      if (middle < begin) continue;
+      if (middle > end) break;
+      const double width = (cuts[k + 1] - cuts[k]) / bins.spacing;
+      for (int n = 0; n <= kSubdivision; ++n) {
+        const std::size_t at = k * kSubdivision + static_cast<std::size_t>(n);
+        if (n > 0) cumulative += between[at - 1];
+        integral -= width * kBoole[n] * cumulative * slope(place(nodes[at]) - b);
+      }
     }
-    averages.push_back(integral / kSubdivision / bin_weight(bins, b));
+    averages.push_back(integral / bin_weight(bins, b));
   }
   return marginal_of(bins, std::move(averages));
 }

@@ -84,5 +84,36 @@ TEST(SmoothAverages, KeepAJumpAtTheWall) {
   EXPECT_NEAR(smooth.density[4], 3, 1e-12);
 }
 
+/// int M dF with F(x) = x^a: over equal parts of F.
+double mean_of_spike(double a, int bin) {
+  double sum = 0;
+  constexpr int kPoints = 400000;
+  const double end = std::pow(std::max(0.0, kBins.first + (bin + 2) * kBins.spacing), a);
+  for (int n = 0; n < kPoints; ++n) {
+    const double x = std::pow((n + 0.5) / kPoints * end, 1 / a);
+    sum += cubic_spline((x - kBins.first) / kBins.spacing - bin);
+  }
+  return sum * end / kPoints;
+}
+
+TEST(SmoothAverages, HoldASpikeThatNarrowBinsHold) {
+  // p = a x^(a - 1), unbounded at the wall, on bins that shrink towards it.
+  const double a = 0.3;
+  std::vector<double> edges{0};
+  for (double x = 1e-6; x < 0.05; x *= 1.3) edges.push_back(x);
+  for (double x = 0.06; x < 2.5; x += 0.02) edges.push_back(x);
+  Marginal sharp{.edges = edges, .density = {}, .lower = {}, .upper = {}};
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    sharp.density.push_back((std::pow(edges[k + 1], a) - std::pow(edges[k], a)) /
+                            (edges[k + 1] - edges[k]));
+  }
+  const Marginal smooth = smooth_averages(sharp, kBins);
+  for (int b = 0; b < kBins.count; ++b) {
+    EXPECT_NEAR(smooth.density[std::size_t(b)] * bin_weight(kBins, b) / mean_of_spike(a, b), 1,
+                1e-5)
+        << b;
+  }
+}
+
 }  // namespace
 }  // namespace fpkcheck::transform
