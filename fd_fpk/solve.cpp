@@ -29,6 +29,19 @@ double impulses_per_decay_time(const problem::Problem& problem) {
          problem::slowest_decay(problem::equivalent_linearisation(problem));
 }
 
+// The acceleration by which a mean of the impulses presses the oscillator against the wall, by the
+// spring's at a deviation: beyond 1 it bounces rather than swings, the lower the more energy an
+// impact takes.
+double pressing(const problem::Problem& problem) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  return -problem.impulses.rate_moment(1) / problem.system.force()(linear.displacement_deviation);
+}
+
+bool bounces(const problem::Problem& problem) {
+  constexpr double kPressed = 1, kLosses = 0.7;
+  return pressing(problem) > kPressed && problem.system.restitution() < kLosses;
+}
+
 // Whether they are the first choice: by experience with random problems (docs/limits.md).
 bool prefer_characteristics(const problem::Problem& problem) {
   constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
@@ -39,7 +52,14 @@ bool prefer_characteristics(const problem::Problem& problem) {
   const bool losses =
       problem.system.restitution() < kStrongLosses &&
       problem::static_deflection(problem) < kOffTheWall * linear.displacement_deviation;
-  return per_decay_time < kRare || (losses && per_decay_time < kFrequent);
+  return per_decay_time < kRare || (losses && per_decay_time < kFrequent) || bounces(problem);
+}
+
+// Whether differences have no hope: they do not hold what is unbounded, nor what bounces within
+// their cells.
+bool need_characteristics(const problem::Problem& problem) {
+  constexpr double kPressedDown = 5;
+  return unbounded_at_origin(problem) || (bounces(problem) && pressing(problem) > kPressedDown);
 }
 
 // Whether finer grids than the options' may answer.
@@ -59,8 +79,7 @@ class Solver {
     if (options_.transport == Transport::characteristics) return by(Transport::characteristics);
     const bool along = prefer_characteristics(problem_);
     if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
-    // Differences do not hold what is unbounded.
-    if (along && unbounded_at_origin(problem_)) return by(Transport::characteristics);
+    if (along && need_characteristics(problem_)) return by(Transport::characteristics);
     // The first choice may take half of the time, lest there is none for the other.
     Result first = by(along ? Transport::characteristics : Transport::upwind,
                       Deadline(options_.max_seconds / 2));

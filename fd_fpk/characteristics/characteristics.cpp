@@ -198,8 +198,9 @@ void Characteristics::cross(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
   // Areas shrink as exp(-c t) (Liouville).
-  const double flux = at.flux * std::exp(-flow_.damping() * time / 2);
-  at.flux = std::max(kLeastFlux, at.flux * std::exp(-flow_.damping() * time));
+  const double shrinking = flow_.damping() * time;
+  const double flux = std::max(kLeastFlux, at.flux * -std::expm1(-shrinking) / shrinking);
+  at.flux = std::max(kLeastFlux, at.flux * std::exp(-shrinking));
   at.state = to;
   double done = 0;
   while (true) {

@@ -16,7 +16,38 @@ Flow::Flow(const problem::System& system)
       potential_(system.potential()),
       system_(system) {}
 
+namespace {
+
+// Damping times the longest step of the Runge-Kutta method: of 2.78 on the negative axis, where it
+// decays as it should.
+constexpr double kStability = 0.75;
+
+// expm1(s t)/s
+double grown(double s, double time) { return s == 0 ? time : std::expm1(s * time) / s; }
+
+}  // namespace
+
+// Exactly, with the force linear in y - y0: exponentials of the roots s of s^2 + c s + g'(y0) = 0,
+// real where a step is longer than explicit formulas stand.
+State Flow::after_creeping(const State& from, double time) const {
+  const auto [slow, fast, v_slow, v_fast] = modes(from);
+  return {from.y + v_slow * grown(slow, time) + v_fast * grown(fast, time),
+          v_slow * std::exp(slow * time) + v_fast * std::exp(fast * time)};
+}
+
+Flow::Modes Flow::modes(const State& at) const {
+  const double root = std::sqrt(std::max(0.0, damping_ * damping_ - 4 * tangent_(at.y)));
+  const double fast = -(damping_ + root) / 2, slow = -2 * tangent_(at.y) / (damping_ + root);
+  const double v_fast = (acceleration(at) - slow * at.v) / (fast - slow);
+  return {.slow = slow, .fast = fast, .v_slow = at.v - v_fast, .v_fast = v_fast};
+}
+
 State Flow::after(const State& from, double time) const {
+  if (damping_ * time > kStability) {
+    const State full = after_creeping(from, time);
+    const State halves = after_creeping(after_creeping(from, time / 2), time / 2);
+    return {(4 * halves.y - full.y) / 3, (4 * halves.v - full.v) / 3};
+  }
   const double half = time / 2;
   const State a{from.v, acceleration(from)};
   const State at_b{from.y + half * a.y, from.v + half * a.v};
@@ -30,11 +61,17 @@ State Flow::after(const State& from, double time) const {
 }
 
 double Flow::longest_step(const State& from, double frequency) const {
-  constexpr double kChange = 0.1;      // of the state, in the norm of the energy
-  constexpr double kStability = 0.75;  // of 2.78 on the negative axis, where it decays as it should
+  constexpr double kChange = 0.1;  // of the state, in the norm of the energy
   const double size = std::hypot(frequency * from.y, from.v);
   const double rate = std::hypot(frequency * from.v, acceleration(from));
-  return std::min(kChange * size / rate, kStability / damping_);
+  const double span = kChange * size / rate;
+  if (damping_ * span <= kStability) return span;
+  // What decays fast changes the sign of v, and bends the path at the begin of a step.
+  constexpr double kDecayed = 0.05, kNone = 1e-300;
+  const Modes modes = this->modes(from);
+  const double smooth =
+      kDecayed * std::abs(modes.v_slow) / (damping_ * std::abs(modes.v_fast) + kNone);
+  return std::max(kStability / damping_, std::min(span, smooth));
 }
 
 double Flow::energy(const State& at) const { return at.v * at.v / 2 + potential_(at.y); }

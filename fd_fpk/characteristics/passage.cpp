@@ -4,19 +4,32 @@
 #include <vector>
 
 namespace fpkcheck::fd_fpk {
+namespace {
+
+// What a visit needs of its cell, side by side in memory: visits go through the plane at random.
+struct CellMass {
+  double mass, tilt_y, tilt_v;
+  double ended = 0;
+};
+
+}  // namespace
 
 Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& tilts,
                                     ImpactSums* impacts) const {
   const auto& visits = characteristics_.visits();
   const auto& from_wall = characteristics_.from_wall();
   const RestCells& rest = characteristics_.rest();
-  Eigen::VectorXd ended = Eigen::VectorXd::Zero(masses.size());
+  std::vector<CellMass> cells;
+  cells.reserve(static_cast<std::size_t>(masses.size()));
+  for (Eigen::Index n = 0; n < masses.size(); ++n) {
+    cells.push_back({.mass = masses(n), .tilt_y = tilts.y(n), .tilt_v = tilts.v(n)});
+  }
   double at_rest = masses(rest.below) + masses(rest.above);
   std::vector<double> entering(from_wall.size(), 0.0);
 
   const auto source = [&](const Visit& visit) {
-    return visit.share *
-           (masses(visit.cell) + tilts.y(visit.cell) * visit.y + tilts.v(visit.cell) * visit.v);
+    const CellMass& cell = cells[visit.cell];
+    return visit.share * (cell.mass + cell.tilt_y * visit.y + cell.tilt_v * visit.v);
   };
   // What is left at the end of a track.
   const auto follow = [&](const Track& track, double mass) {
@@ -24,7 +37,7 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
       const Visit& visit = visits[n];
       const double begins = source(visit);
       const double left = visit.survival * mass + visit.kept * begins;
-      ended(visit.cell) += mass + begins - left;
+      cells[visit.cell].ended += mass + begins - left;
       mass = left;
     }
     return mass;
@@ -66,6 +79,10 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
       mass = (mass + again * left) / (1 - again * survival);
     }
     land(landing, follow(track, mass));
+  }
+  Eigen::VectorXd ended(masses.size());
+  for (Eigen::Index n = 0; n < masses.size(); ++n) {
+    ended(n) = cells[static_cast<std::size_t>(n)].ended;
   }
   ended(rest.below) += rest.share_below * at_rest;
   ended(rest.above) += (1 - rest.share_below) * at_rest;

@@ -145,7 +145,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline) {
   // A level takes at least as many times as long as the one before.
   constexpr double kSlower = 2.5;
-  constexpr double kSoon = 5;  // of the time that is left, its inverse
+  constexpr double kSoon = 8;  // of the time that is left, its inverse
   const Stopwatch stopwatch;
   Result best = solve_with_error_estimate(solve, options);
   if (!best.summary.error) return best;

@@ -223,7 +223,7 @@ TEST(Solve, DoesNotPassOffAnUnresolvedDensity) {
        {tests::make_problem({.damping = 3, .cubic = 0}), tests::make_problem({.rate = 0.02})}) {
     Options upwind = direct(Equation::kf);
     upwind.transport = Transport::upwind;
-    upwind.max_seconds = 2;
+    upwind.max_seconds = 1;
     const auto unresolved = solve(p, upwind).solution;
     EXPECT_EQ(unresolved.status, Status::inadmissible) << unresolved.min_density;
     EXPECT_NE(unresolved.reason.find("refine"), std::string::npos) << unresolved.reason;

@@ -30,6 +30,43 @@ TEST(Flow, OverdampedCreepsAndDoesNotComeBack) {
   EXPECT_GT(winding.height, 0.1);
 }
 
+// Steps become much longer than 1/c, and still are those of the formulas.
+TEST(Flow, FollowsWhatCreepsToRestForALongTime) {
+  const auto follow = [](const Flow& flow, State state, double until) {
+    const double frequency = flow.frequency(state);
+    double time = 0, longest = 0;
+    for (int step = 0; time < until; ++step) {
+      EXPECT_LT(step, 400);
+      if (step >= 400) break;
+      const double span = std::min(flow.longest_step(state, frequency), until - time);
+      longest = std::max(longest, span);
+      state = flow.after(state, span);
+      time += span;
+    }
+    EXPECT_GT(longest * flow.damping(), 5);
+    return state;
+  };
+  {
+    // Towards rest with roots s1, s2 of s^2 + c s + k = 0.
+    const double c = 50, k = 2, s2 = -(c + std::sqrt(c * c - 4 * k)) / 2, s1 = k / s2;
+    const Flow flow(tests::make_problem({.damping = c, .stiffness = k, .cubic = 0}).system);
+    const State end = follow(flow, {0, 3}, 80);
+    const double expected = 3 / (s1 - s2) * std::exp(s1 * 80);
+    EXPECT_NEAR(end.y / expected, 1, 1e-4);
+    EXPECT_NEAR(end.v / (s1 * expected), 1, 1e-4);
+  }
+  {
+    // y' = -mu y^3 / c (1 + O(mu y^2 / c^2)).
+    const double c = 40, mu = 3;
+    const Flow flow(tests::make_problem({.damping = c, .stiffness = 0, .cubic = mu}).system);
+    const double y0 = 0.1, until = 1e6;
+    const State end = follow(flow, {y0, -mu / c * y0 * y0 * y0}, until);
+    const double expected = y0 / std::sqrt(1 + 2 * mu / c * y0 * y0 * until);
+    EXPECT_NEAR(end.y / expected, 1, 1e-3);
+    EXPECT_NEAR(end.v / (-mu / c * std::pow(expected, 3)), 1, 3e-3);
+  }
+}
+
 // mu y^4 / 4 = v^2 / 2 at the top of a flight without losses.
 TEST(Flow, HardSpringTurnsWhereItsEnergySays) {
   const double mu = 7, v = 3;

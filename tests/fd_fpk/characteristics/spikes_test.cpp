@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "distances.hpp"
-#include "exact/linear_density.hpp"
 #include "exact/closed_forms.hpp"
+#include "exact/linear_density.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
 #include "uniform_edges.hpp"
