@@ -23,8 +23,4 @@ inline constexpr double kEnergyAllowed = 0.1;
 /// Gaussian, and below 0.04 from n = 6 on.
 inline constexpr double kDistanceAllowed = 0.3;
 
-/// The same for `moment` and `polar` from n = 6 on: whatever was further from a simulation than 0.2
-/// was further than this from order n-2.
-inline constexpr double kSettledDistance = 0.2;
-
 }  // namespace fpkcheck::epc

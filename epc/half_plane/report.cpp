@@ -12,10 +12,8 @@ namespace {
 using transform::Status;
 
 // Why a density that meets the equations is still not to be relied on; empty when it is.
-std::string objection_to(int order, const transform::Solution& solution, const Summary& summary) {
+std::string objection_to(const transform::Solution& solution, const Summary& summary) {
   constexpr double kBeyondAllowed = 1e-3;
-  // A Gaussian, n = 2, need not be near; later orders must.
-  const double distance_allowed = order <= 4 ? kDistanceAllowed : kSettledDistance;
   if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
     return fmt::format(
         "its mass is {:.5f} by panels over the support (allowed 1 +- {:.0e}): the density has a "
@@ -27,12 +25,6 @@ std::string objection_to(int order, const transform::Solution& solution, const S
         "about {:.1e} of the probability lies where the confinement of Q_n begins, or beyond "
         "(allowed {:.0e}), which shapes it",
         summary.half_plane->beyond_level, kBeyondAllowed);
-  }
-  if (summary.distance_to_previous && !(*summary.distance_to_previous <= distance_allowed)) {
-    return fmt::format(
-        "its marginals are L1 {:.2f} from those of order {} (allowed {:.1f}): the orders have not "
-        "settled",
-        *summary.distance_to_previous, order - 2, distance_allowed);
   }
   return "";
 }
@@ -71,7 +63,7 @@ void describe(const Root& root, Tail tail, const transform::SmoothDensity& densi
                                .homotopies = root.homotopies};
 }
 
-void conclude(int order, const Root& root, double quadrature_allowed, const std::string& objection,
+void conclude(const Root& root, double quadrature_allowed, const std::string& objection,
               Result& result) {
   auto& [solution, summary] = result;
   if (!(root.quadrature_change < quadrature_allowed)) {
@@ -83,7 +75,7 @@ void conclude(int order, const Root& root, double quadrature_allowed, const std:
         root.quadrature_change, quadrature_allowed, root.quadrature.s, root.quadrature.t);
     return;
   }
-  solution.reason = objection.empty() ? objection_to(order, solution, summary) : objection;
+  solution.reason = objection.empty() ? objection_to(solution, summary) : objection;
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }
 

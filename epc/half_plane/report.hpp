@@ -26,12 +26,11 @@ void describe(const Root& root, Tail tail, const transform::SmoothDensity& densi
 /// where
 ///  - the formulation objects;
 ///  - its mass, by a rule of its own, is not 1: moments and marginals would carry the error;
-///  - too much of it lies where the confinement begins, or beyond: that shapes it;
-///  - it is far from that of order n-2: the orders have not settled.
-/// @param order n
+///  - too much of it lies where the confinement begins, or beyond: that shapes it.
+/// How far the density is from the truth it does not say: no distance to another order does.
 /// @param quadrature_allowed by how much more points may change Q_n, in standard deviations
 /// @param objection of the formulation; empty when there is none
-void conclude(int order, const Root& root, double quadrature_allowed, const std::string& objection,
+void conclude(const Root& root, double quadrature_allowed, const std::string& objection,
               Result& result);
 
 /// The deviations of the solution's density.

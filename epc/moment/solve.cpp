@@ -66,8 +66,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
                         .level = contour(EnergyDomain(problem, shape.level)),
                         .density = root.remains},
                        result);
-  half_plane::conclude(options.order, root, kQuadratureAllowed,
-                       objection(root.remains, *summary.leading_form), result);
+  half_plane::conclude(root, kQuadratureAllowed, objection(root.remains, *summary.leading_form),
+                       result);
   return result;
 }
 

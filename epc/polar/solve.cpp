@@ -104,8 +104,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                         .level = contour(coordinates, amplitude_at(shape.level)),
                         .density = edge},
                        result);
-  half_plane::conclude(options.order, root, kQuadratureAllowed, objection(root.remains, edge),
-                       result);
+  half_plane::conclude(root, kQuadratureAllowed, objection(root.remains, edge), result);
   return result;
 }
 

@@ -16,9 +16,10 @@ using transform::Status;
 using transform::Variable;
 
 TEST(RandomProblems, AnswersAreWithinTheirStatedErrors) {
-  auto methods = builtin().select("epc-gaussian-n2,epc-moment-n4", {});
-  for (auto& direct : builtin().select("fd-kf", {{"stepper", "direct"}})) methods.push_back(direct);
-  int closures = 0, inaccurate = 0;
+  const auto closures_too =
+      builtin().select("epc-gaussian-n2,epc-moment-n4,fd-kf", {{"stepper", "direct"}});
+  const auto differences = builtin().select("fd-kf", {{"stepper", "direct"}});
+  int solved = 0, closures = 0, inaccurate = 0;
   // From a twentieth of an impulse per decay time to thousands, all laws, r from 0.05 to 1.
   for (const std::uint64_t number : {3,  10, 13, 18, 19, 25,  29,  33,  43,  60,  62,  66,
                                      75, 86, 94, 98, 99, 100, 101, 104, 106, 113, 115, 119}) {
@@ -27,10 +28,11 @@ TEST(RandomProblems, AnswersAreWithinTheirStatedErrors) {
     const auto axes = compare::comparison_axes(p);
     const double decay = problem::slowest_decay(problem::equivalent_linearisation(p));
     const auto judge =
-        mcs::solve(p, {.time = 1e5 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
+        mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
             .solution;
     const ProblemResiduals residuals(p);
-    for (const auto& method : methods) {
+    // Those of every other problem: each takes a fit.
+    for (const auto& method : ++solved % 2 == 0 ? closures_too : differences) {
       SCOPED_TRACE(method.id());
       const auto solution = solve_by(method, p, {axes, {}, &residuals});
       const bool closure = solution.identity.role == transform::Role::closure;
@@ -54,8 +56,8 @@ TEST(RandomProblems, AnswersAreWithinTheirStatedErrors) {
       }
     }
   }
-  EXPECT_GT(closures, 35);
-  EXPECT_GT(inaccurate, 15);  // or nothing was tested
+  EXPECT_GT(closures, 18);
+  EXPECT_GT(inaccurate, 8);  // or nothing was tested
 }
 
 }  // namespace
