@@ -84,9 +84,12 @@ const Description<Options>& description() {
           .add("tolerance", &O::tolerance, {"TOL", "on the size of the residual"},
                positive().because("no iteration ends otherwise"))
           .without_flag()
-          .add("accuracy", &O::accuracy,
-               {"L1", "largest measured error of p(y) and p(y') that is ok"},
-               positive().because("no closure is exact"))
+          .add(
+              "accuracy", &O::accuracy,
+              {"L1",
+               "largest stated error of p(y) and of p(y') that is ok, in L1 (in a run: 0.02 of closures, "
+               "0.01 of fd)"},
+              positive().because("no closure is exact"))
           .with_fallback({})
           .add("max_iterations", &O::max_iterations, {"N", "most steps of Newton's method"},
                positive().because("no step would be taken otherwise"))

@@ -90,9 +90,11 @@ const Description<Options>& description() {
                {"A", "largest estimated error of p(y) or p(y') in L1 of a solution that is ok"},
                positive())
           .with_fallback(Options{}.accuracy)
-          .add("max_seconds", &O::max_seconds,
-               {"S", "no finer grid is begun that would end later: the best answer until then"},
-               positive())
+          .add(
+              "max_seconds", &O::max_seconds,
+              {"S",
+               "no finer grid is begun that would end later: the best answer until then (in a run 20)"},
+              positive())
           .with_fallback(Options{}.max_seconds)
           .add("tolerance", &O::tolerance,
                {"T",

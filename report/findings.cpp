@@ -167,7 +167,7 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
   if (reference == nullptr || !any) return;
   const auto ranks = compare::closures_by_distance(one.solutions, one.pairs);
   if (ranks.empty()) {
-    sentences.emplace_back("No closure gave an admissible density.");
+    sentences.emplace_back("No closure is ok.");
     return;
   }
   // By family and formulation: the closest, and those that nobody can tell from it.
@@ -196,7 +196,7 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
                                 text(most)));
   }
   sentences.push_back(fmt::format(
-      "The admissible closure closest to {}: {}.{}", reference->id(), fmt::join(parts, "; "),
+      "Closest to {} of the closures that are ok: {}.{}", reference->id(), fmt::join(parts, "; "),
       several ? " Indistinguishable: their distances differ by no more than the reference's own "
                 "error."
               : ""));

@@ -116,7 +116,7 @@ std::string budget_legend(const std::vector<Column>& budgets) {
   }
   if (any_group(budgets, "tail")) text += "; tail: mean |log10 p - log10 of that end|";
   if (any_cell(budgets, "error budget", [](const auto& cell) { return cell.ends_with('*'); })) {
-    text += "; *: the closure found no admissible density";
+    text += "; *: the closure is not ok";
   }
   return text + '.';
 }

@@ -101,7 +101,7 @@ std::string figure(const OrderStudy& study, const std::string& file_stem) {
       "set multiplot title {} font ',14'\n\n",
       highest + 1, report::figure_title(study.problem));
   text += distance_panel(study, "(a) displacement", Variable::y, {0.09, 0.49, top, bottom});
-  text += distance_panel(study, "(b) velocity; open marks: no admissible density", Variable::ydot,
+  text += distance_panel(study, "(b) velocity; open marks: not ok", Variable::ydot,
                          {0.57, 0.97, top, bottom});
   if (with_branches) text += branch_panel(followed);
   return text + "unset multiplot\nunset output\n";

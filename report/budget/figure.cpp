@@ -183,7 +183,7 @@ Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
   legend.entries.push_back({"NaN with lines linewidth 2.5 linecolor rgb '#000000'", "total"});
   if (any_not_ok) {
     legend.entries.push_back(
-        {"NaN with boxes fillstyle solid 0.3 linecolor rgb '#000000'", "* no admissible density"});
+        {"NaN with boxes fillstyle solid 0.3 linecolor rgb '#000000'", "* not ok"});
   }
   return legend;
 }

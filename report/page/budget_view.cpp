@@ -204,7 +204,7 @@ std::vector<Plot> budget_plots(const results::Case& one, const std::string& pref
         std::ranges::any_of(side.rows, [](const auto& row) { return row.label.ends_with(kMark); });
     plots.push_back({fmt::format("{}-budget-{}", prefix, name(side.variable)),
                      fmt::format("Error budget of {}{}", density_text(side.variable),
-                                 marked ? "; *: not admissible" : ""),
+                                 marked ? "; *: not ok" : ""),
                      figure(side)});
   }
   return plots;

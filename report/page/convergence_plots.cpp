@@ -201,7 +201,7 @@ std::vector<Plot> order_plots(const results::Case& one, const std::string& prefi
     return family.solutions.size() > 1 && has_orders(family);
   };
   return plots_of(one, prefix + "-order",
-                  "Convergence of the closures in {}; hollow: not admissible", is_drawn,
+                  "Convergence of the closures in {}; hollow: not ok", is_drawn,
                   order_figure);
 }
 

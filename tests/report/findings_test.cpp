@@ -42,7 +42,7 @@ TEST(Findings, SayWhichApproximationCostsWhat) {
       "What approximations cost in L1: white noise in place of the full jump integral (fd-white) "
       "0.011 in p(y) and 0.031 in p(y'); Kramers-Moyal series to the fourth derivative in place of "
       "the full jump integral (fd-km4) 0.0001 in p(y) and 0.0004 in p(y').",
-      "The admissible closure closest to mcs: epc-gaussian-n6 with L1 0.0024 in p(y) and 0.0047 in "
+      "Closest to mcs of the closures that are ok: epc-gaussian-n6 with L1 0.0024 in p(y) and 0.0047 in "
       "p(y').",
       "The simulation (mcs) and the full jump equation (fd-kf) differ by 0.0012 in p(y) and 0.0016 "
       "in p(y'); the sampling error of the simulation (mcs) is 0.0011 in p(y) and 0.0015 in p(y') "
@@ -117,34 +117,35 @@ TEST(Findings, RankClosuresByTheReferenceThatTheyState) {
   set_l1(one, "epc-gaussian-n2", "mcs", 0.002, 0.001);
   set_l1(one, "epc-gaussian-n6", "mcs", 0.001, 0.001);
   EXPECT_TRUE(findings(one)[0].starts_with("Reference: fd-kf,")) << findings(one)[0];
-  EXPECT_EQ(sentence_with(one, "closest to"),
-            "The admissible closure closest to fd-kf: epc-gaussian-n2 with L1 0.001 in p(y) and "
-            "0.001 in p(y').");
+  EXPECT_EQ(
+      sentence_with(one, "Closest to"),
+      "Closest to fd-kf of the closures that are ok: epc-gaussian-n2 with L1 0.001 in p(y) and "
+      "0.001 in p(y').");
 }
 
 TEST(Findings, RankNothingWithinTheErrorOfTheReference) {
   auto one = made_up_case();
   set_l1(one, "epc-gaussian-n2", "mcs", 0.005, 0.0046);
   set_l1(one, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);  // mcs: 0.0011 and 0.0015
-  EXPECT_EQ(sentence_with(one, "closest to"),
-            "The admissible closure closest to mcs: epc-gaussian-n6, epc-gaussian-n2 "
+  EXPECT_EQ(sentence_with(one, "Closest to"),
+            "Closest to mcs of the closures that are ok: epc-gaussian-n6, epc-gaussian-n2 "
             "(indistinguishable) with L1 at most 0.005 in p(y) and 0.0047 in p(y'). "
             "Indistinguishable: their distances differ by no more than the reference's own error.");
   set_l1(one, "epc-gaussian-n2", "mcs", 0.0052, 0.0046);
-  EXPECT_FALSE(contains(sentence_with(one, "closest to"), "epc-gaussian-n2"));
+  EXPECT_FALSE(contains(sentence_with(one, "Closest to"), "epc-gaussian-n2"));
 }
 
 TEST(Findings, NameTheClosestClosureOfEachFamilyAndFormulation) {
   auto one = made_up_case();
   set_l1(one, "epc-gaussian-n2", "mcs", 0.5, 0.5);
-  EXPECT_FALSE(contains(sentence_with(one, "closest to"), "epc-gaussian-n2"));
+  EXPECT_FALSE(contains(sentence_with(one, "Closest to"), "epc-gaussian-n2"));
   auto& identity = solution_of(one, "epc-gaussian-n2").identity;
   identity.formulation = "moment";
-  EXPECT_TRUE(contains(sentence_with(one, "closest to"), "; epc-gaussian-n2 with"));
-  EXPECT_TRUE(contains(sentence_with(one, "closest to"), "epc-gaussian-n6 with"));
+  EXPECT_TRUE(contains(sentence_with(one, "Closest to"), "; epc-gaussian-n2 with"));
+  EXPECT_TRUE(contains(sentence_with(one, "Closest to"), "epc-gaussian-n6 with"));
   identity.formulation = "gaussian";
   identity.family = "toy";
-  EXPECT_TRUE(contains(sentence_with(one, "closest to"), "; epc-gaussian-n2 with"));
+  EXPECT_TRUE(contains(sentence_with(one, "Closest to"), "; epc-gaussian-n2 with"));
 }
 
 TEST(Findings, SayWhatIsKnownOfADiscretisationError) {
@@ -172,7 +173,7 @@ TEST(Findings, UseOnlySolutionsThatAreThereAndOk) {
   ASSERT_EQ(sentences.size(), 4u);
   EXPECT_EQ(sentences[0], "Reference: mcs.");
   EXPECT_FALSE(contains(sentences[1], "white noise")) << sentences[1];
-  EXPECT_EQ(sentences[2], "No closure gave an admissible density.");
+  EXPECT_EQ(sentences[2], "No closure is ok.");
   EXPECT_FALSE(contains(sentences[3], "sampling")) << sentences[3];
 
   one.solutions.erase(one.solutions.begin() + 4, one.solutions.end());

@@ -48,7 +48,7 @@ TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
         "its parts and of the row discretisation + sampling;",
         "closure: the closure itself, against", "impact: the impact to first order",
         "trunc.: the cut of the Kramers-Moyal series", "tail: mean",
-        "*: the closure found no admissible density"}) {
+        "*: the closure is not ok"}) {
     EXPECT_TRUE(contains(wide, part)) << part << "\n" << wide;
   }
   EXPECT_FALSE(contains(narrow, "energy: residual")) << narrow;

@@ -101,7 +101,7 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
   const std::string svg = contents(figures / "case1-budget.svg");
   for (const char* text :
        {"gaussian-n4 *", "closure + impact", "truncation", "discretisation + sampling", "total",
-        "* no admissible density", "case1: c = 0.1"}) {
+        "* not ok", "case1: c = 0.1"}) {
     EXPECT_TRUE(contains(svg, text)) << text;
   }
   run.cases[0].budget.clear();

@@ -57,7 +57,7 @@ TEST(BudgetView, DrawsABarForEachPartThatIsKnown) {
   const auto plots = budget_plots(budgeted(), "case-1");
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(plots[1].id, "case-1-budget-ydot");
-  EXPECT_EQ(plots[1].caption, "Error budget of p(y\u2032); *: not admissible");
+  EXPECT_EQ(plots[1].caption, "Error budget of p(y\u2032); *: not ok");
   EXPECT_EQ(tests::names_in(plots[0]),
             (std::vector<std::string>{"closure", "impact", "sampling", "total"}));
   const auto closure = tests::trace_of(plots[0], "closure");
