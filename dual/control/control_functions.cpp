@@ -56,12 +56,7 @@ Eigen::MatrixXd wall_gram(const ControlProblem& p) {
                breaks.end());
   QuadratureRule q = gauss_rule<kPoints>(breaks);
   weigh(q, [&](double u) { return u * p.weight_v(u); });
-  std::vector<double> in, out;
-  for (const double u : q.points) {
-    in.push_back(-u);
-    out.push_back(r * u);
-  }
-  const Eigen::MatrixXd jump = values_at(p.v, out).value - values_at(p.v, in).value;
+  const Eigen::MatrixXd jump = jumps_at(p.v, r, q.points);
   return p.weight_y(0) * (jump.transpose() * (q.weights.asDiagonal() * jump));
 }
 

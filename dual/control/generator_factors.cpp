@@ -1,5 +1,7 @@
 #include "dual/control/generator_factors.hpp"
 
+#include <vector>
+
 namespace fpkcheck::dual {
 
 SplineValues values_at(const KnotSplines& splines, std::span<const double> points) {
@@ -14,6 +16,16 @@ SplineValues values_at(const KnotSplines& splines, std::span<const double> point
     }
   }
   return all;
+}
+
+Eigen::MatrixXd jumps_at(const KnotSplines& splines, double restitution,
+                         std::span<const double> speeds) {
+  std::vector<double> before, after;
+  for (const double u : speeds) {
+    before.push_back(-u);
+    after.push_back(restitution * u);
+  }
+  return values_at(splines, after).value - values_at(splines, before).value;
 }
 
 GeneratorFactors factors_of_y(const problem::System& system, const KnotSplines& splines,

@@ -15,6 +15,10 @@ struct SplineValues {
 };
 SplineValues values_at(const KnotSplines& splines, std::span<const double> points);
 
+/// By how much functions jump at impacts, B_j(r u) - B_j(-u), shape (speeds u, functions).
+Eigen::MatrixXd jumps_at(const KnotSplines& splines, double restitution,
+                         std::span<const double> speeds);
+
 inline constexpr int kGeneratorTerms = 3;
 /// One variable's factors of the terms of
 ///

@@ -42,8 +42,8 @@ double with_unresolved(const JudgedError& error) {
 }  // namespace
 
 transform::StatedError WeightedResiduals::stated() const {
-  transform::StatedError result{.y_l1 = transform::kErrorBand * with_unresolved(y_l1),
-                                .ydot_l1 = transform::kErrorBand * with_unresolved(ydot_l1),
+  transform::StatedError result{.y_l1 = kNotSeen * with_unresolved(y_l1),
+                                .ydot_l1 = kNotSeen * with_unresolved(ydot_l1),
                                 .moments = {}};
   const double share = std::min(kGathered * std::max(result.y_l1, result.ydot_l1), kDisjoint);
   for (std::size_t k = 0; k < kMomentCount; ++k) {

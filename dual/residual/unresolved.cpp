@@ -24,16 +24,6 @@ Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
   return along(f.of_y, y) * along(f.of_v, v).transpose();
 }
 
-/// B_j(r u) - B_j(-u), shape (speeds, functions).
-Eigen::MatrixXd jumps_at(const KnotSplines& v, double restitution, std::span<const double> speeds) {
-  std::vector<double> before, after;
-  for (const double u : speeds) {
-    before.push_back(-u);
-    after.push_back(restitution * u);
-  }
-  return values_at(v, after).value - values_at(v, before).value;
-}
-
 }  // namespace
 
 Unresolved::Unresolved(const problem::Problem& problem, const WeakResiduals& residuals,

@@ -115,13 +115,8 @@ Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) co
 /// int u p(0, -u) [B_j(r u) - B_j(-u)] du
 Eigen::RowVectorXd WeakResiduals::impacts(const SampledDensity& density) const {
   const auto& speeds = density.wall.points;
-  std::vector<double> in, out;
-  for (const double u : speeds) {
-    in.push_back(-u);
-    out.push_back(problem_.system.restitution() * u);
-  }
   const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
-  const Eigen::MatrixXd jumps = values_at(v_, out).value - values_at(v_, in).value;
+  const Eigen::MatrixXd jumps = jumps_at(v_, problem_.system.restitution(), speeds);
   return (density.wall.integrals(u.asDiagonal() * jumps) * density.wall_samples).transpose();
 }
 

@@ -200,9 +200,8 @@ std::vector<Plot> order_plots(const results::Case& one, const std::string& prefi
   const auto is_drawn = [](const Family& family) {
     return family.solutions.size() > 1 && has_orders(family);
   };
-  return plots_of(one, prefix + "-order",
-                  "Convergence of the closures in {}; hollow: not ok", is_drawn,
-                  order_figure);
+  return plots_of(one, prefix + "-order", "Convergence of the closures in {}; hollow: not ok",
+                  is_drawn, order_figure);
 }
 
 std::vector<Plot> cost_plots(const results::Case& one, const std::string& prefix) {

@@ -283,7 +283,9 @@ TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
   EXPECT_EQ(run.out, "");
   EXPECT_FALSE(fs::exists(path("a")));
   // And the next is not.
-  EXPECT_EQ(program({"run", "case1", "--methods", "epc-gaussian-n2", "--accuracy", "1", "--out", path("a")}).exit_code,
+  EXPECT_EQ(program({"run", "case1", "--methods", "epc-gaussian-n2", "--accuracy", "1", "--out",
+                     path("a")})
+                .exit_code,
             kDone);
 }
 

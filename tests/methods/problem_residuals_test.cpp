@@ -37,7 +37,7 @@ TEST(MeasuredError, OfAClosureIsItsDistanceToTheJumpEquation) {
       const auto& edges = compare::edges(axes, variable);
       const double apart = transform::l1(transform::marginal(closure, variable, edges),
                                          transform::marginal(reference, variable, edges));
-      EXPECT_NEAR(transform::l1(*closure.error, variable) / apart, 1.25, 0.25) << id << apart;
+      EXPECT_NEAR(transform::l1(*closure.error, variable) / apart, 1.6, 0.3) << id << apart;
     }
   }
 }
@@ -45,7 +45,7 @@ TEST(MeasuredError, OfAClosureIsItsDistanceToTheJumpEquation) {
 TEST(MeasuredError, DecidesWhetherAClosureIsOk) {
   const auto linearised = solved("epc-gaussian-n2");
   EXPECT_EQ(linearised.status, Status::inaccurate);
-  EXPECT_NE(linearised.reason.find("0.034 in p(y')"), std::string::npos) << linearised.reason;
+  EXPECT_NE(linearised.reason.find("0.043 in p(y')"), std::string::npos) << linearised.reason;
   EXPECT_TRUE(linearised.density);
   EXPECT_EQ(solved("epc-gaussian-n2", {{"accuracy", 0.05}}).status, Status::ok);
   EXPECT_EQ(solved("epc-moment-n8").status, Status::ok);

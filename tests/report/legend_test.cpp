@@ -47,8 +47,7 @@ TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
        {"L1: integral", "white: white noise", "energy: residual", "sec: wall-clock",
         "its parts and of the row discretisation + sampling;",
         "closure: the closure itself, against", "impact: the impact to first order",
-        "trunc.: the cut of the Kramers-Moyal series", "tail: mean",
-        "*: the closure is not ok"}) {
+        "trunc.: the cut of the Kramers-Moyal series", "tail: mean", "*: the closure is not ok"}) {
     EXPECT_TRUE(contains(wide, part)) << part << "\n" << wide;
   }
   EXPECT_FALSE(contains(narrow, "energy: residual")) << narrow;

@@ -162,9 +162,9 @@ TEST(DensityResiduals, KnowHowFarMarginalsAreFromTheExactOnes) {
     EXPECT_NEAR(found.ydot_l1.found / v_true, 0.94, 0.06) << law;
     const auto stated = found.stated();
     EXPECT_GT(stated.y_l1, y_true) << law;
-    EXPECT_LT(stated.y_l1, 1.5 * y_true) << law;
+    EXPECT_LT(stated.y_l1, 1.8 * y_true) << law;
     EXPECT_GT(stated.ydot_l1, v_true) << law;
-    EXPECT_LT(stated.ydot_l1, 1.5 * v_true) << law;
+    EXPECT_LT(stated.ydot_l1, 1.8 * v_true) << law;
     EXPECT_GE(stated.moments.y2, std::abs(found.error.y2)) << law;
   }
 }
@@ -186,7 +186,7 @@ TEST(StatedError, GrowsByWhatIsUnresolvedInProportionToTheError) {
   WeightedResiduals residuals{};
   const auto stated = [&](double found, double unresolved) {
     residuals.y_l1 = {found, unresolved};
-    return residuals.stated().y_l1 / transform::kErrorBand;
+    return residuals.stated().y_l1 / WeightedResiduals::kNotSeen;
   };
   EXPECT_DOUBLE_EQ(stated(0.01, 0), 0.01);
   EXPECT_DOUBLE_EQ(stated(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02

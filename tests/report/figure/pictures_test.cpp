@@ -99,9 +99,8 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
   const fs::path figures = directory.path() / "figures";
   EXPECT_TRUE(contents(figures / "case1-budget.png").starts_with("\x89PNG\r\n\x1a\n"));
   const std::string svg = contents(figures / "case1-budget.svg");
-  for (const char* text :
-       {"gaussian-n4 *", "closure + impact", "truncation", "discretisation + sampling", "total",
-        "* not ok", "case1: c = 0.1"}) {
+  for (const char* text : {"gaussian-n4 *", "closure + impact", "truncation",
+                           "discretisation + sampling", "total", "* not ok", "case1: c = 0.1"}) {
     EXPECT_TRUE(contains(svg, text)) << text;
   }
   run.cases[0].budget.clear();
