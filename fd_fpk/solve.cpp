@@ -24,11 +24,6 @@ bool may_follow_characteristics(const Options& options) {
          !options.origin_refinement && options.order == usual.order;
 }
 
-double impulses_per_decay_time(const problem::Problem& problem) {
-  return problem.impulses.arrival_rate() /
-         problem::slowest_decay(problem::equivalent_linearisation(problem));
-}
-
 // The acceleration by which a mean of the impulses presses the oscillator against the wall, by the
 // spring's at a deviation: beyond 1 it bounces rather than swings, the lower the more energy an
 // impact takes.

@@ -20,9 +20,8 @@ class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
 
-  double passed() const { return stopwatch_.seconds(); }
   /// Whether what takes so long may begin.
-  bool allows(double seconds) const { return passed() + seconds <= seconds_; }
+  bool allows(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
 
  private:
   Stopwatch stopwatch_;

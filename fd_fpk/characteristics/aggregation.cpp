@@ -17,11 +17,7 @@ std::vector<double> coarser(const std::vector<double>& faces, int stride) {
 }
 
 Grid coarser(const Grid& grid, int stride) {
-  const auto half = coarser(grid.speeds().faces(), stride);
-  std::vector<double> x2;
-  for (auto face = half.rbegin(); face + 1 != half.rend(); ++face) x2.push_back(-*face);
-  x2.insert(x2.end(), half.begin(), half.end());
-  return {Line(coarser(grid.x1.faces(), stride), Beyond::boundary), Line(std::move(x2))};
+  return symmetric_grid(coarser(grid.x1.faces(), stride), coarser(grid.speeds().faces(), stride));
 }
 
 int stride_for(const Grid& grid, int most) {

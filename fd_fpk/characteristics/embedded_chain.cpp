@@ -5,7 +5,7 @@
 #include "fd_fpk/characteristics/aggregation.hpp"
 #include "fd_fpk/line/cell_jumps.hpp"
 #include "fd_fpk/linear/gmres.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "fd_fpk/operator/discretisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -94,9 +94,8 @@ void improve(const Chain& chain, const Aggregation& aggregation, Eigen::VectorXd
 // The more impulses it takes to forget, the more of the error is slow.
 int blocks_for(const problem::Problem& problem) {
   constexpr double kPerImpulse = 20;
-  const double decay = problem::slowest_decay(problem::equivalent_linearisation(problem));
   return static_cast<int>(
-      std::clamp(kPerImpulse * problem.impulses.arrival_rate() / decay, 200.0, 1600.0));
+      std::clamp(kPerImpulse * impulses_per_decay_time(problem), 200.0, 1600.0));
 }
 
 }  // namespace

@@ -103,12 +103,8 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
   // What is at rest is then as sharp after an impulse.
   const Singularities singular =
       unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
-  const auto half = faces_graded_to(0, box.x2_max, width * v, centres(v, singular.v));
-  std::vector<double> x2;
-  for (auto face = half.rbegin(); face + 1 != half.rend(); ++face) x2.push_back(-*face);
-  x2.insert(x2.end(), half.begin(), half.end());
-  return {Line(faces_graded_to(0, box.x1_max, width * y, centres(y, singular.y)), Beyond::boundary),
-          Line(std::move(x2))};
+  return symmetric_grid(faces_graded_to(0, box.x1_max, width * y, centres(y, singular.y)),
+                        faces_graded_to(0, box.x2_max, width * v, centres(v, singular.v)));
 }
 
 Box generous_box(const problem::Problem& problem, const Options& options) {

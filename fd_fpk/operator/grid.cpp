@@ -1,6 +1,7 @@
 #include "fd_fpk/operator/grid.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace fpkcheck::fd_fpk {
 
@@ -10,14 +11,17 @@ Eigen::VectorXd Grid::areas() const {
   return areas;
 }
 
+Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2) {
+  std::vector<double> x2;  // 0 once, and not -0
+  for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
+  x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
+  return {Line(std::move(x1), Beyond::boundary), Line(std::move(x2))};
+}
+
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading,
                const Grading& x2_grading) {
-  const auto positive = graded_faces(x2_max, nv / 2, x2_grading);
-  std::vector<double> x2;
-  for (auto f = positive.rbegin(); f != positive.rend(); ++f) x2.push_back(-*f);
-  x2.insert(x2.end(), positive.begin() + 1, positive.end());
-  x2[nv / 2] = 0;  // not -0
-  return {Line(graded_faces(x1_max, nx, x1_grading), Beyond::boundary), Line(std::move(x2))};
+  return symmetric_grid(graded_faces(x1_max, nx, x1_grading),
+                        graded_faces(x2_max, nv / 2, x2_grading));
 }
 
 transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages) {

@@ -24,6 +24,9 @@ struct Grid {
   Line speeds() const { return x2.from(nv() / 2); }
 };
 
+/// @param x1, positive_x2 faces from 0 on; those of x2 are mirrored
+Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2);
+
 /// @param nx,nv cells in x1 and x2; nv even
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},
                const Grading& x2_grading = {});

@@ -63,6 +63,19 @@ Options direct(Options options) {
   return options;
 }
 
+// An automatic grid may have been refined on the way, or its box found: other levels follow what it
+// became.
+Options as_used(Options options, const Summary& summary) {
+  options.refinement = summary.refinement;
+  if (options.transport == Transport::characteristics) {
+    options.x1_max = summary.x1_max;
+    options.x2_max = summary.x2_max;
+  } else {
+    options.origin_refinement = summary.origin_refinement;
+  }
+  return options;
+}
+
 // Of the scheme; the transport along characteristics spreads a cell's mass linearly.
 int order_of(const Options& options) {
   constexpr int kAlongCharacteristics = 2;
@@ -122,15 +135,7 @@ ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, con
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options) {
   Result fine = solve(options);
   if (!fine.solution.density) return fine;
-  // An automatic grid may have been refined on the way: the coarser ones follow the one it became.
-  Options used = options;
-  used.refinement = fine.summary.refinement;
-  if (options.transport == Transport::characteristics) {
-    used.x1_max = fine.summary.x1_max;
-    used.x2_max = fine.summary.x2_max;
-  } else {
-    used.origin_refinement = fine.summary.origin_refinement;
-  }
+  const Options used = as_used(options, fine.summary);
   const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
   const Result coarse = solve(direct(refined(used, 1 / (kLevelRatio * kLevelRatio))));
   if (middle.solution.density && coarse.solution.density) {
@@ -151,14 +156,7 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
   if (!best.summary.error) return best;
   // The three grids together took about 1 + 1/2.5 + 1/6 times as long as the finest.
   double seconds = stopwatch.seconds() / 1.6;
-  Options level = direct(options);
-  level.refinement = best.summary.refinement;
-  if (options.transport == Transport::characteristics) {
-    level.x1_max = best.summary.x1_max;
-    level.x2_max = best.summary.x2_max;
-  } else {
-    level.origin_refinement = best.summary.origin_refinement;
-  }
+  Options level = direct(as_used(options, best.summary));
   // Of the three last levels the two coarser ones.
   const Options before = refined(level, 1 / kLevelRatio);
   Result middle = best;
