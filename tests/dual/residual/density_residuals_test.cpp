@@ -11,21 +11,17 @@
 #include "exact/linear_density.hpp"
 #include "exact/linear_moments.hpp"
 #include "exact/linear_problem.hpp"
+#include "residual/bell.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::dual {
 namespace {
 
-constexpr double kSy = 0.6, kSv = 0.7;  // deviations of no density of any case here
+using tests::bell;
+using tests::kSv;
+using tests::kSy;
 
-/// Half a Gaussian of y times one of v: its moments are known, and wrong by some per cent.
-transform::SmoothDensity bell() {
-  return {[](double y, double v) {
-            const double a = y / kSy, b = v / kSv;
-            return std::exp(-(a * a + b * b) / 2) / (std::numbers::pi * kSy * kSv);
-          },
-          8 * kSy, 8 * kSv};
-}
+/// Known, and wrong by some per cent.
 const transform::Moments kOfBell{.y1 = kSy * std::sqrt(2 / std::numbers::pi),
                                  .y2 = kSy * kSy,
                                  .y4 = 3 * std::pow(kSy, 4),

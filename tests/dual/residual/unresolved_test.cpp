@@ -7,19 +7,14 @@
 
 #include "dual/residual/judged_functions.hpp"
 #include "paper_cases.hpp"
+#include "residual/bell.hpp"
 
 namespace fpkcheck::dual {
 namespace {
 
-constexpr double kWideY = 0.6, kWideV = 0.7;
-
-transform::SmoothDensity half_bell() {
-  return {[](double y, double v) {
-            const double a = y / kWideY, b = v / kWideV;
-            return std::exp(-(a * a + b * b) / 2) / (std::numbers::pi * kWideY * kWideV);
-          },
-          8 * kWideY, 8 * kWideV};
-}
+using tests::bell;
+using tests::kSv;
+using tests::kSy;
 
 WeakResiduals weak_residuals(const problem::Problem& problem) {
   auto splines = residual_splines(problem, {.y = 40, .v = 88});
@@ -45,13 +40,13 @@ TEST(Unresolved, IsNothingWhereTheBackwardEquationIsSolved) {
   const auto problem = tests::paper_case(1);
   const auto residuals = weak_residuals(problem);
   const std::vector<SeparableFunction> f{{one_of, same}};
-  const auto weak = residuals(half_bell());
+  const auto weak = residuals(bell());
   EXPECT_NEAR(weak.cells.sum(), 1, 1e-12);
   const Unresolved solved(problem, residuals, f, {-linear(residuals, false), {0}});
   EXPECT_NEAR(solved.of(weak)(0), 0, 1e-12);
   // The wrong sign leaves 2 v, a wrong mean what it is off by.
   const Unresolved wrong(problem, residuals, f, {linear(residuals, false), {0}});
-  EXPECT_NEAR(wrong.of(weak)(0), 2 * kWideV * std::sqrt(2 / std::numbers::pi), 5e-3);
+  EXPECT_NEAR(wrong.of(weak)(0), 2 * kSv * std::sqrt(2 / std::numbers::pi), 5e-3);
   const Unresolved off(problem, residuals, f, {-linear(residuals, false), {0.3}});
   EXPECT_NEAR(off.of(weak)(0), 0.3, 1e-12);
 }
@@ -63,10 +58,10 @@ TEST(Unresolved, CountsJumpsAtTheWallByTheirFlux) {
     const auto residuals = weak_residuals(problem);
     const Unresolved unresolved(problem, residuals, std::vector<SeparableFunction>{{none, none}},
                                 {linear(residuals, true), {0}});
-    return unresolved.of(residuals(half_bell()))(0);
+    return unresolved.of(residuals(bell()))(0);
   };
-  const double flux = std::sqrt(std::numbers::pi / 2) * std::pow(kWideV, 3) /
-                      (std::numbers::pi * kWideY * kWideV);  // int u^2 p(0, -u) du
+  const double flux = std::sqrt(std::numbers::pi / 2) * std::pow(kSv, 3) /
+                      (std::numbers::pi * kSy * kSv);  // int u^2 p(0, -u) du
   EXPECT_NEAR(left(0.9) - left(0.4), 0.5 * flux, 0.01 * flux);
 }
 
