@@ -57,6 +57,14 @@ class Search {
     finish(guess);
   }
 
+  // Last of all that of the guess, where it is a start that no fit has spoilt: between two levels
+  // a Q_n that rises beyond its own may put all its mass on the edge of the other.
+  std::vector<double> levels(const Shape& guess, Stage stage) const {
+    std::vector<double> levels = setting_.levels(guess, stage);
+    if (guess.level > 0) levels.push_back(guess.level);
+    return levels;
+  }
+
   // Order n from the guess, well enough to start the next, in its place.
   bool advance(Shape& guess, int n) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Shape, double>> {
@@ -66,7 +74,7 @@ class Search {
       const Shape found = shape_of(start.equations, result.a, level);
       return std::pair{found, setting_.remains(found, Stage::rough)};
     };
-    const auto best = first_decayed<Shape>(setting_.levels(guess, Stage::rough),
+    const auto best = first_decayed<Shape>(levels(guess, Stage::rough),
                                            setting_.remains_allowed(Stage::rough), attempt);
     if (best) guess = *best;
     return best.has_value();
@@ -82,7 +90,7 @@ class Search {
       if (further && !refine(rooted.shape, *further)) root_ = rooted;
       return std::pair{root_, root_.remains};
     };
-    const auto best = first_decayed<Root>(setting_.levels(guess, Stage::last),
+    const auto best = first_decayed<Root>(levels(guess, Stage::last),
                                           setting_.remains_allowed(Stage::last), attempt);
     if (best) root_ = *best;
   }
@@ -133,7 +141,8 @@ class Search {
     const Points points = setting_.points(support, size);
     VectorXd exponent(points.size()), mass(points.size());
     for (Index i = 0; i < points.size(); ++i) {
-      exponent[i] = setting_.exponent(guess, points.s[i], points.t[i]);
+      exponent[i] = level == guess.level ? guess.q(points.s[i], points.t[i])
+                                         : setting_.exponent(guess, points.s[i], points.t[i]);
       mass[i] = exponent[i] + confinement(points.energy[i]);
     }
     mass = points.weight.array() * (mass.array() - mass.maxCoeff()).exp();

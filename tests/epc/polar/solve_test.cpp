@@ -8,6 +8,7 @@
 #include "closures.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
+#include "random_problem.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -122,10 +123,25 @@ TEST(PolarClosure, FortyRandomProblemsConverge) {
   }
 }
 
+// A quarter of an impulse per decay time: at every other level the guess puts its mass on the edge.
+TEST(PolarClosure, StartsLastFromTheLevelOfTheOrderBefore) {
+  const auto [solution, summary] = solve(tests::random_problem(33), of_order(4));
+  EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+}
+
+// After strong losses the density has a spike at v = 0+ on the wall, narrower than even panels.
+TEST(PolarClosure, HasItsWholeMassOnPanels) {
+  for (const int number : {2, 9, 38}) {
+    const auto solution = solve(tests::random_problem(number), of_order(6)).solution;
+    EXPECT_NEAR(solution.mass, 1, 1e-5) << number;
+  }
+}
+
+// A twelfth of an impulse per decay time.
 TEST(PolarClosure, ReportsTheOrderAtWhichItIsLost) {
   auto options = of_order(8);
   options.max_iterations = 1;
-  const auto [solution, summary] = solve(paper_case(4), options);
+  const auto [solution, summary] = solve(tests::random_problem(42), options);
   EXPECT_EQ(solution.status, Status::not_converged);
   EXPECT_NE(solution.reason.find("lost at order"), std::string::npos) << solution.reason;
   EXPECT_FALSE(solution.density.has_value());
