@@ -43,5 +43,23 @@ TEST(PanelMarginals, GiveTheMeanOfAPolynomial) {
   }
 }
 
+// A wide bell and one of a thousandth of its width, each with half of the mass, that change with the
+// direction from the origin only.
+TEST(PanelMarginals, GradedOnesHoldASpikeThatFansOutFromTheOrigin) {
+  const auto bell = [](double rho, double width) {
+    return std::exp(-rho * rho / (2 * width * width)) / (2 * std::numbers::pi * width * width);
+  };
+  const SmoothDensity fan{[&](double y, double v) {
+                            const double rho = std::hypot(y, v);
+                            return (1 + std::sin(std::atan2(v, y)) / 2) *
+                                   (bell(rho, 1) + bell(rho, 1e-3));
+                          },
+                          8.0, 8.0};
+  const auto graded = panel_marginals(fan, fan.y_max, fan.v_max, Panels::graded);
+  EXPECT_NEAR(graded.mass, 1, 1e-4);
+  EXPECT_NEAR(graded.moments.v2, 0.5, 1e-6);
+  EXPECT_GT(std::abs(panel_marginals(fan, fan.y_max, fan.v_max, Panels::even).mass - 1), 0.01);
+}
+
 }  // namespace
 }  // namespace fpkcheck::transform
