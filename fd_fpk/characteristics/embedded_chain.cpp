@@ -69,19 +69,21 @@ class Chain {
   bool tilted_ = false;
 };
 
+// Of the residual. Without tilts q is only what limits them.
+constexpr double kTolerance = 1e-10, kRoughTolerance = 1e-9;
+
 // Improves q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has no mass.
-void improve(const Chain& chain, const Aggregation& aggregation, Eigen::VectorXd& after,
-             StationaryMasses& result) {
-  constexpr double kTolerance = 1e-10;  // of the residual
+void improve(const Chain& chain, const Aggregation& aggregation, double tolerance,
+             Eigen::VectorXd& after, StationaryMasses& result) {
   const Eigen::VectorXd defect = chain.kicked(chain.carried(after)) - after;
   const double norm = defect.cwiseAbs().sum();
-  if (norm <= kTolerance) return;
+  if (norm <= tolerance) return;
   const LinearMap map = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd {
     return d - chain.kicked(chain.carried(d)) + after * d.sum();
   };
   const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) { aggregation.correct(d); };
   const auto found =
-      gmres(map, correct, defect, Eigen::VectorXd::Ones(after.size()), kTolerance / norm);
+      gmres(map, correct, defect, Eigen::VectorXd::Ones(after.size()), tolerance / norm);
   result.iterations += found.iterations;
   if (!found.solution) {
     result.failure = found.failure;
@@ -117,11 +119,11 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& 
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size());
   start(rest.below) = start(rest.above) = 0.5;
   Eigen::VectorXd after = chain.kicked(start);
-  improve(chain, aggregation, after, result);
+  improve(chain, aggregation, kRoughTolerance, after, result);
   if (!result.failure.empty()) return result;
   chain.tilt_within(after);
   aggregation.spread_like(after);
-  improve(chain, aggregation, after, result);
+  improve(chain, aggregation, kTolerance, after, result);
   if (!result.failure.empty()) return result;
   const Eigen::VectorXd before = chain.carried(after, &result.impacts);
   result.residual = (chain.kicked(before) - after).cwiseAbs().sum();

@@ -109,8 +109,11 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
 
 Box generous_box(const problem::Problem& problem, const Options& options) {
   constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
+  // A box in a constant field is as high as the square of the speed, and as many cells.
+  constexpr double kTimesPressed = 5;
+  const double times = pressing(problem) > 0 ? kTimesPressed : kTimes;
   const double v_max = options.x2_max.value_or(
-      kTimes * usual_speed(problem) + kImpulses * largest_impulse(problem.impulses.law(), kRare));
+      times * usual_speed(problem) + kImpulses * largest_impulse(problem.impulses.law(), kRare));
   double y_max = kHigher * usual_height(problem, Flow(problem.system), v_max);
   if (pressing(problem) == 0) {
     const auto linear = problem::equivalent_linearisation(problem);

@@ -148,8 +148,9 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 }
 
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline) {
-  // A level takes at least as many times as long as the one before.
+  // A level takes at least as many times as long as the one before, more where the last did.
   constexpr double kSlower = 2.5;
+  double slower = kSlower;
   constexpr double kSoon = 8;  // of the time that is left, its inverse
   const Stopwatch stopwatch;
   Result best = solve_with_error_estimate(solve, options);
@@ -169,13 +170,14 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
     const double missing = std::ceil(std::log(l1(*best.summary.error) / kUsualAccuracy) /
                                      (order * std::log(kLevelRatio)));
     double expected = 0;
-    for (int n = 1; n <= missing; ++n) expected += seconds * std::pow(kSlower, n);
+    for (int n = 1; n <= missing; ++n) expected += seconds * std::pow(slower, n);
     // Without a hope of that accuracy soon only what is not ok yet is improved.
     const bool hopeful = deadline.allows(kSoon * expected);
-    if (!hopeful && (best.solution.is_ok() || !deadline.allows(kSlower * seconds))) break;
+    if (!hopeful && (best.solution.is_ok() || !deadline.allows(slower * seconds))) break;
     level = refined(level, kLevelRatio);
     const Stopwatch of_level;
     Result fine = solve(level);
+    slower = std::max(kSlower, of_level.seconds() / seconds);
     seconds = of_level.seconds();
     if (!fine.solution.density) break;
     if (!coarse) coarse = solve(before);

@@ -45,7 +45,7 @@ void judge_error(const Options& options, Result& result) {
   if (l1 <= options.accuracy) return;
   solution.status = Status::inaccurate;
   solution.reason = fmt::format(
-      "the discretisation error is estimated as {:.1g} in L1, with an observed order of {:.1f}, and "
+      "the discretisation error is estimated as {:.2g} in L1, with an observed order of {:.1f}, and "
       "{:g} is asked for (allow more time by max-seconds, or less accuracy)",
       l1, summary.error->observed_order, options.accuracy);
 }
