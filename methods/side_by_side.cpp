@@ -7,11 +7,12 @@
 #include <thread>
 #include <vector>
 
+#include "process/processors.hpp"
+
 namespace fpkcheck::methods {
 
 void side_by_side(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : processors;
+  const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : process::processors());
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failure_mutex;

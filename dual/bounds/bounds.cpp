@@ -5,11 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
-#include <thread>
 
 #include "dual/backward/normal_equations.hpp"
 #include "dual/bounds/one_grid.hpp"
 #include "parameters/input_error.hpp"
+#include "process/processors.hpp"
 
 namespace fpkcheck::dual {
 namespace {
@@ -17,10 +17,7 @@ namespace {
 constexpr int kWeightPower = 12;
 
 // One per processor where nobody says.
-int threads_of(const Options& options) {
-  return options.threads.value_or(
-      static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-}
+int threads_of(const Options& options) { return options.threads.value_or(process::processors()); }
 
 bool narrow_enough(const Bound& bound, const Options& options) {
   const double wanted =

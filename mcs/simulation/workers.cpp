@@ -1,16 +1,17 @@
 #include "mcs/simulation/workers.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "process/processors.hpp"
+
 namespace fpkcheck::mcs {
 
 int number_of_threads(const std::optional<int>& asked) {
-  return asked.value_or(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  return asked.value_or(process::processors());
 }
 
 void share_work(int threads, std::size_t shares, const std::function<void(std::size_t)>& work) {

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::mcs {
 
-/// As many threads as asked for, or one per processor.
+/// As many threads as asked for, or one per processor of this process.
 int number_of_threads(const std::optional<int>& asked);
 
 /// Does work(0), .., work(shares - 1), each once, by as many threads as given, and returns when all
