@@ -3,6 +3,7 @@
 #include <cholmod.h>
 #include <klu.h>
 
+#include <mutex>
 #include <stdexcept>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct Arrays {
         values(const_cast<double*>(matrix.valuePtr())) {}
 };
 
+// METIS draws from the C library's random numbers, one sequence for the whole process: it seeds them
+// for each dissection, but two dissections at once would draw from one another's, and their orders
+// (and the last digits of all that is solved by them) would depend on who came when.
+std::mutex dissection_mutex;
+
 // Order of unknowns by nested dissection of the graph of A + A^T; empty when it cannot be found.
 std::vector<SuiteSparse_long> nested_dissection(const SparseColumns& matrix) {
   const SparseColumns symmetric = SparseColumns(matrix.transpose()) + matrix;
@@ -44,6 +50,7 @@ std::vector<SuiteSparse_long> nested_dissection(const SparseColumns& matrix) {
   cholmod_l_start(&common);
   common.print = 0;
   std::vector<SuiteSparse_long> order(n), parents(n), components(n);
+  const std::lock_guard alone(dissection_mutex);
   const SuiteSparse_long found = cholmod_l_nested_dissection(
       &graph, nullptr, 0, order.data(), parents.data(), components.data(), &common);
   cholmod_l_finish(&common);

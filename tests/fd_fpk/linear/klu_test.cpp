@@ -1,0 +1,64 @@
+#include "fd_fpk/linear/klu.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Five points on a square, with wind: large enough that its dissection draws random numbers often.
+SparseColumns square(int n) {
+  std::vector<Eigen::Triplet<double, SparseColumns::StorageIndex>> entries;
+  const auto at = [n](int i, int j) { return SparseColumns::StorageIndex{i} * n + j; };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      entries.emplace_back(at(i, j), at(i, j), 4.1);
+      if (i > 0) entries.emplace_back(at(i, j), at(i - 1, j), -1.3);
+      if (i + 1 < n) entries.emplace_back(at(i, j), at(i + 1, j), -0.7);
+      if (j > 0) entries.emplace_back(at(i, j), at(i, j - 1), -1.1);
+      if (j + 1 < n) entries.emplace_back(at(i, j), at(i, j + 1), -0.9);
+    }
+  }
+  SparseColumns matrix(n * n, n * n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+struct Solved {
+  Eigen::VectorXd x;
+  long entries;
+};
+
+Solved solved(int n) {
+  const SparseColumns matrix = square(n);
+  KluFactorisation klu;
+  EXPECT_TRUE(klu.factor(matrix)) << klu.failure();
+  Solved result{Eigen::VectorXd::LinSpaced(matrix.cols(), 1, 2), klu.entries()};
+  klu.solve_in_place(result.x);
+  return result;
+}
+
+// METIS draws from random numbers of the whole process.
+TEST(Klu, GivesTheSameBitsBesideOthersAsAlone) {
+  constexpr int kCells = 90, kRounds = 5;
+  const Solved alone = solved(kCells);
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Solved> beside(4);
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t t = 0; t < beside.size(); ++t) {
+        // Every other one is of another size, and ends at another time.
+        threads.emplace_back([&, t] { beside[t] = solved(t % 2 == 0 ? kCells : kCells - 17); });
+      }
+    }
+    for (const std::size_t t : {0, 2}) {
+      EXPECT_EQ(beside[t].entries, alone.entries);
+      EXPECT_TRUE(beside[t].x == alone.x);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
