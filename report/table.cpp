@@ -105,6 +105,7 @@ std::string table(const results::Run& run, const TextFormat& format) {
     std::ranges::copy(shown, std::back_inserter(all));
     std::ranges::move(budget_columns(one, format), std::back_inserter(budgets));
   }
+  if (!run.stopped.empty()) text += wrapped(run.stopped, width) + '\n';
   for (const auto& legend : {results_legend(all, run), budget_legend(budgets)}) {
     if (!legend.empty()) text += wrapped(legend, width);
   }

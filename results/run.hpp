@@ -97,6 +97,9 @@ Program this_program(const std::string& command);
 struct Run {
   Program program;
   std::vector<Case> cases;
+  /// That the run was told to stop, and what is missing for it, in one sentence; empty when it came
+  /// to its end.
+  std::string stopped = {};
 };
 
 /// Compares the solutions of a case and keeps what is saved of them.

@@ -215,9 +215,10 @@ void require_summary(const Json& json, const std::string& where) {
 }  // namespace
 
 std::string summary_text(const Run& run) {
-  return text_of(with_null_for_non_finite({{"schema", kSummarySchema},
-                                           {"program", program_json(run.program)},
-                                           {"cases", list_of(run.cases, case_json)}}));
+  Json json{{"schema", kSummarySchema}, {"program", program_json(run.program)}};
+  if (!run.stopped.empty()) json["stopped"] = run.stopped;
+  json["cases"] = list_of(run.cases, case_json);
+  return text_of(with_null_for_non_finite(std::move(json)));
 }
 
 Run read_summary(std::istream& in, const std::string& where) {
@@ -225,7 +226,9 @@ Run read_summary(std::istream& in, const std::string& where) {
   require_summary(json, where);
   try {
     const Json& program = json.at("program");
-    Run run{{program.at("name"), program.at("version"), program.at("command")}, {}};
+    Run run{{program.at("name"), program.at("version"), program.at("command")},
+            {},
+            json.value("stopped", std::string())};
     std::set<std::string> names;
     for (const auto& one : json.at("cases")) {
       const auto name = one.at("name").get<std::string>();

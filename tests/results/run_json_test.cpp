@@ -37,6 +37,14 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
+TEST(RunJson, SaysThatTheRunWasStopped) {
+  const results::Run whole{{"fpkcheck", "1", "fpkcheck run"}, {}};
+  EXPECT_FALSE(summary_of(whole).contains("stopped"));
+  const results::Run stopped{{"fpkcheck", "1", "fpkcheck run"}, {}, "Stopped. Missing: case2."};
+  EXPECT_EQ(read(summary_text(stopped)).stopped, stopped.stopped);
+  EXPECT_EQ(read(summary_text(whole)).stopped, "");
+}
+
 // With something in every field.
 results::Run full_run() {
   results::Run run = tests::made_up_run();
