@@ -5,12 +5,16 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/ending.hpp"
+#include "cli/interruption.hpp"
 #include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
+#include "cli/standard_streams.hpp"
 #include "methods/bounds.hpp"
 #include "parameters/input_error.hpp"
+#include "process/files_in_hand.hpp"
 #include "report/bounds.hpp"
 #include "results/directory.hpp"
 #include "results/run_json.hpp"
@@ -75,8 +79,7 @@ int bounds_command(const Call& call) {
   for (const auto& bin : bins) options.functionals.push_back(bin_from(bin));
   dual::validate(options);
   const auto problems = load_cases(common);
-  results::MadeDirectories made;
-  if (common.out) made = results::make_writable(*common.out);
+  const OutputDirectory directory(common.out);
 
   results::Run run{results::this_program(call.command_line), {}};
   bool reached = true;
@@ -89,18 +92,23 @@ int bounds_command(const Call& call) {
                          .curves = {},
                          .joints = {},
                          .bounds = methods::guaranteed_bounds(problem, options)});
+    throw_if_interrupted();
     const auto& bounds = *run.cases.back().bounds;
-    reached = reached && bounds.reason.empty() && !bounds.each.empty();
+    const bool found = bounds.reason.empty() && !bounds.each.empty();
+    reached = reached && found;
+    if (common.quiet && !found) complain(fmt::format("{}: {}", problem.name, bounds.reason));
     if (common.json || common.quiet) continue;
-    fmt::print("{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()),
-               bounds.seconds);
+    put_out(fmt::format("{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()),
+                        bounds.seconds));
   }
-  if (common.json) fmt::print("{}\n", results::summary_text(run));
+  if (common.json) put_out(results::summary_text(run) + '\n');
   if (common.out) {
+    const process::FilesInHand in_hand;
     results::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');
     files.commit();
+    note_kept("all was written");
   }
   return reached ? kDone : kNotReached;
 }

@@ -1,17 +1,19 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 
 #include "check/baseline.hpp"
 #include "check/check.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
+#include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
+#include "process/files_in_hand.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::cli {
@@ -68,10 +70,12 @@ boost::program_options::options_description options_of(CheckArguments& arguments
 
 void write(const std::filesystem::path& directory, const results::Run& run,
            const std::string& json) {
+  const process::FilesInHand in_hand;
   results::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
   files.commit();
+  note_kept("all was written");
 }
 
 }  // namespace
@@ -91,10 +95,8 @@ int check_command(const Call& call) {
   const auto baseline =
       check::load_baseline(places.front(), call.registry,
                            {{"threads", threads > 0 ? Value(std::int64_t{threads}) : Value()}});
-  results::MadeDirectories made;
-  if (common.out) made = results::make_writable(*common.out);
+  const OutputDirectory directory(common.out);
 
-  const InterruptionGuard guard;
   ProgressLine progress(common.quiet);
   const auto run = check::run_again(baseline, call.command_line, threads,
                                     [&](const methods::RunProgress& at) { progress.show(at); });
@@ -105,20 +107,22 @@ int check_command(const Call& call) {
   result.notes = baseline.notes;
   const auto json = check::check_json(result, call.command_line, places.front());
   if (common.json) {
-    fmt::print("{}\n", json);
+    put_out(json + '\n');
   } else if (!common.quiet) {
-    fmt::print("{}", check::check_table(result, terminal_format()));
-    std::fflush(stdout);
+    put_out(check::check_table(result, terminal_format()));
   }
   if (common.out) write(*common.out, run, json);
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    fmt::print(
+    put_out(fmt::format(
         "{}{:.1f} s.\n",
         common.out
             ? fmt::format("Wrote check.json, summary.json and marginals.csv to {} in ", *common.out)
             : "Done in ",
-        elapsed.count());
+        elapsed.count()));
+  }
+  if (common.quiet && !result.agrees()) {
+    complain(fmt::format("{} of {} figures moved", result.moved().size(), result.figures.size()));
   }
   return result.agrees() ? kDone : kNotReached;
 }

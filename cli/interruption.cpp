@@ -1,36 +1,59 @@
 #include "cli/interruption.hpp"
 
+#include <atomic>
+#include <cerrno>
+
+#include "cli/ending.hpp"
+#include "process/stop.hpp"
+
 namespace fpkcheck::cli {
 namespace {
 
-volatile std::sig_atomic_t noted = 0;
-OnInterruption what_to_do = OnInterruption::give_up;
+constexpr int kStopping[] = {SIGINT, SIGTERM};
 
-// All that is allowed in a handler.
-extern "C" void note_first_interruption(int) { noted = 1; }
+std::atomic<OnInterruption> what_to_do = OnInterruption::give_up;
+
+extern "C" void note_interruption(int signal) {
+  const int error = errno;
+  if (process::stop_requested()) {
+    // The second: as if there were no handler. It is blocked until this returns.
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  } else {
+    process::request_stop(signal);
+    wake_deadline();
+  }
+  errno = error;
+}
 
 }  // namespace
 
-InterruptionGuard::InterruptionGuard(OnInterruption what) {
-  noted = 0;
-  what_to_do = what;
-  sigaction(SIGINT, nullptr, &before_);
-  if (before_.sa_handler != SIG_DFL) return;
-  struct sigaction action = {};
-  action.sa_handler = note_first_interruption;
-  // The default comes back for the second; system calls, as reading from gnuplot, are not broken.
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-  active_ = sigaction(SIGINT, &action, nullptr) == 0;
+InterruptionGuard::InterruptionGuard() {
+  process::request_stop(0);
+  what_to_do = OnInterruption::give_up;
+  for (const int signal : kStopping) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_DFL) continue;
+    struct sigaction action = {};
+    action.sa_handler = note_interruption;
+    // System calls, as reading from gnuplot, are not broken.
+    action.sa_flags = SA_RESTART;
+    if (sigaction(signal, &action, nullptr) == 0) before_.push_back({signal, before});
+  }
 }
 
 InterruptionGuard::~InterruptionGuard() {
-  if (active_) sigaction(SIGINT, &before_, nullptr);
+  for (const auto& [signal, action] : before_) sigaction(signal, &action, nullptr);
+  process::request_stop(0);
 }
 
-bool interrupted() { return noted != 0; }
+void on_interruption(OnInterruption what) { what_to_do = what; }
+
+OnInterruption on_interruption() { return what_to_do; }
 
 void throw_if_interrupted() {
-  if (interrupted() && what_to_do == OnInterruption::give_up) throw Interrupted();
+  if (process::stop_requested() && what_to_do == OnInterruption::give_up) throw Interrupted();
 }
 
 }  // namespace fpkcheck::cli

@@ -2,39 +2,45 @@
 
 #include <csignal>
 #include <exception>
+#include <vector>
 
 namespace fpkcheck::cli {
 
-/// Ctrl-C, while something was solved.
+/// Ctrl-C or SIGTERM, while something was solved. What the user is told says stop_notice()
+/// (ending.hpp).
 struct Interrupted : std::exception {
-  const char* what() const noexcept override { return "interrupted; nothing was written"; }
+  const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// What the first Ctrl-C does.
+/// What the first Ctrl-C or SIGTERM does.
 enum class OnInterruption {
   give_up,      ///< throw_if_interrupted throws
-  finish_early  ///< what is solved asks interrupted() and ends with what it has
+  finish_early  ///< what is solved asks process::stop_requested() and ends with what it has
 };
 
-/// While this lives, the first Ctrl-C is noted; a second one ends the program. Leaves Ctrl-C alone
-/// where it is ignored (nohup).
+/// While this lives, the first Ctrl-C or SIGTERM is noted (process/stop.hpp); a second one ends the
+/// program at once. Leaves each alone where it is ignored (nohup).
 class InterruptionGuard {
  public:
-  explicit InterruptionGuard(OnInterruption what = OnInterruption::give_up);
+  InterruptionGuard();
   ~InterruptionGuard();
   InterruptionGuard(const InterruptionGuard&) = delete;
   InterruptionGuard& operator=(const InterruptionGuard&) = delete;
 
  private:
-  struct sigaction before_ = {};
-  bool active_ = false;
+  struct Before {
+    int signal;
+    struct sigaction action;
+  };
+  std::vector<Before> before_;
 };
 
-/// True after a Ctrl-C that a guard noted.
-bool interrupted();
+/// give_up until told otherwise.
+void on_interruption(OnInterruption what);
+OnInterruption on_interruption();
 
 /// To be called from the progress of what takes long.
-/// @throws Interrupted after a Ctrl-C that a guard noted, unless it is to finish early
+/// @throws Interrupted after a Ctrl-C or SIGTERM that a guard noted, unless it is to finish early
 void throw_if_interrupted();
 
 }  // namespace fpkcheck::cli

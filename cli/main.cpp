@@ -1,8 +1,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/ending.hpp"
 #include "cli/program.hpp"
+#include "cli/standard_streams.hpp"
 
 int main(int argc, char** argv) {
-  return fpkcheck::cli::run_program(std::vector<std::string>(argv + 1, argv + argc));
+  using namespace fpkcheck::cli;
+  prepare_standard_streams();
+  const Deadline deadline;
+  return run_program(std::vector<std::string>(argv + 1, argv + argc));
 }

@@ -1,13 +1,13 @@
-#include <fmt/format.h>
-
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
+#include "cli/standard_streams.hpp"
 #include "methods/mcs.hpp"
 #include "parameters/input_error.hpp"
+#include "process/stop.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -28,9 +28,8 @@ boost::program_options::options_description file_options(methods::SimulationCont
 int mcs_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
   parameters::Values values = solver.usual_options;
-  methods::SimulationControl control{.stop = interrupted, .warn = [](const std::string& text) {
-                                       fmt::print(stderr, "fpkcheck: {}\n", text);
-                                     }};
+  methods::SimulationControl control{.stop = process::stop_requested,
+                                     .warn = [](const std::string& text) { complain(text); }};
   auto own = options_for(*solver.parameters, values);
   own.add(file_options(control));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {

@@ -11,9 +11,12 @@
 #include <stdexcept>
 
 #include "cli/commands.hpp"
+#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
+#include "cli/standard_streams.hpp"
 #include "methods/builtin.hpp"
 #include "parameters/input_error.hpp"
+#include "process/stop.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
@@ -75,7 +78,7 @@ commands:
 A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
 `fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.
 Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
-2 bad input; 130 Ctrl-C.
+2 bad input; 130 Ctrl-C, 143 SIGTERM, each within a second.
 )");
 }
 
@@ -109,6 +112,8 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
 int run_program(const Arguments& arguments) { return run_program(arguments, methods::builtin()); }
 
 int run_program(const Arguments& arguments, const methods::Registry& registry) {
+  const InterruptionGuard guard;
+  note_kept("nothing was written");
   try {
     const int exit_code = dispatch(arguments, registry);
     // A full disk or a closed pipe shows only when the buffers go out.
@@ -116,18 +121,19 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw std::runtime_error("standard output could not be written");
     }
-    return exit_code;
-  } catch (const Interrupted& interruption) {
-    fmt::print(stderr, "fpkcheck: {}\n", interruption.what());
-    return kInterrupted;
+    if (!process::stop_requested()) return exit_code;
+  } catch (const Interrupted&) {
   } catch (const InputError& error) {
-    fmt::print(stderr, "fpkcheck: {}\n", error.what());
+    complain(error.what());
     return kBadInput;
   } catch (const std::exception& error) {
     // A broken environment: no memory, a full disk.
-    fmt::print(stderr, "fpkcheck: stopped: {}\n", error.what());
+    complain(fmt::format("stopped: {}", error.what()));
     return kNotReached;
   }
+  claim_the_end();
+  complain(stop_notice());
+  return stopped_exit_code(process::stop_signal());
 }
 
 }  // namespace fpkcheck::cli

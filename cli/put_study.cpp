@@ -2,26 +2,30 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 
-#include "cli/solve_and_report.hpp"
+#include "cli/program.hpp"
+#include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
+#include "process/files_in_hand.hpp"
 #include "report/figure/drawing.hpp"
+#include "results/directory.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
 void write(const std::filesystem::path& directory, const study::Output& output) {
+  const process::FilesInHand in_hand;
   results::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
   files.commit();
+  note_kept("all was written but the picture");
   if (output.figure.empty()) return;
   report::remove_pictures_of(directory / "figures", output.stem);
   for (const auto& warning :
        report::write_pictures(directory / "figures", output.stem, output.figure, "gnuplot")) {
-    fmt::print(stderr, "fpkcheck: {}\n", warning);
+    complain(warning);
   }
 }
 
@@ -35,26 +39,29 @@ std::string files_of(const study::Output& output) {
 void put_study(const CommonArguments& common, const study::Output& output,
                std::chrono::steady_clock::time_point begin) {
   if (common.json) {
-    fmt::print("{}\n", output.json);
+    put_out(output.json + '\n');
   } else if (!common.quiet) {
-    fmt::print("{}", output.table);
-    std::fflush(stdout);
+    put_out(output.table);
   }
   if (common.out) write(*common.out, output);
   if (common.quiet || common.json) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  fmt::print(
+  put_out(fmt::format(
       "\n{}{:.1f} s.\n",
       common.out ? fmt::format("Wrote {} to {} in ", files_of(output), *common.out) : "Done in ",
-      elapsed.count());
+      elapsed.count()));
+}
+
+int exit_code_of_study(const CommonArguments& common, bool reached) {
+  if (reached) return kDone;
+  if (common.quiet) complain("the study did not reach what --help says it must (see its table)");
+  return kNotReached;
 }
 
 StudyStart start_of_study(const CommonArguments& common) {
   auto problems = load_cases(common);
   if (problems.size() != 1) throw InputError("a study takes one case");
-  results::MadeDirectories made;
-  if (common.out) made = results::make_writable(*common.out);
-  return {std::move(problems.front()), std::move(made)};
+  return {std::move(problems.front()), OutputDirectory(common.out)};
 }
 
 }  // namespace fpkcheck::cli

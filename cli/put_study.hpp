@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/command_line.hpp"
-#include "results/directory.hpp"
+#include "cli/ending.hpp"
 #include "study/output.hpp"
 
 namespace fpkcheck::cli {
@@ -14,10 +14,13 @@ namespace fpkcheck::cli {
 void put_study(const CommonArguments& common, const study::Output& output,
                std::chrono::steady_clock::time_point begin);
 
+/// kDone where it reached what it must, else kNotReached; of a quiet one a line says so.
+int exit_code_of_study(const CommonArguments& common, bool reached);
+
 /// What a study begins with.
 struct StudyStart {
   problem::Problem problem;
-  results::MadeDirectories made;  ///< for its results
+  OutputDirectory directory;  ///< for its results
 };
 
 /// The one case that a study takes; the directory for its results is prepared.

@@ -5,9 +5,12 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/ending.hpp"
+#include "cli/interruption.hpp"
 #include "cli/program.hpp"
-#include "cli/progress_line.hpp"
+#include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
+#include "process/files_in_hand.hpp"
 #include "results/directory.hpp"
 #include "study/reference/reference.hpp"
 
@@ -51,23 +54,30 @@ int reference_command(const Call& call) {
     throw InputError(
         fmt::format("--time {} (must be a positive number)", *options.simulation_time));
   }
-  results::MadeDirectories made;
-  if (common.out) made = results::make_writable(*common.out);
+  for (const auto& problem : problems) study::validate(problem, options);
+  const OutputDirectory directory(common.out);
   std::vector<study::Reference> references;
   for (const auto& problem : problems) {
-    if (!common.quiet) fmt::print(stderr, "reference of {} ...\n", problem.name);
+    if (!common.quiet) complain(fmt::format("reference of {} ...", problem.name));
     references.push_back(study::reference(problem, options));
+    throw_if_interrupted();
+    const auto& failure = references.back().failure;
+    if (common.quiet && !failure.empty()) complain(fmt::format("{}: {}", problem.name, failure));
   }
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
-    const std::filesystem::path directory(*common.out);
+    const process::FilesInHand in_hand;
+    const std::filesystem::path place(*common.out);
     results::PendingFiles files;
-    files.add(directory / "reference.md", text);
-    files.add(directory / "reference.csv", study::reference_csv(references));
+    files.add(place / "reference.md", text);
+    files.add(place / "reference.csv", study::reference_csv(references));
     files.commit();
-    if (!common.quiet) fmt::print("Wrote reference.md and reference.csv to {}.\n", *common.out);
+    note_kept("all was written");
+    if (!common.quiet) {
+      put_out(fmt::format("Wrote reference.md and reference.csv to {}.\n", *common.out));
+    }
   } else {
-    fmt::print("{}", text);
+    put_out(text);
   }
   return std::ranges::all_of(references, [](const auto& r) { return r.failure.empty(); })
              ? kDone

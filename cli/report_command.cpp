@@ -1,12 +1,11 @@
-#include <fmt/format.h>
-
-#include <cstdio>
-
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/ending.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
+#include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
+#include "process/files_in_hand.hpp"
 #include "report/report.hpp"
 #include "results/saved_run.hpp"
 
@@ -32,9 +31,11 @@ int report_command(const Call& call) {
   }
   results::Run run = results::load_run(directories.front());
   call.registry.introduce(run);
+  const process::FilesInHand in_hand;
   const auto [table, warnings] = report::report_again(directories.front(), run, terminal_format());
-  if (!quiet) fmt::print("{}", table);
-  for (const auto& warning : warnings) fmt::print(stderr, "fpkcheck: {}\n", warning);
+  note_kept("the page was written, not all pictures");
+  if (!quiet) put_out(table);
+  for (const auto& warning : warnings) complain(warning);
   return kDone;
 }
 

@@ -1,24 +1,31 @@
 #include "cli/solve_and_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cstdio>
+#include <csignal>
 #include <cstdlib>
+#include <mutex>
+#include <optional>
 #include <string_view>
 
+#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/standard_streams.hpp"
 #include "methods/bounds.hpp"
 #include "methods/own_errors.hpp"
 #include "methods/run_cases.hpp"
+#include "process/files_in_hand.hpp"
+#include "process/stop.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
-#include "results/directory.hpp"
 #include "results/run_json.hpp"
 
 namespace fpkcheck::cli {
@@ -29,13 +36,87 @@ bool is_required(const transform::Identity& identity, Required required) {
   return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
 }
 
-bool reached(const results::Run& run, Required required) {
-  return std::ranges::all_of(run.cases, [&](const results::Case& one) {
-    if (one.bounds && !compare::contradictions(*one.bounds, one.solutions).empty()) return false;
-    return std::ranges::all_of(one.solutions, [&](const transform::Solution& solution) {
-      return solution.is_ok() || !is_required(solution.identity, required);
-    });
-  });
+// What makes the exit code other than 0, a line each; nothing when all that is required is reached.
+std::vector<std::string> failures(const results::Run& run, Required required) {
+  std::vector<std::string> lines;
+  for (const auto& one : run.cases) {
+    if (one.bounds) {
+      for (const auto& outside : compare::contradictions(*one.bounds, one.solutions)) {
+        lines.push_back(fmt::format("{}: {} contradicts the guaranteed bounds of {}", one.name(),
+                                    outside.solution->id(), outside.bound->functional));
+      }
+    }
+    for (const auto& solution : one.solutions) {
+      if (solution.is_ok() || !is_required(solution.identity, required)) continue;
+      lines.push_back(fmt::format("{}: {} {}: {}", one.name(), solution.id(), name(solution.status),
+                                  solution.reason));
+    }
+  }
+  return lines;
+}
+
+// The cases of a run that have all their solutions, for when it is told to stop.
+class FinishedCases {
+ public:
+  /// For one that is there already it is put in its place.
+  void put(const results::Case& one) {
+    const std::lock_guard lock(mutex_);
+    const auto before = std::ranges::find(cases_, one.name(), &results::Case::name);
+    if (before == cases_.end()) {
+      cases_.push_back(one);
+    } else {
+      *before = one;
+    }
+  }
+
+  /// In the order of the problems.
+  std::vector<results::Case> in_order(const std::vector<problem::Problem>& problems) const {
+    const std::lock_guard lock(mutex_);
+    std::vector<results::Case> ordered;
+    for (const auto& problem : problems) {
+      const auto found = std::ranges::find(cases_, problem.name, &results::Case::name);
+      if (found != cases_.end()) ordered.push_back(*found);
+    }
+    return ordered;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<results::Case> cases_;
+};
+
+std::string joined(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// results::Run::stopped
+std::string stopped_text(const std::vector<results::Case>& cases,
+                         const std::vector<problem::Problem>& problems, bool with_dual) {
+  std::vector<std::string> missing, unbounded;
+  for (const auto& problem : problems) {
+    const auto found = std::ranges::find(cases, problem.name, &results::Case::name);
+    if (found == cases.end()) {
+      missing.push_back(problem.name);
+    } else if (with_dual && !found->bounds) {
+      unbounded.push_back(problem.name);
+    }
+  }
+  std::string text = fmt::format("This run was stopped by {} before its end.",
+                                 process::stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
+  if (!missing.empty()) text += fmt::format(" Missing: {}.", joined(missing));
+  if (!unbounded.empty()) {
+    text += fmt::format(" Without bounds and own errors: {}.", joined(unbounded));
+  }
+  return text;
+}
+
+// Of a run that was told to stop: no more than what is there already takes time.
+void write_stopped(const std::filesystem::path& directory, const results::Run& run) {
+  const process::FilesInHand in_hand;
+  report::write_report(directory, run);
+  note_kept(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the pictures)",
+                        run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
+                        directory.string(), directory.string()));
 }
 
 }  // namespace
@@ -58,44 +139,80 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                      const SolveControl& control, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
   const auto problems = load_cases(common);
-  results::MadeDirectories made;
-  if (common.out) made = results::make_writable(*common.out);
+  const OutputDirectory directory(common.out);
 
-  const InterruptionGuard guard(control.on_interruption);
+  on_interruption(control.on_interruption);
   ProgressLine progress(common.quiet);
   const auto residuals = methods::residuals_of(problems);
-  results::Run run{results::this_program(command_line),
-                   methods::run_cases(
-                       problems, methods, control.threads,
-                       [&](const methods::RunProgress& at) { progress.show(at); }, residuals)};
-  throw_if_interrupted();
-  if (control.with_dual) {
-    methods::add_bounds(run.cases, control.threads);
-    methods::add_own_errors(run.cases, residuals, control.threads);
-  }
-  throw_if_interrupted();
-  progress.clear();
-
-  if (common.json) {
-    fmt::print("{}\n", results::summary_text(run));
-  } else if (!common.quiet) {
-    fmt::print("{}", report::table(run, terminal_format()));
-    std::fflush(stdout);
-  }
-  bool all_drawn = true;
+  results::Run run{results::this_program(command_line), {}};
+  FinishedCases finished;
+  std::atomic<bool> solved = false;
+  const auto stopped_run = [&] {
+    results::Run stopped{results::this_program(command_line), finished.in_order(problems)};
+    if (!solved) stopped.stopped = stopped_text(stopped.cases, problems, control.with_dual);
+    return stopped;
+  };
+  std::optional<Rescue> rescue;
   if (common.out) {
-    for (const auto& warning : report::write_report(*common.out, run)) {
-      fmt::print(stderr, "fpkcheck: {}\n", warning);
-      all_drawn = false;
+    rescue.emplace([&] {
+      const results::Run stopped = stopped_run();
+      if (!stopped.cases.empty()) write_stopped(*common.out, stopped);
+    });
+  }
+  try {
+    run.cases = methods::run_cases(
+        problems, methods, control.threads,
+        [&](const methods::RunProgress& at) { progress.show(at); }, residuals,
+        [&](const results::Case& one) { finished.put(one); });
+    for (std::size_t k = 0; control.with_dual && k < run.cases.size(); ++k) {
+      throw_if_interrupted();
+      methods::add_bounds(run.cases[k], control.threads);
+      methods::add_own_errors(run.cases[k], residuals[k], control.threads);
+      finished.put(run.cases[k]);
+    }
+    throw_if_interrupted();
+    solved = !process::stop_requested();
+  } catch (const Interrupted&) {
+  }
+  progress.clear();
+  const bool stopped = !solved;
+  if (stopped) {
+    run = stopped_run();
+    if (run.cases.empty()) throw Interrupted();
+    if (common.out) {
+      write_stopped(*common.out, run);
+    } else {
+      note_kept(fmt::format("{} of {} cases {} reached", run.cases.size(), problems.size(),
+                            run.cases.size() == 1 ? "was" : "were"));
     }
   }
+
+  if (common.json) {
+    put_out(results::summary_text(run) + '\n');
+  } else if (!common.quiet) {
+    put_out(report::table(run, terminal_format()));
+  }
+  if (stopped) return kNotReached;  // the caller says by what
+
+  bool all_drawn = true;
+  if (common.out) {
+    const process::FilesInHand in_hand;
+    for (const auto& warning : report::write_report(*common.out, run)) {
+      complain(warning);
+      all_drawn = false;
+    }
+    note_kept(fmt::format("all was written to {0} but pictures (`fpkcheck report {0}` draws them)",
+                          *common.out));
+  }
+  rescue.reset();
+  if (process::stop_requested()) return kNotReached;
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     const auto any = [&](auto results::Case::*list) {
       return std::ranges::any_of(run.cases,
                                  [&](const results::Case& one) { return !(one.*list).empty(); });
     };
-    fmt::print(
+    put_out(fmt::format(
         "\n{}{:.1f} s.\n",
         common.out
             ? fmt::format("Wrote report.html, summary.json, marginals.csv{}{} and {} to {} in ",
@@ -103,9 +220,13 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                           any(&results::Case::joints) ? ", joint.nc" : "",
                           all_drawn ? "figures/" : "what could be drawn", *common.out)
             : "Done in ",
-        elapsed.count());
+        elapsed.count()));
   }
-  return reached(run, control.required) ? kDone : kNotReached;
+  const auto failed = failures(run, control.required);
+  if (common.quiet) {
+    for (const auto& line : failed) complain(line);
+  }
+  return failed.empty() ? kDone : kNotReached;
 }
 
 }  // namespace fpkcheck::cli

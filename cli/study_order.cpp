@@ -71,14 +71,13 @@ int study_order(const Call& call) {
                                          integers("--orders", order_list)};
   const auto start = start_of_study(common);
 
-  const InterruptionGuard guard;
   ProgressLine line(common.quiet);
   const auto found = study::study_orders(start.problem, options, call.registry,
                                          [&](const auto& progress) { line.show(progress); });
   throw_if_interrupted();
   line.clear();
   put_study(common, study::output(found, call.command_line, terminal_format()), begin);
-  return study::reached(found) ? kDone : kNotReached;
+  return exit_code_of_study(common, study::reached(found));
 }
 
 }  // namespace fpkcheck::cli

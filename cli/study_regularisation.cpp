@@ -41,14 +41,13 @@ int study_regularisation(const Call& call) {
     return kDone;
   }
   const auto start = start_of_study(common);
-  const InterruptionGuard guard;
   ProgressLine line(common.quiet);
   const auto found = study::study_regularisation(
       start.problem, [&](const methods::RunProgress& at) { line.show(at); });
   throw_if_interrupted();
   line.clear();
   put_study(common, study::output(found, call.command_line, terminal_format()), begin);
-  return study::reached(found) ? kDone : kNotReached;
+  return exit_code_of_study(common, study::reached(found));
 }
 
 }  // namespace fpkcheck::cli

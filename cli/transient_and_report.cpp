@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
+#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
+#include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
-#include "results/directory.hpp"
+#include "process/files_in_hand.hpp"
 #include "study/transient/report.hpp"
 
 namespace fpkcheck::cli {
@@ -22,11 +22,9 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
     throw InputError(
         fmt::format("--until with {} cases (a density over time is of one case)", problems.size()));
   }
-  results::MadeDirectories made;
-  if (common.out) made = results::make_writable(*common.out);
+  const OutputDirectory directory(common.out);
 
   const auto& problem = problems.front();
-  const InterruptionGuard guard;
   ProgressLine progress(common.quiet);
   transient.progress = [&](double fraction) {
     progress.show({.done = 0,
@@ -41,23 +39,26 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
 
   const study::TransientRun run{command_line, problem, options, transient, std::move(result)};
   if (common.json) {
-    fmt::print("{}\n", study::transient_json(run));
+    put_out(study::transient_json(run) + '\n');
   } else if (!common.quiet) {
-    fmt::print("{}", study::transient_table(run, terminal_format().width));
-    std::fflush(stdout);
+    put_out(study::transient_table(run, terminal_format().width));
   }
   if (common.out) {
-    for (const auto& warning : study::write_transient(*common.out, run)) {
-      fmt::print(stderr, "fpkcheck: {}\n", warning);
-    }
+    const process::FilesInHand in_hand;
+    for (const auto& warning : study::write_transient(*common.out, run)) complain(warning);
+    note_kept("all was written but the picture");
   }
   if (!common.quiet && !common.json) {
-    fmt::print(
+    put_out(fmt::format(
         "\n{}{:.1f} s.\n",
         common.out && !run.result.snapshots.empty()
             ? fmt::format("Wrote transient.nc and figures/ to {}; integrated in ", *common.out)
             : "Done in ",
-        run.result.seconds);
+        run.result.seconds));
+  }
+  if (common.quiet && run.result.status != transform::Status::ok) {
+    complain(fmt::format("{}: over time {}: {}", problem.name, name(run.result.status),
+                         run.result.reason));
   }
   return run.result.status == transform::Status::ok ? kDone : kNotReached;
 }

@@ -16,9 +16,13 @@ compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::O
 }
 
 void add_bounds(std::vector<results::Case>& cases, int threads) {
+  for (auto& one : cases) add_bounds(one, threads);
+}
+
+void add_bounds(results::Case& one, int threads) {
   dual::Options options{.relative_half_width = 1e-5, .seconds = 1};
   if (threads > 0) options.threads = threads;
-  for (auto& one : cases) one.bounds = guaranteed_bounds(one.problem, options);
+  one.bounds = guaranteed_bounds(one.problem, options);
 }
 
 }  // namespace fpkcheck::methods

@@ -14,5 +14,6 @@ compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::O
 /// Gives every case its bounds, as narrow as about a second allows.
 /// @param threads 0 for all processors
 void add_bounds(std::vector<results::Case>& cases, int threads);
+void add_bounds(results::Case& one, int threads);
 
 }  // namespace fpkcheck::methods

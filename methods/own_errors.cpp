@@ -56,7 +56,9 @@ std::optional<Found> own_error(const dual::DensityResiduals& residuals,
   return std::nullopt;  // nothing that has a mean
 }
 
-void add_to(Case& one, const ProblemResiduals& of_problem, int threads) {
+}  // namespace
+
+void add_own_errors(Case& one, const ProblemResiduals& of_problem, int threads) {
   std::vector<const transform::Solution*> densities;
   for (const auto& solution : one.solutions) {
     if (solution.density && solution.identity.role != transform::Role::simulation) {
@@ -77,11 +79,9 @@ void add_to(Case& one, const ProblemResiduals& of_problem, int threads) {
   }
 }
 
-}  // namespace
-
 void add_own_errors(std::vector<Case>& cases, const std::vector<ProblemResiduals>& residuals,
                     int threads) {
-  for (std::size_t k = 0; k < cases.size(); ++k) add_to(cases[k], residuals[k], threads);
+  for (std::size_t k = 0; k < cases.size(); ++k) add_own_errors(cases[k], residuals[k], threads);
 }
 
 }  // namespace fpkcheck::methods

@@ -15,5 +15,6 @@ namespace fpkcheck::methods {
 /// @param threads 0 for all processors
 void add_own_errors(std::vector<results::Case>& cases,
                     const std::vector<ProblemResiduals>& residuals, int threads);
+void add_own_errors(results::Case& one, const ProblemResiduals& residuals, int threads);
 
 }  // namespace fpkcheck::methods

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "methods/side_by_side.hpp"
+#include "process/stop.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -21,13 +22,22 @@ struct Task {
 class Run {
  public:
   Run(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
-      const ProgressListener& listener, const std::vector<ProblemResiduals>& residuals)
-      : problems_(problems), methods_(methods), listener_(listener), residuals_(residuals) {
+      const ProgressListener& listener, const std::vector<ProblemResiduals>& residuals,
+      const CaseListener& case_listener)
+      : problems_(problems),
+        methods_(methods),
+        listener_(listener),
+        residuals_(residuals),
+        case_listener_(case_listener),
+        missing_(problems.size()),
+        cases_(problems.size()) {
     for (const auto& problem : problems) axes_.push_back(compare::comparison_axes(problem));
     solutions_.assign(problems.size(), std::vector<std::optional<Solution>>(methods.size()));
+    for (auto& missing : missing_) missing = methods.size();
   }
 
   void solve(const Task& task) {
+    if (case_listener_ && process::stop_requested()) return;
     const Method& method = methods_[task.method];
     tell(task, 0, "");
     const Fraction progress = [this, &task](double fraction, const std::string& note) {
@@ -37,20 +47,26 @@ class Run {
         solve_by(method, problems_[task.problem],
                  {axes_[task.problem], progress, &residuals_[task.problem]});
     ++done_;
+    if (--missing_[task.problem] == 0) finish(task.problem);
     tell(task, 1, "");
   }
 
   std::vector<results::Case> cases() {
     std::vector<results::Case> cases;
-    for (std::size_t p = 0; p < problems_.size(); ++p) {
-      std::vector<Solution> solutions;
-      for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
-      cases.push_back(results::make_case(problems_[p], axes_[p], std::move(solutions)));
+    for (auto& one : cases_) {
+      if (one) cases.push_back(std::move(*one));
     }
     return cases;
   }
 
  private:
+  void finish(std::size_t p) {
+    std::vector<Solution> solutions;
+    for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
+    cases_[p] = results::make_case(problems_[p], axes_[p], std::move(solutions));
+    if (case_listener_) case_listener_(*cases_[p]);
+  }
+
   void tell(const Task& task, double fraction, const std::string& note) {
     if (!listener_) return;
     const std::lock_guard lock(listener_mutex_);
@@ -66,8 +82,11 @@ class Run {
   const std::vector<Method>& methods_;
   const ProgressListener& listener_;
   const std::vector<ProblemResiduals>& residuals_;
+  const CaseListener& case_listener_;
   std::vector<compare::ComparisonAxes> axes_;
   std::vector<std::vector<std::optional<Solution>>> solutions_;
+  std::vector<std::atomic<std::size_t>> missing_;  // solutions of each case
+  std::vector<std::optional<results::Case>> cases_;
   std::atomic<std::size_t> done_ = 0;
   std::mutex listener_mutex_;
 };
@@ -84,14 +103,15 @@ Solution solve_by(const Method& method, const problem::Problem& problem, const S
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener) {
-  return run_cases(problems, methods, threads, listener, residuals_of(problems));
+  return run_cases(problems, methods, threads, listener, residuals_of(problems), {});
 }
 
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener,
-                                     const std::vector<ProblemResiduals>& residuals) {
-  Run run(problems, methods, listener, residuals);
+                                     const std::vector<ProblemResiduals>& residuals,
+                                     const CaseListener& case_listener) {
+  Run run(problems, methods, listener, residuals, case_listener);
   std::vector<Task> several;
   std::vector<Task> alone;
   for (std::size_t p = 0; p < problems.size(); ++p) {

@@ -38,10 +38,16 @@ std::vector<results::Case> run_cases(const std::vector<problem::Problem>& proble
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener);
 
+/// Told of a case as soon as it has all its solutions; called from several threads.
+using CaseListener = std::function<void(const results::Case&)>;
+
 /// The same with residuals that the caller keeps, one for each problem.
+/// @param case_listener if there is one, nothing more is begun when the program is told to stop
+///                      (process/stop.hpp), and what is returned may lack the last cases
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener,
-                                     const std::vector<ProblemResiduals>& residuals);
+                                     const std::vector<ProblemResiduals>& residuals,
+                                     const CaseListener& case_listener);
 
 }  // namespace fpkcheck::methods

@@ -6,6 +6,7 @@
 #include <future>
 #include <iterator>
 
+#include "process/stop.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "results/directory.hpp"
 
@@ -67,7 +68,9 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
   fs::create_directories(figures);
   results::write_file(figures / (stem + ".gp"), script);
   try {
-    return draw_both(gnuplot, figures, stem);
+    if (process::stop_requested()) return {};
+    auto warnings = draw_both(gnuplot, figures, stem);
+    return process::stop_requested() ? std::vector<std::string>() : warnings;
   } catch (const GnuplotMissing& missing) {
     return {fmt::format("no picture: {} (install gnuplot, then `cd {} && gnuplot {}.gp` draws it)",
                         missing.what(), figures.string(), stem)};

@@ -1,6 +1,7 @@
 #include "report/figure/gnuplot.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,8 +9,11 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <string_view>
 #include <system_error>
+
+#include "process/stop.hpp"
 
 extern char** environ;
 
@@ -42,12 +46,20 @@ class ErrorPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  std::string read_to_the_end() {
+  /// The writer is killed when the program is told to stop.
+  std::string read_to_the_end(pid_t writer) {
     close(ends_[1]);  // else the end never comes
     ends_[1] = -1;
     std::string text;
     std::array<char, 4096> buffer;
     for (;;) {
+      if (process::stop_requested()) {
+        kill(writer, SIGKILL);
+        return text;
+      }
+      constexpr int kMilliseconds = 50;
+      pollfd end{ends_[0], POLLIN, 0};
+      if (poll(&end, 1, kMilliseconds) == 0) continue;
       const ssize_t count = read(ends_[0], buffer.data(), buffer.size());
       if (count > 0) {
         text.append(buffer.data(), static_cast<std::size_t>(count));
@@ -60,6 +72,27 @@ class ErrorPipe {
  private:
   std::array<int, 2> ends_{-1, -1};
   posix_spawn_file_actions_t actions_;
+};
+
+/// What this program does with signals is not for its children: it ignores SIGPIPE.
+class UsualSignals {
+ public:
+  UsualSignals() {
+    sigset_t usual;
+    sigemptyset(&usual);
+    sigaddset(&usual, SIGPIPE);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigdefault(&attributes_, &usual);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+  }
+  UsualSignals(const UsualSignals&) = delete;
+  UsualSignals& operator=(const UsualSignals&) = delete;
+  ~UsualSignals() { posix_spawnattr_destroy(&attributes_); }
+
+  const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
 };
 
 int wait_for(pid_t child) {
@@ -101,12 +134,13 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
   auto envp = pointers_to(environment);
 
   ErrorPipe error_pipe;
+  const UsualSignals signals;
   pid_t child = 0;
-  const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(), nullptr,
-                                 argv.data(), envp.data());
+  const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(),
+                                 signals.attributes(), argv.data(), envp.data());
   if (error == ENOENT || error == EACCES) return {false, -1, ""};
   if (error != 0) fail(error, "starting gnuplot");
-  std::string message = error_pipe.read_to_the_end();
+  std::string message = error_pipe.read_to_the_end(child);
   const int exit_code = wait_for(child);
   return {true, exit_code, std::move(message)};
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "process/stop.hpp"
 #include "report/budget/figure.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/figure/script.hpp"
@@ -65,6 +66,7 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   }
   try {
     for (const auto& picture : pictures) {
+      if (process::stop_requested()) return {};
       const auto own = draw_both(gnuplot, figures, picture.stem);
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
@@ -73,7 +75,8 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
         fmt::format("no pictures: {} (install gnuplot, then `fpkcheck report {}` draws them)",
                     missing.what(), directory.string()));
   }
-  return warnings;
+  // What did not become of the last one is no news then.
+  return process::stop_requested() ? std::vector<std::string>() : warnings;
 }
 
 }  // namespace fpkcheck::report

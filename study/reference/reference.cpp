@@ -7,6 +7,7 @@
 
 #include "compare/axes.hpp"
 #include "fd_fpk/solve.hpp"
+#include "mcs/simulation/plan.hpp"
 #include "mcs/solve.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "transform/richardson.hpp"
@@ -18,15 +19,35 @@ using transform::Moments;
 using transform::Solution;
 using transform::Variable;
 
-fd_fpk::Result solve(const problem::Problem& problem, int order, double refinement) {
-  return fd_fpk::solve(problem, {.equation = problem::Equation::kf,
-                                 .stepper = fd_fpk::Stepper::direct,
-                                 .order = order,
-                                 .refinement = refinement,
-                                 .origin_refinement = 16,
-                                 .wall_density = 1e-9,
-                                 .error_estimate = true,
-                                 .residual_tolerance = 1e-9});
+fd_fpk::Options grids(int order, double refinement) {
+  return {.equation = problem::Equation::kf,
+          .stepper = fd_fpk::Stepper::direct,
+          .order = order,
+          .refinement = refinement,
+          .origin_refinement = 16,
+          .wall_density = 1e-9,
+          .error_estimate = true,
+          .residual_tolerance = 1e-9};
+}
+
+fd_fpk::Options of_seventh_order(const ReferenceOptions& options) {
+  return grids(7, options.refinement);
+}
+
+fd_fpk::Options of_fifth_order(const ReferenceOptions& options) {
+  return grids(5, options.refinement * std::sqrt(2.0));
+}
+
+mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOptions& options) {
+  constexpr double kTime = 1e7;  // decay times
+  const auto axes = compare::comparison_axes(problem);
+  mcs::Options simulation;
+  simulation.time = options.simulation_time.value_or(
+      kTime / problem::slowest_decay(problem::equivalent_linearisation(problem)));
+  simulation.seed = options.seed;
+  simulation.y_edges = axes.y_edges;
+  simulation.v_edges = axes.v_edges;
+  return simulation;
 }
 
 // p at x: the average over a bin so narrow that its curvature counts for less than 1e-6.
@@ -80,24 +101,22 @@ int ReferenceValue::agreed_digits(int most) const {
   return std::clamp(static_cast<int>(digits), 1, most);
 }
 
+void validate(const problem::Problem& problem, const ReferenceOptions& options) {
+  fd_fpk::validate(of_seventh_order(options));
+  fd_fpk::validate(of_fifth_order(options));
+  mcs::make_plan(problem, long_simulation(problem, options));
+}
+
 Reference reference(const problem::Problem& problem, const ReferenceOptions& options) {
-  constexpr double kSimulation = 1e7;  // decay times
   Reference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
-  const auto seventh = solve(problem, 7, options.refinement);
-  const auto fifth = solve(problem, 5, options.refinement * std::sqrt(2.0));
+  const auto seventh = fd_fpk::solve(problem, of_seventh_order(options));
+  const auto fifth = fd_fpk::solve(problem, of_fifth_order(options));
   for (const auto* run : {&seventh, &fifth}) {
     if (run->solution.is_ok() && run->summary.error) continue;
     result.failure = run->solution.reason.empty() ? "no error estimate" : run->solution.reason;
     return result;
   }
-  const auto axes = compare::comparison_axes(problem);
-  mcs::Options simulation;
-  simulation.time = options.simulation_time.value_or(
-      kSimulation / problem::slowest_decay(problem::equivalent_linearisation(problem)));
-  simulation.seed = options.seed;
-  simulation.y_edges = axes.y_edges;
-  simulation.v_edges = axes.v_edges;
-  const auto simulated = mcs::solve(problem, simulation);
+  const auto simulated = mcs::solve(problem, long_simulation(problem, options));
 
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // 0 whatever the density

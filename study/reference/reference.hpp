@@ -51,6 +51,10 @@ struct Reference {
   double y_bins_within = 0, ydot_bins_within = 0;
 };
 
+/// All that can be known to be wrong before anything is solved, which takes a minute.
+/// @throws InputError on one line
+void validate(const problem::Problem& problem, const ReferenceOptions& options);
+
 /// Solves by two discretisations, each with three grids graded to the origin, and simulates.
 Reference reference(const problem::Problem& problem, const ReferenceOptions& options);
 

@@ -1,0 +1,147 @@
+#include "cli/ending.hpp"
+
+#include <fmt/format.h>
+#include <semaphore.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+#include "cli/interruption.hpp"
+#include "cli/program.hpp"
+#include "process/files_in_hand.hpp"
+#include "process/stop.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Until the deadline's thread takes over. What remains of a second is for what it has to write, on
+// processors that are busy. A simulation ends with what it has after the present round.
+constexpr auto kToGiveUp = 300ms;
+constexpr auto kToFinishEarly = 500ms;
+
+constexpr const char* kNothing = "nothing was written";
+
+struct Ending {
+  std::mutex mutex;  // guards what stands below
+  std::vector<const std::function<void()>*> rescues;
+  std::string kept = kNothing;
+  bool command_ended = false;
+  std::condition_variable changed;
+};
+
+// Never destroyed: threads may still use it while the process ends.
+Ending& ending() {
+  static Ending& one = *new Ending;
+  return one;
+}
+
+std::atomic<bool> watched = false, end_claimed = false;
+sem_t signal_came;
+
+[[noreturn]] void wait_for_the_end() {
+  while (true) pause();
+}
+
+// Without stdio: another thread may hold its locks, waiting for a reader.
+void say(const std::string& line) {
+  const std::string text = (isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "") + line + '\n';
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
+}
+
+[[noreturn]] void end_the_process() {
+  process::reserve_files_for_this_thread();
+  if (end_claimed.exchange(true)) wait_for_the_end();
+  std::vector<const std::function<void()>*> rescues;
+  std::unique_lock lock(ending().mutex);  // kept: what a rescue stands on must not go meanwhile
+  rescues.swap(ending().rescues);
+  lock.unlock();
+  std::ranges::reverse(rescues);
+  for (const auto* rescue : rescues) {
+    try {
+      (*rescue)();
+    } catch (const std::exception& error) {
+      note_kept(fmt::format("{} ({})", kNothing, error.what()));
+    }
+  }
+  say("fpkcheck: " + stop_notice());
+  _exit(stopped_exit_code(process::stop_signal()));
+}
+
+void watch() {
+  while (sem_wait(&signal_came) != 0) continue;
+  Ending& e = ending();
+  std::unique_lock lock(e.mutex);
+  const auto grace = on_interruption() == OnInterruption::finish_early ? kToFinishEarly : kToGiveUp;
+  if (e.changed.wait_for(lock, grace, [&] { return e.command_ended; })) return;
+  lock.unlock();
+  end_the_process();
+}
+
+}  // namespace
+
+Rescue::Rescue(std::function<void()> action) : action_(std::move(action)) {
+  const std::lock_guard lock(ending().mutex);
+  ending().rescues.push_back(&action_);
+}
+
+Rescue::~Rescue() {
+  std::unique_lock lock(ending().mutex);
+  if (std::erase(ending().rescues, &action_) > 0) return;
+  lock.unlock();
+  wait_for_the_end();  // it is being done
+}
+
+OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
+    : rescue_([this] { made_ = {}; }) {
+  if (!out) return;
+  const process::FilesInHand in_hand;
+  made_ = results::make_writable(*out);
+}
+
+void note_kept(const std::string& what) {
+  const std::lock_guard lock(ending().mutex);
+  ending().kept = what;
+}
+
+std::string stop_notice() {
+  const std::lock_guard lock(ending().mutex);
+  return fmt::format("{}; {}", process::stop_signal() == SIGTERM ? "terminated" : "interrupted",
+                     ending().kept);
+}
+
+Deadline::Deadline() {
+  sem_init(&signal_came, 0, 0);
+  watched = true;
+  thread_ = std::thread(watch);
+}
+
+Deadline::~Deadline() {
+  {
+    const std::lock_guard lock(ending().mutex);
+    ending().command_ended = true;
+  }
+  ending().changed.notify_all();
+  watched = false;
+  sem_post(&signal_came);
+  thread_.join();
+}
+
+void wake_deadline() {
+  if (watched) sem_post(&signal_came);
+}
+
+void claim_the_end() {
+  if (watched && end_claimed.exchange(true)) wait_for_the_end();
+}
+
+}  // namespace fpkcheck::cli
