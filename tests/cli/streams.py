@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Standard streams that are closed or have no reader: streams.py PROGRAM
+
+Neither may cost files, nor may what is printed go into one.
+"""
+
+import filecmp
+import os
+import subprocess
+import sys
+import tempfile
+
+FILES = ["summary.json", "marginals.csv", "report.html", "joint.nc"]
+
+
+def run(program, out, suffix):
+    command = f'"{program}" epc case1 --order 6 --out "{out}" {suffix}'
+    return subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120)
+
+
+def main():
+    program = sys.argv[1]
+    wrong = []
+
+    def expect(condition, what):
+        if not condition:
+            wrong.append(what)
+
+    with tempfile.TemporaryDirectory() as work:
+        usual = os.path.join(work, "usual")
+        expect(run(program, usual, "").returncode == 0, "the usual run failed")
+        for name, suffix in {"closed": ">&- 2>&-", "all closed": "<&- >&- 2>&-",
+                             "no reader": "| true", "head": "2>&1 | head -1",
+                             "quiet": "-q >&- 2>&-"}.items():
+            out = os.path.join(work, name.replace(" ", "_"))
+            run(program, out, suffix)
+            for file in FILES:
+                place = os.path.join(out, file)
+                expect(os.path.exists(place), f"{name}: no {file}")
+            expect(filecmp.cmp(os.path.join(usual, "marginals.csv"),
+                               os.path.join(out, "marginals.csv"), shallow=False),
+                   f"{name}: marginals.csv differs")
+            size = os.path.getsize(os.path.join(out, "figures", "case1.svg"))
+            expect(size > 1000, f"{name}: the picture has {size} bytes")
+        quiet = subprocess.run([program, "epc", "case1", "--order", "8", "-q"],
+                               capture_output=True, text=True, timeout=120)
+        expect(quiet.returncode == 1, f"order 8 ended with {quiet.returncode}")
+        expect(quiet.stdout == "", "a quiet run printed")
+        expect(quiet.stderr.count("\n") == 1 and "epc-gaussian-n8" in quiet.stderr,
+               f"a quiet failure said {quiet.stderr!r}")
+        refused = subprocess.run([program, "reference", "case1", "--time", "1e300"],
+                                 capture_output=True, text=True, timeout=5)
+        expect(refused.returncode == 2, f"--time 1e300 ended with {refused.returncode}")
+    for problem in wrong:
+        print("FAILED", problem)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
