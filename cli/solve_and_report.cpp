@@ -141,7 +141,6 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   const auto problems = load_cases(common);
   const OutputDirectory directory(common.out);
 
-  on_interruption(control.on_interruption);
   ProgressLine progress(common.quiet);
   const auto residuals = methods::residuals_of(problems);
   results::Run run{results::this_program(command_line), {}};
@@ -162,8 +161,12 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   try {
     run.cases = methods::run_cases(
         problems, methods, control.threads,
-        [&](const methods::RunProgress& at) { progress.show(at); }, residuals,
-        [&](const results::Case& one) { finished.put(one); });
+        [&](const methods::RunProgress& at) {
+          // Before that there is nothing to finish early with.
+          if (at.fraction > 0) on_interruption(control.on_interruption);
+          progress.show(at);
+        },
+        residuals, [&](const results::Case& one) { finished.put(one); });
     for (std::size_t k = 0; control.with_dual && k < run.cases.size(); ++k) {
       throw_if_interrupted();
       methods::add_bounds(run.cases[k], control.threads);

@@ -82,7 +82,7 @@ def one(program, command, arguments, number, moment, saved, baselines):
         # Before the handlers stand, and after the result, a signal ends it as it ends any program.
         if process.returncode not in (128 + number, -number, 0):
             wrong.append(f"exit code {process.returncode} after {signal.Signals(number).name}")
-        if process.returncode == -number and moment > 0.2:
+        if process.returncode == -number and moment > 1:
             wrong.append("the signal was not handled")
         if process.returncode == 128 + number and said.count("\n") != 1 and command != "reference":
             wrong.append(f"standard error says {said!r}")
