@@ -9,6 +9,7 @@
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
+#include "files/pending_files.hpp"
 #include "methods/bounds.hpp"
 #include "parameters/input_error.hpp"
 #include "report/bounds.hpp"
@@ -97,7 +98,7 @@ int bounds_command(const Call& call) {
   }
   if (common.json) fmt::print("{}\n", results::summary_text(run));
   if (common.out) {
-    results::PendingFiles files;
+    files::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');
     files.commit();

@@ -11,6 +11,7 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "results/saved_run.hpp"
 
@@ -68,7 +69,7 @@ boost::program_options::options_description options_of(CheckArguments& arguments
 
 void write(const std::filesystem::path& directory, const results::Run& run,
            const std::string& json) {
-  results::PendingFiles files;
+  files::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
   files.commit();

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/solve_and_report.hpp"
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "report/figure/drawing.hpp"
 
@@ -13,7 +14,7 @@ namespace fpkcheck::cli {
 namespace {
 
 void write(const std::filesystem::path& directory, const study::Output& output) {
-  results::PendingFiles files;
+  files::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
   files.commit();

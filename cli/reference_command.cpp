@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "results/directory.hpp"
 #include "study/reference/reference.hpp"
@@ -61,7 +62,7 @@ int reference_command(const Call& call) {
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
     const std::filesystem::path directory(*common.out);
-    results::PendingFiles files;
+    files::PendingFiles files;
     files.add(directory / "reference.md", text);
     files.add(directory / "reference.csv", study::reference_csv(references));
     files.commit();

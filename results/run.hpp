@@ -94,9 +94,16 @@ struct Program {
 /// @param command the command line of the run
 Program this_program(const std::string& command);
 
+/// What a file of a run was when the run was saved.
+struct FileChecksum {
+  std::string file;   ///< its name
+  std::string crc32;  ///< results::crc32
+};
+
 struct Run {
   Program program;
   std::vector<Case> cases;
+  std::vector<FileChecksum> files = {};  ///< of a run that was read; none in older ones
 };
 
 /// Compares the solutions of a case and keeps what is saved of them.

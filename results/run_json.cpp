@@ -214,10 +214,12 @@ void require_summary(const Json& json, const std::string& where) {
 
 }  // namespace
 
-std::string summary_text(const Run& run) {
-  return text_of(with_null_for_non_finite({{"schema", kSummarySchema},
-                                           {"program", program_json(run.program)},
-                                           {"cases", list_of(run.cases, case_json)}}));
+std::string summary_text(const Run& run, std::span<const FileChecksum> files) {
+  Json json{{"schema", kSummarySchema},
+            {"program", program_json(run.program)},
+            {"cases", list_of(run.cases, case_json)}};
+  for (const auto& [file, crc32] : files) json["files"][file] = crc32;
+  return text_of(with_null_for_non_finite(std::move(json)));
 }
 
 Run read_summary(std::istream& in, const std::string& where) {
@@ -235,6 +237,9 @@ Run read_summary(std::istream& in, const std::string& where) {
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", name, error.what()));
       }
+    }
+    if (json.contains("files")) {
+      for (const auto& [file, crc32] : json.at("files").items()) run.files.push_back({file, crc32});
     }
     return run;
   } catch (const InputError& error) {

@@ -12,12 +12,16 @@
 #include <string_view>
 #include <utility>
 
+#include "files/pending_files.hpp"
+#include "files/whole_file.hpp"
 #include "parameters/input_error.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
+// Of any version, and of this one.
+constexpr std::string_view kEveryFirstLine = "fpkcheck mcs checkpoint ";
 constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 3\n";
 
 /// FNV-1a.
@@ -27,26 +31,11 @@ std::uint64_t checksum(std::string_view text) {
   return sum;
 }
 
-std::string beside_of(const std::string& path) { return path + ".part"; }
-
 std::string unwritten(const std::string& path, const std::string& why) {
   return fmt::format("cannot write the checkpoint {} ({})", path, why);
 }
 
 constexpr const char* kNoPlace = "is there such a directory, writable and with space?";
-
-/// Writes a file anew.
-/// @return whether that went well; if not, there is no such file afterwards
-bool write_file(const std::string& path, std::string_view contents, std::string_view more) {
-  std::ofstream out(path, std::ios::binary);
-  if (!out) return false;
-  out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
-  out.write(more.data(), static_cast<std::streamsize>(more.size()));
-  out.close();
-  std::error_code ignored;
-  if (!out) std::filesystem::remove(path, ignored);
-  return static_cast<bool>(out);
-}
 
 /// @return why the checkpoint could not be written; empty when it is
 std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
@@ -54,13 +43,22 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
   std::ostringstream contents;
   contents << kFirstLine << fingerprint << '\n';
   simulation.save(contents);
-  const std::string text = std::move(contents).str();
+  std::string text = std::move(contents).str();
   const std::uint64_t sum = checksum(text);
-  const std::string_view sum_bytes(reinterpret_cast<const char*>(&sum), sizeof sum);
-  if (!write_file(beside_of(path), text, sum_bytes)) return unwritten(path, kNoPlace);
-  std::error_code error;
-  std::filesystem::rename(beside_of(path), path, error);
-  return error ? unwritten(path, error.message()) : "";
+  text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  try {
+    files::write_file(path, text);
+    return "";
+  } catch (const std::runtime_error&) {
+    return unwritten(path, kNoPlace);
+  }
+}
+
+bool is_checkpoint(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(kEveryFirstLine.size(), '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == kEveryFirstLine;
 }
 
 }  // namespace
@@ -92,12 +90,22 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
 CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const std::string&)> warn)
     : path_(std::move(path)), warn_(std::move(warn)) {
   if (path_.empty()) return;
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  if (std::filesystem::is_directory(path_, ignored)) {
-    throw InputError(unwritten(path_, "it is a directory"));
+  const auto there = fs::status(path_, ignored);
+  if (fs::is_directory(there)) throw InputError(unwritten(path_, "it is a directory"));
+  // Neither a case file that was named by mistake nor a device.
+  if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
+    throw InputError(
+        unwritten(path_, "something else is there, which would be lost: name another file"));
   }
-  if (!write_file(beside_of(path_), kFirstLine, "")) throw InputError(unwritten(path_, kNoPlace));
-  std::filesystem::remove(beside_of(path_), ignored);
+  try {
+    const fs::path probe = files::partial_beside(path_);
+    files::write_new(probe, kFirstLine);
+    fs::remove(probe);
+  } catch (const std::system_error&) {
+    throw InputError(unwritten(path_, kNoPlace));
+  }
 }
 
 void CheckpointWriter::attempt(const std::string& fingerprint, const Simulation& simulation) {

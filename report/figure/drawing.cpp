@@ -6,8 +6,8 @@
 #include <future>
 #include <iterator>
 
+#include "files/pending_files.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "results/directory.hpp"
 
 namespace fpkcheck::report {
 
@@ -24,7 +24,7 @@ std::string first_line(const std::string& text) {
 }  // namespace
 
 void draw(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
-  results::replace_file(picture, [&](const fs::path& temporary) {
+  files::replace_file(picture, [&](const fs::path& temporary) {
     const std::string format = picture.extension().string().substr(1);
     const auto outcome = run_gnuplot(gnuplot,
                                      {"format=" + gnuplot_string(format),
@@ -65,7 +65,7 @@ std::vector<std::string> draw_both(const std::string& gnuplot, const fs::path& f
 std::vector<std::string> write_pictures(const fs::path& figures, const std::string& stem,
                                         const std::string& script, const std::string& gnuplot) {
   fs::create_directories(figures);
-  results::write_file(figures / (stem + ".gp"), script);
+  files::write_file(figures / (stem + ".gp"), script);
   try {
     return draw_both(gnuplot, figures, stem);
   } catch (const GnuplotMissing& missing) {

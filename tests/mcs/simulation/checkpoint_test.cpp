@@ -62,7 +62,8 @@ TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
     EXPECT_EQ(resumed.solution.standard_errors->moments.v2,
               whole.solution.standard_errors->moments.v2);
     EXPECT_EQ(resumed.summary.flights, whole.summary.flights);
-    EXPECT_FALSE(std::filesystem::exists(file_ + ".part"));
+    // The writer's own partial file is gone.
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1);
   }
 }
 
@@ -114,6 +115,12 @@ TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   refused(directory_ / "nowhere" / "state");
   refused(directory_);
   EXPECT_TRUE(std::filesystem::is_empty(directory_));
+  refused("/dev/null");
+  // The case, given by mistake.
+  const std::string mine = directory_ / "mine.ini";
+  std::ofstream(mine) << "[system]\n";
+  refused(mine);
+  EXPECT_EQ(std::filesystem::file_size(mine), 9u);
 }
 
 TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {
