@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
 #include "results/netcdf/writer.hpp"
@@ -156,7 +157,8 @@ JointFile read_joint_netcdf(const fs::path& path) {
     return found;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
-                                 path.string(), error.what()));
+                                 parameters::shown(path.string()),
+                                 parameters::shown(error.what())));
   }
 }
 

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
 #include "results/run_json.hpp"
@@ -16,28 +18,31 @@ namespace fpkcheck::results {
 namespace {
 
 namespace fs = std::filesystem;
+using parameters::in_quotes;
+using parameters::shown;
 
-std::ifstream open_saved(const fs::path& file) {
-  std::error_code ignored;
-  std::ifstream in;
-  if (fs::is_regular_file(file, ignored)) in.open(file);
-  if (!in.is_open()) {
+// Of hundreds of cases.
+constexpr std::size_t kMostBytesOfText = 64 << 20;
+
+std::istringstream open_saved(const fs::path& file) {
+  auto text = parameters::read_input_file(file, kMostBytesOfText);
+  if (!text) {
     if (!file.has_parent_path()) {
       throw InputError(fmt::format(
           "{} is not a readable file (give the summary.json of a run, or its directory)",
-          file.string()));
+          shown(file.string())));
     }
     throw InputError(
-        fmt::format("no run in '{}' ({} is not a readable file; give the --out of a run)",
-                    file.parent_path().string(), file.filename().string()));
+        fmt::format("no run in {} ({} is not a readable file; give the --out of a run)",
+                    in_quotes(file.parent_path().string()), shown(file.filename().string())));
   }
-  return in;
+  return std::istringstream(*std::move(text));
 }
 
 [[noreturn]] void refuse_other_run(const fs::path& file) {
-  throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
-                               kSummaryFile, file.filename().string(),
-                               file.parent_path().string()));
+  throw InputError(fmt::format("{} and {} in {} are not of the same run (run again)", kSummaryFile,
+                               shown(file.filename().string()),
+                               in_quotes(file.parent_path().string())));
 }
 
 Case* find_case(Run& run, const std::string& name) {
@@ -118,7 +123,7 @@ void add_run(PendingFiles& files, const fs::path& directory, const Run& run) {
 
 Run load_summary(const fs::path& file) {
   auto in = open_saved(file);
-  return read_summary(in, file.string());
+  return read_summary(in, shown(file.string()));
 }
 
 void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case::smooth); }
