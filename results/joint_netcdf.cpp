@@ -92,7 +92,7 @@ void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::stri
 
 /// Calls use(case, solution, cells with their values) for all that a variable has.
 template <class Use>
-void read_variable(const NetCdfReader& file, const std::string& name,
+void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {
   const auto axes = file.dimensions(name);
   if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not over three axes", name));
@@ -138,7 +138,7 @@ void add_joint_netcdf(PendingFiles& files, const fs::path& path, const Run& run)
 
 JointFile read_joint_netcdf(const fs::path& path) {
   try {
-    const NetCdfReader file(path);
+    NetCdfReader file(path);
     const auto solutions = file.labels("solution");
     JointFile found;
     for (const auto& name : file.variables()) {
