@@ -71,6 +71,16 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
           parameters::in_quotes(problems.back().name)));
     }
   }
+  for (const auto& name : names) {
+    // What pictures and variables of a case are called besides its name.
+    for (const char* addition : {"-budget", "-sources", "_bounds"}) {
+      if (!names.contains(name + addition)) continue;
+      throw InputError(
+          fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "
+                      "name: rename one)",
+                      parameters::shown(name), addition));
+    }
+  }
   if (problems.empty()) {
     throw InputError("no case (name one: case1 .. case4, or an ini file)");
   }
