@@ -91,7 +91,7 @@ std::string shown(std::string_view text) {
 std::string in_quotes(std::string_view text) { return '\'' + shown(text) + '\''; }
 
 std::string one_line(std::string_view text) {
-  constexpr std::size_t kMost = 390;
+  constexpr std::size_t kMost = 380;
   if (text.size() <= kMost) {
     std::string whole = without_controls(text);
     if (characters(whole) <= kMost) return whole;

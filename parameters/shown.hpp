@@ -16,7 +16,7 @@ std::string in_quotes(std::string_view text);
 /// The same escapes, and nothing cut.
 std::string without_controls(std::string_view text);
 
-/// A whole message as one line of at most 390 characters, cut at its end: the last resort for what
+/// A whole message as one line of at most 380 characters, cut at its end: the last resort for what
 /// libraries say.
 std::string one_line(std::string_view text);
 
