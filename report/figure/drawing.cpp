@@ -6,6 +6,7 @@
 #include <future>
 #include <iterator>
 
+#include "parameters/shown.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "results/directory.hpp"
 
@@ -17,8 +18,9 @@ namespace {
 
 std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
-  return start == std::string::npos ? "it said nothing"
-                                    : text.substr(start, text.find('\n', start) - start);
+  return start == std::string::npos
+             ? "it said nothing"
+             : parameters::shown(text.substr(start, text.find('\n', start) - start));
 }
 
 }  // namespace
