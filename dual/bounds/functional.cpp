@@ -89,7 +89,9 @@ void validate(const Functional& functional) {
     for (int i = 0; i < 4; ++i) increasing = increasing && b->knots[i] < b->knots[i + 1];
     if (!increasing || !std::isfinite(b->knots[4])) {
       throw InputError(
-          "the knots of a smooth bin do not increase (give a finite centre and a positive spacing)");
+
+          "the knots of a smooth bin do not increase (give a finite centre and a positive "
+          "spacing)");
     }
     if (b->axis == Axis::displacement && b->knots[0] < 0) {
       throw InputError(fmt::format("a smooth bin of p(y) begins at {:.4g}: y >= 0", b->knots[0]));
