@@ -12,6 +12,7 @@
 #include "files/pending_files.hpp"
 #include "methods/bounds.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "report/bounds.hpp"
 #include "results/directory.hpp"
 #include "results/run_json.hpp"
@@ -37,8 +38,9 @@ examples:
 // VARIABLE:CENTRE:SPACING
 dual::Functional bin_from(const std::string& text) {
   const auto refuse = [&] {
-    throw InputError(fmt::format(
-        "--bin '{}' (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)", text));
+    throw InputError(
+        fmt::format("--bin {} (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)",
+                    parameters::in_quotes(text)));
   };
   const auto first = text.find(':'), second = text.find(':', first + 1);
   if (first == std::string::npos || second == std::string::npos) refuse();

@@ -14,6 +14,7 @@
 #include "cli/interruption.hpp"
 #include "methods/builtin.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
@@ -96,8 +97,8 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   }
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
-    throw InputError(
-        fmt::format("'{}' is no command (use one of {}; --help explains)", name, names_of(all)));
+    throw InputError(fmt::format("{} is no command (use one of {}; --help explains)",
+                                 parameters::in_quotes(name), names_of(all)));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;
@@ -121,11 +122,11 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     fmt::print(stderr, "fpkcheck: {}\n", interruption.what());
     return kInterrupted;
   } catch (const InputError& error) {
-    fmt::print(stderr, "fpkcheck: {}\n", error.what());
+    fmt::print(stderr, "fpkcheck: {}\n", parameters::one_line(error.what()));
     return kBadInput;
   } catch (const std::exception& error) {
     // A broken environment: no memory, a full disk.
-    fmt::print(stderr, "fpkcheck: stopped: {}\n", error.what());
+    fmt::print(stderr, "fpkcheck: stopped: {}\n", parameters::one_line(error.what()));
     return kNotReached;
   }
 }

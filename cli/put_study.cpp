@@ -8,6 +8,7 @@
 #include "cli/solve_and_report.hpp"
 #include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "report/figure/drawing.hpp"
 
 namespace fpkcheck::cli {
@@ -22,7 +23,7 @@ void write(const std::filesystem::path& directory, const study::Output& output) 
   report::remove_pictures_of(directory / "figures", output.stem);
   for (const auto& warning :
        report::write_pictures(directory / "figures", output.stem, output.figure, "gnuplot")) {
-    fmt::print(stderr, "fpkcheck: {}\n", warning);
+    fmt::print(stderr, "fpkcheck: {}\n", parameters::one_line(warning));
   }
 }
 

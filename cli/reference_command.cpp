@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 #include "cli/command_line.hpp"
@@ -41,14 +43,21 @@ int reference_command(const Call& call) {
     options.simulation_time = time;
   }),
                     "simulated time (default: 1e7 decay times)")(
-      "seed", po::value(&options.seed)->value_name("S")->default_value(options.seed),
+      "seed",
+      po::value<std::int64_t>()->value_name("S")->default_value(1)->notifier(
+          [&](std::int64_t seed) {
+            if (seed < 0)
+              throw InputError(fmt::format("--seed {} (must be zero or positive)", seed));
+            options.seed = static_cast<std::uint64_t>(seed);
+          }),
       "of the simulation");
   if (!parse(call.arguments, kReferenceUsage, with_common_options(own, common), common.cases))
     return kDone;
   require_plain(common);
   if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
   const auto problems = load_cases(common);
-  if (options.simulation_time && !(*options.simulation_time > 0)) {
+  if (options.simulation_time &&
+      !(*options.simulation_time > 0 && std::isfinite(*options.simulation_time))) {
     throw InputError(
         fmt::format("--time {} (must be a positive number)", *options.simulation_time));
   }

@@ -7,6 +7,7 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "report/report.hpp"
 #include "results/saved_run.hpp"
 
@@ -34,7 +35,8 @@ int report_command(const Call& call) {
   call.registry.introduce(run);
   const auto [table, warnings] = report::report_again(directories.front(), run, terminal_format());
   if (!quiet) fmt::print("{}", table);
-  for (const auto& warning : warnings) fmt::print(stderr, "fpkcheck: {}\n", warning);
+  for (const auto& warning : warnings)
+    fmt::print(stderr, "fpkcheck: {}\n", parameters::one_line(warning));
   return kDone;
 }
 

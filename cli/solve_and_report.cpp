@@ -16,6 +16,7 @@
 #include "methods/bounds.hpp"
 #include "methods/own_errors.hpp"
 #include "methods/run_cases.hpp"
+#include "parameters/shown.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
 #include "results/directory.hpp"
@@ -85,7 +86,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   bool all_drawn = true;
   if (common.out) {
     for (const auto& warning : report::write_report(*common.out, run)) {
-      fmt::print(stderr, "fpkcheck: {}\n", warning);
+      fmt::print(stderr, "fpkcheck: {}\n", parameters::one_line(warning));
       all_drawn = false;
     }
   }

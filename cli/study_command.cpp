@@ -6,6 +6,7 @@
 #include "cli/program.hpp"
 #include "cli/studies.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -40,8 +41,8 @@ int study_command(const Call& call) {
   if (*subject == "grid") return study_grid(rest);
   if (*subject == "order") return study_order(rest);
   if (*subject == "regularisation") return study_regularisation(rest);
-  throw InputError(
-      fmt::format("'{}' is no subject of a study (use {}; --help explains)", *subject, kSubjects));
+  throw InputError(fmt::format("{} is no subject of a study (use {}; --help explains)",
+                               parameters::in_quotes(*subject), kSubjects));
 }
 
 }  // namespace fpkcheck::cli

@@ -9,6 +9,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "results/directory.hpp"
 #include "study/transient/report.hpp"
 
@@ -48,7 +49,7 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
   }
   if (common.out) {
     for (const auto& warning : study::write_transient(*common.out, run)) {
-      fmt::print(stderr, "fpkcheck: {}\n", warning);
+      fmt::print(stderr, "fpkcheck: {}\n", parameters::one_line(warning));
     }
   }
   if (!common.quiet && !common.json) {

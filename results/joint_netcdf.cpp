@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "results/directory.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
@@ -92,7 +93,7 @@ void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::stri
 
 /// Calls use(case, solution, cells with their values) for all that a variable has.
 template <class Use>
-void read_variable(const NetCdfReader& file, const std::string& name,
+void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {
   const auto axes = file.dimensions(name);
   if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not over three axes", name));
@@ -132,7 +133,7 @@ std::string joint_netcdf(const Run& run) {
 
 JointFile read_joint_netcdf(const fs::path& path) {
   try {
-    const NetCdfReader file(path);
+    NetCdfReader file(path);
     const auto solutions = file.labels("solution");
     JointFile found;
     const auto names = file.variables();
@@ -153,7 +154,8 @@ JointFile read_joint_netcdf(const fs::path& path) {
     return found;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
-                                 path.string(), error.what()));
+                                 parameters::shown(path.string()),
+                                 parameters::shown(error.what())));
   }
 }
 

@@ -10,6 +10,8 @@
 
 #include "files/journal.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
 #include "results/crc32.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
@@ -19,38 +21,37 @@ namespace fpkcheck::results {
 namespace {
 
 namespace fs = std::filesystem;
+using parameters::in_quotes;
+using parameters::shown;
 
-std::ifstream open_saved(const fs::path& file) {
-  std::error_code ignored;
-  std::ifstream in;
-  if (fs::is_regular_file(file, ignored)) in.open(file);
-  if (!in.is_open()) {
+// Of hundreds of cases.
+constexpr std::size_t kMostBytesOfText = 64 << 20, kMostBytesOfDensities = std::size_t{1} << 32;
+
+std::istringstream open_saved(const fs::path& file) {
+  auto text = parameters::read_input_file(file, kMostBytesOfText);
+  if (!text) {
     if (!file.has_parent_path()) {
       throw InputError(fmt::format(
           "{} is not a readable file (give the summary.json of a run, or its directory)",
-          file.string()));
+          shown(file.string())));
     }
     throw InputError(
-        fmt::format("no run in '{}' ({} is not a readable file; give the --out of a run)",
-                    file.parent_path().string(), file.filename().string()));
+        fmt::format("no run in {} ({} is not a readable file; give the --out of a run)",
+                    in_quotes(file.parent_path().string()), shown(file.filename().string())));
   }
-  return in;
+  return std::istringstream(*std::move(text));
 }
 
 [[noreturn]] void refuse_other_run(const fs::path& file) {
   throw InputError(
-      fmt::format("{} and {} in '{}' are not of the same run, or changed since (run again)",
-                  kSummaryFile, file.filename().string(), file.parent_path().string()));
+      fmt::format("{} and {} in {} are not of the same run, or changed since (run again)",
+                  kSummaryFile, shown(file.filename().string()),
+                  in_quotes(file.parent_path().string())));
 }
 
 Case* find_case(Run& run, const std::string& name) {
   const auto found = std::ranges::find(run.cases, name, &Case::name);
   return found == run.cases.end() ? nullptr : &*found;
-}
-
-std::string contents_of(const fs::path& file) {
-  auto in = open_saved(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // Of older runs nobody knows.
@@ -60,9 +61,8 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
 }
 
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
-  const std::string contents = contents_of(file);
-  require_same_run(file, contents, run);
-  std::istringstream csv(contents);
+  auto csv = open_saved(file);
+  require_same_run(file, csv.view(), run);
   for (auto& [case_name, curve] : read_marginals_csv(csv, file.string())) {
     Case* one = find_case(run, case_name);
     if (one == nullptr || one->find(curve.solution) == nullptr) refuse_other_run(file);
@@ -119,7 +119,9 @@ void add_curves(SavedFiles& saved, const Run& run) {
 }
 
 void load_joints(const fs::path& file, Run& run) {
-  require_same_run(file, contents_of(file), run);
+  if (const auto bytes = parameters::read_input_file(file, kMostBytesOfDensities)) {
+    require_same_run(file, *bytes, run);
+  }
   const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
     Case* one = find_case(run, case_name);
     const auto* found = one == nullptr ? nullptr : one->find(solution);
@@ -164,7 +166,7 @@ void add_run(files::PendingFiles& files, const fs::path& directory, const Run& r
 Run load_summary(const fs::path& file) {
   files::finish_interrupted(file.parent_path());
   auto in = open_saved(file);
-  return read_summary(in, file.string());
+  return read_summary(in, shown(file.string()));
 }
 
 void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case::smooth); }

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -69,7 +70,8 @@ Json identity_json(const Identity& identity) {
 void read_identity(const Json& json, Identity& identity) {
   const auto role = parameters::value_named<transform::Role>(json.at("role").get<std::string>());
   if (!role)
-    throw InputError(fmt::format("role {} is unknown (run again)", json.at("role").dump()));
+    throw InputError(
+        fmt::format("role {} is unknown (run again)", parameters::shown(json.at("role").dump())));
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
@@ -111,7 +113,8 @@ std::optional<Enum> choice_in(const Json& json, const char* key, std::string_vie
   const auto text = json.at(key).get<std::string>();
   if (text == unknown) return std::nullopt;
   const auto value = parameters::value_named<Enum>(text);
-  if (!value) throw InputError(fmt::format("{} '{}' is unknown (run again)", key, text));
+  if (!value)
+    throw InputError(fmt::format("{} {} is unknown (run again)", key, parameters::in_quotes(text)));
   return value;
 }
 

@@ -15,6 +15,8 @@
 #include "files/pending_files.hpp"
 #include "files/whole_file.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
@@ -32,7 +34,7 @@ std::uint64_t checksum(std::string_view text) {
 }
 
 std::string unwritten(const std::string& path, const std::string& why) {
-  return fmt::format("cannot write the checkpoint {} ({})", path, why);
+  return fmt::format("cannot write the checkpoint {} ({})", parameters::shown(path), why);
 }
 
 constexpr const char* kNoPlace = "is there such a directory, writable and with space?";
@@ -138,16 +140,21 @@ void CheckpointWriter::write_last(const std::string& fingerprint, const Simulati
 
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(path)) {
+  // The largest have all streams, deposits on the finest grids and the finest bins.
+  constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+  const auto read = parameters::read_input_file(path, kMostBytes);
+  const std::string name = parameters::shown(path);
+  if (!read) {
     throw InputError(
         fmt::format("cannot read the checkpoint {} (there is no such file) name one that "
                     "--checkpoint has written",
-                    path));
+                    name));
   }
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string& text = *read;
   if (!text.starts_with(kFirstLine)) {
-    throw InputError(fmt::format("{} is no checkpoint of this version of fpkcheck mcs", path));
+    throw InputError(fmt::format(
+        "{} is no checkpoint of this version of fpkcheck mcs (start again without --resume)",
+        name));
   }
   std::uint64_t sum = 0;
   const std::size_t size = text.size() - sizeof sum;
@@ -156,7 +163,7 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   if (sum != checksum(contents)) {
     throw InputError(fmt::format(
         "the checkpoint {} is damaged (its checksum is wrong): start again without --resume",
-        path));
+        name));
   }
   const std::string_view rest = contents.substr(kFirstLine.size());
   const std::size_t end = rest.find('\n');
@@ -164,13 +171,14 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
     throw InputError(
         fmt::format("the checkpoint {} belongs to another simulation (give the case, "
                     "seed and options that it was made with)",
-                    path));
+                    name));
   }
   std::istringstream in{std::string(rest.substr(end + 1))};
   try {
     simulation.load(in);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("the checkpoint {} is damaged: {}", path, error.what()));
+    throw InputError(fmt::format("the checkpoint {} is damaged ({}): start again without --resume",
+                                 name, error.what()));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "files/pending_files.hpp"
+#include "parameters/shown.hpp"
 #include "report/figure/gnuplot.hpp"
 
 namespace fpkcheck::report {
@@ -17,8 +18,9 @@ namespace {
 
 std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
-  return start == std::string::npos ? "it said nothing"
-                                    : text.substr(start, text.find('\n', start) - start);
+  return start == std::string::npos
+             ? "it said nothing"
+             : parameters::shown(text.substr(start, text.find('\n', start) - start));
 }
 
 }  // namespace
