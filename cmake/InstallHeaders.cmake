@@ -1,0 +1,15 @@
+# Runs when headers are installed: copies those of `rooms` from `source` to include/fpkcheck/ROOM below `destination`,
+# where they include one another by that name.
+file(REMOVE_RECURSE "${staged}")
+foreach(room IN LISTS rooms)
+  file(GLOB_RECURSE headers RELATIVE "${source}" "${source}/${room}/*.hpp")
+  foreach(header IN LISTS headers)
+    file(READ "${source}/${header}" text)
+    string(REGEX REPLACE "#include \"(${any_room})/" "#include \"fpkcheck/\\1/" text "${text}")
+    file(WRITE "${staged}/fpkcheck/${header}" "${text}")
+  endforeach()
+endforeach()
+if(NOT IS_ABSOLUTE "${destination}")
+  set(destination "${CMAKE_INSTALL_PREFIX}/${destination}")
+endif()
+file(INSTALL DESTINATION "${destination}" TYPE DIRECTORY FILES "${staged}/fpkcheck")
