@@ -12,9 +12,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/version.hpp"
 #include "methods/builtin.hpp"
 #include "parameters/input_error.hpp"
-#include "results/run.hpp"
+#include "report/text/wrapped.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -61,19 +62,24 @@ std::string names_of(const std::vector<Command>& all) {
 
 void print_overview(const std::vector<Command>& all) {
   fmt::print(
-      R"(fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson impulses,
-           by independent methods that are compared with one another
+      R"(fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson
+           impulses, by independent methods that are compared with one another
 
-    y'' + c y' + k y + mu y^3 = impulses  (y > 0),      y'(+) = -r y'(-)  at y = 0
+    y'' + c y' + k y + mu y^3 = impulses  (y > 0),    y'(+) = -r y'(-)  at y = 0
 
 usage: fpkcheck COMMAND [CASE ...] [options]
 
 commands:
 )");
-  for (const auto& command : all) fmt::print("  {:<9} {}\n", command.name, command.summary);
+  constexpr std::size_t kColumn = 13;
+  for (const auto& command : all) {
+    auto lines = report::wrapped(std::string(kColumn, ' ') + command.summary, 80, kColumn);
+    fmt::print("{}", lines.replace(2, command.name.size(), command.name));
+  }
   fmt::print(R"(
-A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
-`fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.
+A CASE is case1 .. case4 (the paper's Table 1) or an ini file like
+cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain a
+command's options; start with `fpkcheck run`.
 Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
 2 bad input; 130 Ctrl-C.
 )");
@@ -85,13 +91,17 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
     throw InputError(fmt::format("no command (use one of {}; --help explains)", names_of(all)));
   }
   const std::string& name = arguments.front();
+  if (name == "help" && arguments.size() > 1) {
+    Arguments asked{arguments.begin() + 1, arguments.end()};
+    asked.emplace_back("--help");
+    return dispatch(asked, registry);
+  }
   if (name == "--help" || name == "-h" || name == "help") {
     print_overview(all);
     return kDone;
   }
   if (name == "--version") {
-    const auto program = results::this_program("");
-    fmt::print("{} {}\n", program.name, program.version);
+    fmt::print("{}", version_text());
     return kDone;
   }
   const auto command = std::ranges::find(all, name, &Command::name);
