@@ -11,7 +11,11 @@
 #include <stdexcept>
 
 #include "cli/commands.hpp"
+#include "cli/completion.hpp"
+#include "cli/help.hpp"
 #include "cli/interruption.hpp"
+#include "cli/manual.hpp"
+#include "cli/studies.hpp"
 #include "cli/version.hpp"
 #include "methods/builtin.hpp"
 #include "parameters/input_error.hpp"
@@ -85,6 +89,24 @@ Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
 )");
 }
 
+// Every command with its help, and the subjects of `study` as commands of their own.
+std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::Registry& registry) {
+  std::vector<CommandHelp> result;
+  const auto add = [&](const Command& command, const std::string& subject) {
+    Arguments asked{"--help"};
+    if (!subject.empty()) asked.insert(asked.begin(), subject);
+    const auto help = help_from([&] { command.run({asked, "", registry}); });
+    result.push_back(subject.empty() ? CommandHelp{command.name, command.summary, help}
+                                     : CommandHelp{command.name + ' ' + subject, "", help});
+  };
+  for (const auto& command : all) {
+    add(command, "");
+    if (command.name != "study") continue;
+    for (const auto& subject : study_subjects()) add(command, subject);
+  }
+  return result;
+}
+
 int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   const auto all = commands(registry);
   if (arguments.empty()) {
@@ -102,6 +124,18 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   }
   if (name == "--version") {
     fmt::print("{}", version_text());
+    return kDone;
+  }
+  // For the shell and for the build; neither is typed.
+  if (name == "--complete") {
+    const Arguments words{arguments.begin() + 1, arguments.end()};
+    for (const auto& word : completions(guide(all, registry), registry, words)) {
+      fmt::print("{}\n", word);
+    }
+    return kDone;
+  }
+  if (name == "--manual") {
+    fmt::print("{}", manual(guide(all, registry)));
     return kDone;
   }
   const auto command = std::ranges::find(all, name, &Command::name);

@@ -8,6 +8,11 @@ install(FILES "${PROJECT_SOURCE_DIR}/third_party/plotly/LICENSE" RENAME LICENSE.
         DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${CMAKE_INSTALL_DATADIR}/fpkcheck"
         COMPONENT program)
+if(TARGET fpkcheck_manual)
+  install(FILES "${PROJECT_BINARY_DIR}/cli/fpkcheck.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+endif()
+install(FILES "${PROJECT_SOURCE_DIR}/cli/completion.bash" RENAME fpkcheck
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT program)
 
 set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/fpkcheck")
 get_property(rooms GLOBAL PROPERTY FPKCHECK_ROOMS)
