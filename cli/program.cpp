@@ -75,9 +75,10 @@ usage: fpkcheck COMMAND [CASE ...] [options]
 
 commands:
 )");
-  constexpr std::size_t kColumn = 13;
+  std::size_t column = 0;
+  for (const auto& command : all) column = std::max(column, command.name.size() + 4);
   for (const auto& command : all) {
-    auto lines = report::wrapped(std::string(kColumn, ' ') + command.summary, 80, kColumn);
+    auto lines = report::wrapped(std::string(column, ' ') + command.summary, 80, column);
     fmt::print("{}", lines.replace(2, command.name.size(), command.name));
   }
   fmt::print(R"(
