@@ -22,5 +22,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME fpkcheck-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # What fpkcheckConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libboost-dev, libboost-program-options-dev, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libsundials-dev, libsuitesparse-dev, libnetcdf-dev")
+    "fpkcheck (= ${PROJECT_VERSION}), libboost-dev, libboost-program-options-dev, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libsundials-dev, libsuitesparse-dev, libnetcdf-dev")
 include(CPack)

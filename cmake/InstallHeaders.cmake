@@ -1,6 +1,7 @@
 # Runs when headers are installed: copies those of `rooms` from `source` to include/fpkcheck/ROOM below `destination`,
 # where they include one another by that name.
-file(REMOVE_RECURSE "${staged}")
+string(RANDOM LENGTH 8 unique)  # several may install at once
+string(APPEND staged "-${unique}")
 foreach(room IN LISTS rooms)
   file(GLOB_RECURSE headers RELATIVE "${source}" "${source}/${room}/*.hpp")
   foreach(header IN LISTS headers)
@@ -13,3 +14,4 @@ if(NOT IS_ABSOLUTE "${destination}")
   set(destination "${CMAKE_INSTALL_PREFIX}/${destination}")
 endif()
 file(INSTALL DESTINATION "${destination}" TYPE DIRECTORY FILES "${staged}/fpkcheck")
+file(REMOVE_RECURSE "${staged}")
