@@ -37,7 +37,7 @@ bool meant_to_end(const std::string& line, const std::string& next) {
   return line.size() + 1 + word <= kFull;
 }
 
-// An example that is too long goes on as the shell allows it; its remark, if it has one, goes below.
+// An example that is too long goes on as the shell allows it; its remark, if any, goes below.
 std::string filled_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
   std::string result =

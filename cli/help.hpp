@@ -29,14 +29,14 @@ struct CommandHelp {
   Help help;
 };
 
-/// The head alone: lines longer than the width are filled anew, with what is set out in columns kept
-/// in them. A word that is longer than a line stays whole.
+/// The head alone: what is longer than the width is filled anew, and what is set out in columns
+/// stays in them. A word that is longer than a line stays whole.
 std::string usage_text(const std::string& usage, std::size_t width);
 
 std::string help_text(const Help& help, std::size_t width);
 
-/// What a command calls when it is asked for help: prints it in the terminal's width (80 where there
-/// is no terminal), or hands it over to help_from.
+/// What a command calls when it is asked for help: prints it in the terminal's width (80 where
+/// there is no terminal), or hands it over to help_from.
 void answer_help(const std::string& usage,
                  const boost::program_options::options_description& options);
 

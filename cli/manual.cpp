@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <sstream>
-
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
