@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <set>
 
+#include "cli/help.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "problem/case_file.hpp"
@@ -46,7 +46,7 @@ bool parse(const std::vector<std::string>& arguments, const std::string& usage,
     po::store(po::command_line_parser(arguments).options(all).positional(rest).style(style).run(),
               values);
     if (values.count("help") > 0) {
-      std::cout << usage << "\n" << options;
+      answer_help(usage, options);
       return false;
     }
     po::notify(values);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "cli/help.hpp"
 #include "cli/program.hpp"
 #include "cli/studies.hpp"
 #include "parameters/input_error.hpp"
@@ -25,10 +26,15 @@ bool asks_for_help(const std::string& argument) { return argument == "--help" ||
 
 }  // namespace
 
+const std::vector<std::string>& study_subjects() {
+  static const std::vector<std::string> subjects{"grid", "order", "regularisation"};
+  return subjects;
+}
+
 int study_command(const Call& call) {
   const auto& arguments = call.arguments;
   if (!arguments.empty() && asks_for_help(arguments.front())) {
-    fmt::print("{}", kStudyUsage);
+    answer_help(kStudyUsage, {});
     return kDone;
   }
   const auto subject =

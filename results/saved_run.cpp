@@ -25,7 +25,7 @@ using parameters::in_quotes;
 using parameters::shown;
 
 // Of hundreds of cases.
-constexpr std::size_t kMostBytesOfText = 64 << 20, kMostBytesOfDensities = std::size_t{1} << 32;
+constexpr std::size_t kMostBytesOfText = 64 << 20, kMostBytesOfDensities = 256 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
   auto text = parameters::read_input_file(file, kMostBytesOfText);
@@ -43,10 +43,9 @@ std::istringstream open_saved(const fs::path& file) {
 }
 
 [[noreturn]] void refuse_other_run(const fs::path& file) {
-  throw InputError(
-      fmt::format("{} and {} in {} are not of the same run, or changed since (run again)",
-                  kSummaryFile, shown(file.filename().string()),
-                  in_quotes(file.parent_path().string())));
+  throw InputError(fmt::format(
+      "{} and {} in {} are not of the same run, or changed since (run again)", kSummaryFile,
+      shown(file.filename().string()), in_quotes(file.parent_path().string())));
 }
 
 Case* find_case(Run& run, const std::string& name) {
