@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace fpkcheck::results {
 namespace {
@@ -14,9 +16,33 @@ void check_read(int status, const std::string& what) {
   }
 }
 
+// How many values a variable has. A file of a few bytes may claim more than there are numbers for.
+std::size_t count_of(const std::vector<std::size_t>& lengths, const std::string& name) {
+  constexpr std::size_t kMost = std::size_t{1} << 25;
+  std::size_t count = 1;
+  for (const std::size_t length : lengths) {
+    if (length != 0 && count > kMost / length) {
+      throw std::runtime_error(fmt::format("{}: more than {} values", name, kMost));
+    }
+    count *= length;
+  }
+  return count;
+}
+
+// The program writes netCDF-4, which is HDF5. Of older formats the library believes every length in
+// the head of a file, and asks for as much memory.
+void require_hdf5(const std::filesystem::path& path) {
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  std::string begin(kSignature.size(), '\0');
+  std::ifstream(path, std::ios::binary)
+      .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin != kSignature) throw std::runtime_error("no netCDF-4 file");
+}
+
 }  // namespace
 
 NetCdfReader::NetCdfReader(const std::filesystem::path& path) {
+  require_hdf5(path);
   check_read(nc_open(path.c_str(), NC_NOWRITE, &id_), "cannot be opened");
 }
 
@@ -67,9 +93,7 @@ std::vector<std::size_t> NetCdfReader::shape(const std::string& name) const {
 }
 
 std::vector<double> NetCdfReader::values(const std::string& name) const {
-  std::size_t count = 1;
-  for (const std::size_t length : shape(name)) count *= length;
-  std::vector<double> values(count);
+  std::vector<double> values(count_of(shape(name), name));
   check_read(nc_get_var_double(id_, variable(name), values.data()), name);
   return values;
 }
@@ -77,7 +101,7 @@ std::vector<double> NetCdfReader::values(const std::string& name) const {
 std::vector<std::string> NetCdfReader::labels(const std::string& name) const {
   const auto lengths = shape(name);
   if (lengths.size() != 2) throw std::runtime_error(fmt::format("{}: no texts", name));
-  std::string characters(lengths[0] * lengths[1], '\0');
+  std::string characters(count_of(lengths, name), '\0');
   check_read(nc_get_var_text(id_, variable(name), characters.data()), name);
   std::vector<std::string> texts;
   for (std::size_t n = 0; n < lengths[0]; ++n) {

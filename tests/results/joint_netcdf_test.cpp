@@ -123,5 +123,39 @@ TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
   }
 }
 
+// Of few bytes, with dimensions whose product is more than there are numbers for, or memory.
+TEST(JointNetCdf, ThatClaimsEndlessValuesIsRefused) {
+  const tests::TemporaryDirectory directory;
+  const fs::path path = directory.path() / "joint.nc";
+  for (const auto& [rows, columns] : {std::pair(std::size_t{1} << 62, std::size_t{4}),
+                                      std::pair(std::size_t{1} << 40, std::size_t{1})}) {
+    int file = 0, dimensions[2], variable = 0;
+    ASSERT_EQ(nc_create(path.c_str(), NC_CLOBBER | NC_NETCDF4, &file), NC_NOERR);
+    ASSERT_EQ(nc_def_dim(file, "solution", rows, &dimensions[0]), NC_NOERR);
+    ASSERT_EQ(nc_def_dim(file, "length", columns, &dimensions[1]), NC_NOERR);
+    ASSERT_EQ(nc_def_var(file, "solution", NC_CHAR, 2, dimensions, &variable), NC_NOERR);
+    nc_close(file);
+    try {
+      read_joint_netcdf(path);
+      ADD_FAILURE() << "accepted " << rows << " times " << columns;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(contains(error.what(), "more than 33554432 values")) << error.what();
+    }
+  }
+}
+
+// Of the classic format, whose lengths the library believes before it looks at the rest.
+TEST(JointNetCdf, OfAnOlderFormatIsRefused) {
+  const tests::TemporaryDirectory directory;
+  const fs::path file = directory.path() / "joint.nc";
+  write_file(file, std::string("CDF\1\0\0\0\0\0\0\0\n\0\0\0\1\x7f\xff\xff\xff", 20));
+  try {
+    read_joint_netcdf(file);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(contains(error.what(), "no netCDF-4 file")) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace fpkcheck::results
