@@ -82,13 +82,11 @@ void Registry::present(Identity& identity) const {
   identity.role = family.role;
   identity.family = family.name;
   identity.meaning = family.meaning;
-  // Families by their place, their members by order or by their place among the usual ones. An order
-  // from a file may be any number.
+  // Families by their place, their members by order or by their place among the usual ones.
   constexpr int kMembers = 1000;
   const auto place = std::ranges::find(family.usual, identity.id) - family.usual.begin();
-  const int member = identity.order.value_or(static_cast<int>(place));
-  identity.trust =
-      static_cast<int>(own - all.begin()) * kMembers + std::clamp(member, 0, kMembers - 1);
+  identity.trust = static_cast<int>(own - all.begin()) * kMembers +
+                   identity.order.value_or(static_cast<int>(place));
   identity.look = family.look(identity);
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -131,19 +130,6 @@ TEST(Registry, IntroducesTheSolutionsOfAnOlderRun) {
   EXPECT_EQ(run.cases[0].solutions[0].identity.family, "epc-moment");
   EXPECT_EQ(run.cases[0].solutions[0].identity.role, transform::Role::closure);
   EXPECT_EQ(run.cases[0].solutions[1].identity.family, "");
-}
-
-TEST(Registry, TakesAnyOrderThatAFileMayNameForAPlaceAmongThoseOfItsFamily) {
-  const Registry registry = builtin();
-  results::Run run{{}, {{tests::paper_case(1), {}, {}, {}, {}, {}, {}}}};
-  auto& solutions = run.cases[0].solutions;
-  constexpr int kLargest = std::numeric_limits<int>::max();
-  solutions = {{.identity = {.id = "epc-moment-n8", .method = "epc", .order = -kLargest}},
-               {.identity = {.id = "epc-moment-n8", .method = "epc", .order = kLargest}},
-               {.identity = {.id = "epc-polar-n2", .method = "epc", .order = 2}}};
-  registry.introduce(run);
-  EXPECT_LT(solutions[0].identity.trust, solutions[1].identity.trust);
-  EXPECT_LT(solutions[1].identity.trust, solutions[2].identity.trust);
 }
 
 TEST(Registry, HasEveryNameOnce) {
