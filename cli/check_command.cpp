@@ -42,7 +42,8 @@ struct CheckArguments {
 
 boost::program_options::options_description options_of(CheckArguments& arguments) {
   namespace po = boost::program_options;
-  auto& [common, tolerances, threads] = arguments;
+  auto& common = arguments.common;
+  auto& tolerances = arguments.tolerances;
   po::options_description options("options", 96);
   options.add_options()  //
       ("tolerance",
@@ -55,7 +56,7 @@ boost::program_options::options_description options_of(CheckArguments& arguments
                                                      ->value_name("N")
                                                      ->default_value(tolerances.standard_errors),
                                                  "of simulations: of the difference of both runs")(
-          "threads", po::value(&threads)->value_name("N"),
+          "threads", po::value(&arguments.threads)->value_name("N"),
           "threads to use (default: one per processor)")(
           "out",
           po::value<std::string>()->value_name("DIR")->notifier(

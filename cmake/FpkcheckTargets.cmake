@@ -11,10 +11,23 @@ endif()
 if(FPKCHECK_WARNINGS_AS_ERRORS)
   target_compile_options(fpkcheck_flags INTERFACE -Werror)
 endif()
+# Beside warnings, what programs are watched by. The first report ends a program: a test that made
+# one fails.
+add_library(fpkcheck_watch INTERFACE)
+set(FPKCHECK_UNWATCHED "") # rooms
 if(FPKCHECK_SANITIZE)
-  target_compile_options(fpkcheck_flags INTERFACE -fsanitize=address,undefined
-                                                  -fno-omit-frame-pointer)
-  target_link_options(fpkcheck_flags INTERFACE -fsanitize=address,undefined)
+  set(sanitizers -fsanitize=${FPKCHECK_SANITIZE} -fno-sanitize-recover=all)
+  target_compile_options(fpkcheck_watch INTERFACE ${sanitizers} -fno-omit-frame-pointer)
+  target_link_options(fpkcheck_flags INTERFACE ${sanitizers})
+endif()
+if(FPKCHECK_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "FPKCHECK_FUZZ needs Clang (-DCMAKE_CXX_COMPILER=clang++)")
+  endif()
+  # Fuzzers count which branches of readers an input reaches. They never solve: what takes most of
+  # the time to build goes without.
+  target_compile_options(fpkcheck_watch INTERFACE -fsanitize=fuzzer-no-link)
+  set(FPKCHECK_UNWATCHED epc fd_fpk dual controlled)
 endif()
 
 # What only formats, reads or checks need not be optimised hard. At -O1 GCC sees too little of what is
@@ -48,6 +61,9 @@ function(fpkcheck_library name)
   list(TRANSFORM arg_USES PREPEND fpkcheck_)
   target_link_libraries(fpkcheck_${name} PUBLIC ${arg_USES} ${arg_EXTERNAL}
                                          PRIVATE ${arg_INTERNAL} "$<BUILD_INTERFACE:fpkcheck_flags>")
+  if(NOT name IN_LIST FPKCHECK_UNWATCHED)
+    target_link_libraries(fpkcheck_${name} PRIVATE "$<BUILD_INTERFACE:fpkcheck_watch>")
+  endif()
   if(arg_PLAIN)
     fpkcheck_compile_fast(fpkcheck_${name})
   endif()

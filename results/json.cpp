@@ -157,6 +157,17 @@ double number_in(const Json& object, const char* key) {
   return value.is_null() ? kNotANumber : value.get<double>();
 }
 
+int integer_in(const Json& object, const char* key) {
+  // Left to itself, JSON makes an int of 1e300 too, and of what is beyond all ints.
+  const parameters::Value value = value_in(object.at(key));
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  if (whole == nullptr || !std::in_range<int>(*whole)) {
+    throw InputError(fmt::format("\"{}\" is {} (must be an integer; run again)", key,
+                                 parameters::text_of(value)));
+  }
+  return static_cast<int>(*whole);
+}
+
 transform::Moments moments_in(const Json& json) {
   transform::Moments moments;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {

@@ -134,8 +134,8 @@ PairDistances pair_in(const Json& json) {
     d.log10_tail.push_back({.from = tail.at("from"),
                             .to = tail.at("to"),
                             .mean_abs = number_or(kNotANumber, tail.at("mean_abs")),
-                            .bins = tail.at("bins"),
-                            .left_out = tail.at("left_out")});
+                            .bins = integer_in(tail, "bins"),
+                            .left_out = integer_in(tail, "left_out")});
   }
   return pair;
 }
@@ -149,7 +149,7 @@ BudgetRow budget_row_in(const Json& json) {
                 .total_tail = number_or(kNotANumber, json.at("total_tail")),
                 .tail_from = tail.at("from"),
                 .tail_to = tail.at("to"),
-                .tail_bins = tail.at("bins"),
+                .tail_bins = integer_in(tail, "bins"),
                 .parts = {}};
   for (const auto& part : json.at("parts")) {
     row.parts.push_back({.links = compare::links_named(part.at("name").get<std::string>()),

@@ -75,15 +75,15 @@ void read_identity(const Json& json, Identity& identity) {
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
-  if (!json.at("order").is_null()) identity.order = json.at("order").get<int>();
+  if (!json.at("order").is_null()) identity.order = integer_in(json, "order");
   identity.meaning = json.at("meaning");
-  identity.trust = json.at("trust");
+  identity.trust = integer_in(json, "trust");
   const Json& look = json.at("look");
   identity.look = {.colour = look.at("colour"),
                    .dash = look.at("dash"),
                    .width = look.at("width"),
                    .as_points = look.at("as_points"),
-                   .layer = look.at("layer"),
+                   .layer = integer_in(look, "layer"),
                    .symbol = look.at("symbol")};
 }
 
