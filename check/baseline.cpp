@@ -7,6 +7,7 @@
 #include "check/chance.hpp"
 #include "check/claims.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::check {
@@ -50,7 +51,8 @@ CaseAgain plan(results::Case& one, const methods::Registry& registry,
         not_ours.push_back(solution.id());
       }
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}: {}", one.name(), solution.id(), error.what()));
+      throw InputError(fmt::format("{}: {}: {}", parameters::shown(one.name()),
+                                   parameters::shown(solution.id()), error.what()));
     }
   }
   for (const auto& id : not_ours) {
@@ -81,10 +83,11 @@ Baseline load_baseline(const fs::path& place, const methods::Registry& registry,
       baseline.cases.push_back(plan(one, registry, given, baseline.notes));
     }
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    throw InputError(fmt::format("{}: {}", parameters::shown(file.string()), error.what()));
   }
   if (std::ranges::all_of(baseline.cases, [](const auto& one) { return one.methods.empty(); })) {
-    throw InputError(fmt::format("{} has no solution that can be solved again", file.string()));
+    throw InputError(fmt::format("{} has no solution that can be solved again (give another run)",
+                                 parameters::shown(file.string())));
   }
   return baseline;
 }

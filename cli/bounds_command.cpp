@@ -12,8 +12,10 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
+#include "files/pending_files.hpp"
 #include "methods/bounds.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
 #include "report/bounds.hpp"
 #include "results/directory.hpp"
@@ -40,8 +42,9 @@ examples:
 // VARIABLE:CENTRE:SPACING
 dual::Functional bin_from(const std::string& text) {
   const auto refuse = [&] {
-    throw InputError(fmt::format(
-        "--bin '{}' (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)", text));
+    throw InputError(
+        fmt::format("--bin {} (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)",
+                    parameters::in_quotes(text)));
   };
   const auto first = text.find(':'), second = text.find(':', first + 1);
   if (first == std::string::npos || second == std::string::npos) refuse();
@@ -104,7 +107,7 @@ int bounds_command(const Call& call) {
   if (common.json) put_out(results::summary_text(run) + '\n');
   if (common.out) {
     const process::FilesInHand in_hand;
-    results::PendingFiles files;
+    files::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');
     files.commit();

@@ -12,6 +12,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "process/files_in_hand.hpp"
 #include "results/saved_run.hpp"
@@ -43,7 +44,8 @@ struct CheckArguments {
 
 boost::program_options::options_description options_of(CheckArguments& arguments) {
   namespace po = boost::program_options;
-  auto& [common, tolerances, threads] = arguments;
+  auto& common = arguments.common;
+  auto& tolerances = arguments.tolerances;
   po::options_description options("options", 96);
   options.add_options()  //
       ("tolerance",
@@ -56,7 +58,7 @@ boost::program_options::options_description options_of(CheckArguments& arguments
                                                      ->value_name("N")
                                                      ->default_value(tolerances.standard_errors),
                                                  "of simulations: of the difference of both runs")(
-          "threads", po::value(&threads)->value_name("N"),
+          "threads", po::value(&arguments.threads)->value_name("N"),
           "threads to use (default: one per processor)")(
           "out",
           po::value<std::string>()->value_name("DIR")->notifier(
@@ -71,7 +73,7 @@ boost::program_options::options_description options_of(CheckArguments& arguments
 void write(const std::filesystem::path& directory, const results::Run& run,
            const std::string& json) {
   const process::FilesInHand in_hand;
-  results::PendingFiles files;
+  files::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
   files.commit();

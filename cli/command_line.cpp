@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <set>
 
+#include "cli/help.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "problem/case_file.hpp"
 #include "results/directory.hpp"
 
@@ -45,12 +46,12 @@ bool parse(const std::vector<std::string>& arguments, const std::string& usage,
     po::store(po::command_line_parser(arguments).options(all).positional(rest).style(style).run(),
               values);
     if (values.count("help") > 0) {
-      std::cout << usage << "\n" << options;
+      answer_help(usage, options);
       return false;
     }
     po::notify(values);
   } catch (const po::error& error) {
-    throw InputError(fmt::format("{} (--help lists the options)", error.what()));
+    throw InputError(fmt::format("{} (--help lists the options)", parameters::shown(error.what())));
   }
   return true;
 }
@@ -62,12 +63,22 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     problems.push_back(problem::load_case(name, common.overrides));
     // Pictures are filed under a plainer name, so that is what must not be shared.
     if (std::ranges::count(common.cases, name) > 1) {
-      throw InputError(fmt::format("{} is named twice (name it once)", name));
+      throw InputError(fmt::format("{} is named twice (name it once)", parameters::shown(name)));
     }
     if (!names.insert(results::file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
-          "two cases are called '{}' or alike (results are filed by that name: rename one)",
-          problems.back().name));
+          "two cases are called {} or alike (results are filed by that name: rename one)",
+          parameters::in_quotes(problems.back().name)));
+    }
+  }
+  for (const auto& name : names) {
+    // What pictures and variables of a case are called besides its name.
+    for (const char* addition : {"-budget", "-sources", "_bounds"}) {
+      if (!names.contains(name + addition)) continue;
+      throw InputError(
+          fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "
+                      "name: rename one)",
+                      parameters::shown(name), addition));
     }
   }
   if (problems.empty()) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::cli {
 
@@ -28,8 +29,8 @@ std::vector<int> integers(const std::string& option, const std::string& list) {
     int value = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc{} || end != item.data() + item.size()) {
-      throw InputError(
-          fmt::format("{} {} ('{}' is no number) use a list such as 2,4,6", option, list, item));
+      throw InputError(fmt::format("{} {} ({} is no number) use a list such as 2,4,6", option,
+                                   parameters::shown(list), parameters::in_quotes(item)));
     }
     if (std::ranges::find(result, value) == result.end()) result.push_back(value);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -49,7 +50,8 @@ void add(const Parameter& parameter, const Value* usual, Values& values,
   semantic->notifier([&values, parameter, label](const std::string& text) {
     const Value value = parameters::value_from(parameter, text, label);
     if (!parameter.in_range(value)) {
-      throw InputError(fmt::format("{} {} (must be {})", label, text, parameter.allowed()));
+      throw InputError(
+          fmt::format("{} {} (must be {})", label, parameters::shown(text), parameter.allowed()));
     }
     put(values, parameter.name, value);
   });

@@ -11,12 +11,19 @@
 #include <stdexcept>
 
 #include "cli/commands.hpp"
+#include "cli/completion.hpp"
 #include "cli/ending.hpp"
+#include "cli/help.hpp"
 #include "cli/interruption.hpp"
+#include "cli/manual.hpp"
 #include "cli/standard_streams.hpp"
+#include "cli/studies.hpp"
+#include "cli/version.hpp"
 #include "methods/builtin.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "process/stop.hpp"
+#include "report/text/wrapped.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
@@ -64,22 +71,46 @@ std::string names_of(const std::vector<Command>& all) {
 
 void print_overview(const std::vector<Command>& all) {
   fmt::print(
-      R"(fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson impulses,
-           by independent methods that are compared with one another
+      R"(fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson
+           impulses, by independent methods that are compared with one another
 
-    y'' + c y' + k y + mu y^3 = impulses  (y > 0),      y'(+) = -r y'(-)  at y = 0
+    y'' + c y' + k y + mu y^3 = impulses  (y > 0),    y'(+) = -r y'(-)  at y = 0
 
 usage: fpkcheck COMMAND [CASE ...] [options]
 
 commands:
 )");
-  for (const auto& command : all) fmt::print("  {:<9} {}\n", command.name, command.summary);
+  std::size_t column = 0;
+  for (const auto& command : all) column = std::max(column, command.name.size() + 4);
+  for (const auto& command : all) {
+    auto lines = report::wrapped(std::string(column, ' ') + command.summary, 80, column);
+    fmt::print("{}", lines.replace(2, command.name.size(), command.name));
+  }
   fmt::print(R"(
-A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
-`fpkcheck COMMAND --help` explains a command's options; start with `fpkcheck run`.
+A CASE is case1 .. case4 (the paper's Table 1) or an ini file like
+cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain a
+command's options; start with `fpkcheck run`.
 Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
 2 bad input; 130 Ctrl-C, 143 SIGTERM, each within a second.
 )");
+}
+
+// Every command with its help, and the subjects of `study` as commands of their own.
+std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::Registry& registry) {
+  std::vector<CommandHelp> result;
+  const auto add = [&](const Command& command, const std::string& subject) {
+    Arguments asked{"--help"};
+    if (!subject.empty()) asked.insert(asked.begin(), subject);
+    const auto help = help_from([&] { command.run({asked, "", registry}); });
+    result.push_back(subject.empty() ? CommandHelp{command.name, command.summary, help}
+                                     : CommandHelp{command.name + ' ' + subject, "", help});
+  };
+  for (const auto& command : all) {
+    add(command, "");
+    if (command.name != "study") continue;
+    for (const auto& subject : study_subjects()) add(command, subject);
+  }
+  return result;
 }
 
 int dispatch(const Arguments& arguments, const methods::Registry& registry) {
@@ -88,19 +119,35 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
     throw InputError(fmt::format("no command (use one of {}; --help explains)", names_of(all)));
   }
   const std::string& name = arguments.front();
+  if (name == "help" && arguments.size() > 1) {
+    Arguments asked{arguments.begin() + 1, arguments.end()};
+    asked.emplace_back("--help");
+    return dispatch(asked, registry);
+  }
   if (name == "--help" || name == "-h" || name == "help") {
     print_overview(all);
     return kDone;
   }
   if (name == "--version") {
-    const auto program = results::this_program("");
-    fmt::print("{} {}\n", program.name, program.version);
+    fmt::print("{}", version_text());
+    return kDone;
+  }
+  // For the shell and for the build; neither is typed.
+  if (name == "--complete") {
+    const Arguments words{arguments.begin() + 1, arguments.end()};
+    for (const auto& word : completions(guide(all, registry), registry, words)) {
+      fmt::print("{}\n", word);
+    }
+    return kDone;
+  }
+  if (name == "--manual") {
+    fmt::print("{}", manual(guide(all, registry)));
     return kDone;
   }
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
-    throw InputError(
-        fmt::format("'{}' is no command (use one of {}; --help explains)", name, names_of(all)));
+    throw InputError(fmt::format("{} is no command (use one of {}; --help explains)",
+                                 parameters::in_quotes(name), names_of(all)));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;

@@ -5,8 +5,11 @@
 #include <filesystem>
 
 #include "cli/program.hpp"
+#include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
 #include "report/figure/drawing.hpp"
 #include "results/directory.hpp"
@@ -16,7 +19,7 @@ namespace {
 
 void write(const std::filesystem::path& directory, const study::Output& output) {
   const process::FilesInHand in_hand;
-  results::PendingFiles files;
+  files::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
   files.commit();

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 #include "cli/command_line.hpp"
@@ -8,7 +10,9 @@
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/standard_streams.hpp"
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "process/files_in_hand.hpp"
 #include "results/directory.hpp"
@@ -43,14 +47,21 @@ int reference_command(const Call& call) {
     options.simulation_time = time;
   }),
                     "simulated time (default: 1e7 decay times)")(
-      "seed", po::value(&options.seed)->value_name("S")->default_value(options.seed),
+      "seed",
+      po::value<std::int64_t>()->value_name("S")->default_value(1)->notifier(
+          [&](std::int64_t seed) {
+            if (seed < 0)
+              throw InputError(fmt::format("--seed {} (must be zero or positive)", seed));
+            options.seed = static_cast<std::uint64_t>(seed);
+          }),
       "of the simulation");
   if (!parse(call.arguments, kReferenceUsage, with_common_options(own, common), common.cases))
     return kDone;
   require_plain(common);
   if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
   const auto problems = load_cases(common);
-  if (options.simulation_time && !(*options.simulation_time > 0)) {
+  if (options.simulation_time &&
+      !(*options.simulation_time > 0 && std::isfinite(*options.simulation_time))) {
     throw InputError(
         fmt::format("--time {} (must be a positive number)", *options.simulation_time));
   }
@@ -68,7 +79,7 @@ int reference_command(const Call& call) {
   if (common.out) {
     const process::FilesInHand in_hand;
     const std::filesystem::path place(*common.out);
-    results::PendingFiles files;
+    files::PendingFiles files;
     files.add(place / "reference.md", text);
     files.add(place / "reference.csv", study::reference_csv(references));
     files.commit();

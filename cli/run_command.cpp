@@ -21,10 +21,10 @@ Solves each case (default: the paper's four) by all methods, compares the margin
 p(y) and p(y'), splits the error of each closure into its causes (error budget), prints
 tables and draws pictures. Methods, by increasing trust:
   epc   exponential-polynomial closures
-        epc-gaussian-n2, -n4, -n6, -n8 (the paper's: impact to first order in 1-r)
-        epc-moment-n4, -n8, -n12 and epc-polar-n4, -n6, -n8 (exact moment equations)
-  fd    finite differences: white noise, series cut after the 4th derivative, all jumps
-        fd-white, fd-km4-delta (impact to first order in 1-r, as in epc-gaussian), fd-km4, fd-kf
+        epc-gaussian-n2, -n4, -n6, -n8 (the paper's: impact of first order)
+        epc-moment-n4, -n8, -n12 and epc-polar-n4, -n6, -n8 (exact equations)
+  fd    finite differences: white noise, series cut after order 4, all jumps
+        fd-white, fd-km4-delta (impact as in epc-gaussian), fd-km4, fd-kf
   mcs   simulation of the impact system itself, its noise taken out by the backward equation:
         all others are measured by it
 Moments are held to guaranteed bounds (fpkcheck bounds), and every density tells its own error

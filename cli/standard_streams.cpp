@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "parameters/shown.hpp"
+
 namespace fpkcheck::cli {
 
 void prepare_standard_streams() {
@@ -25,7 +27,8 @@ void put_out(std::string_view text) {
 }
 
 void complain(std::string_view message) {
-  const std::string line = fmt::format("fpkcheck: {}\n", message);
+  const std::string line =
+      fmt::format("fpkcheck: {}\n", parameters::one_line(std::string(message)));
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/commands.hpp"
 
 namespace fpkcheck::cli {
+
+/// What may follow `fpkcheck study`.
+const std::vector<std::string>& study_subjects();
 
 /// One function per subject of `fpkcheck study`, each in a file of its name.
 /// @param call with what follows the subject

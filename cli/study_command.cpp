@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "cli/help.hpp"
 #include "cli/program.hpp"
 #include "cli/studies.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -24,10 +26,15 @@ bool asks_for_help(const std::string& argument) { return argument == "--help" ||
 
 }  // namespace
 
+const std::vector<std::string>& study_subjects() {
+  static const std::vector<std::string> subjects{"grid", "order", "regularisation"};
+  return subjects;
+}
+
 int study_command(const Call& call) {
   const auto& arguments = call.arguments;
   if (!arguments.empty() && asks_for_help(arguments.front())) {
-    fmt::print("{}", kStudyUsage);
+    answer_help(kStudyUsage, {});
     return kDone;
   }
   const auto subject =
@@ -40,8 +47,8 @@ int study_command(const Call& call) {
   if (*subject == "grid") return study_grid(rest);
   if (*subject == "order") return study_order(rest);
   if (*subject == "regularisation") return study_regularisation(rest);
-  throw InputError(
-      fmt::format("'{}' is no subject of a study (use {}; --help explains)", *subject, kSubjects));
+  throw InputError(fmt::format("{} is no subject of a study (use {}; --help explains)",
+                               parameters::in_quotes(*subject), kSubjects));
 }
 
 }  // namespace fpkcheck::cli

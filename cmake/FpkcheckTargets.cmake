@@ -11,10 +11,23 @@ endif()
 if(FPKCHECK_WARNINGS_AS_ERRORS)
   target_compile_options(fpkcheck_flags INTERFACE -Werror)
 endif()
+# Beside warnings, what programs are watched by. The first report ends a program: a test that made
+# one fails.
+add_library(fpkcheck_watch INTERFACE)
+set(FPKCHECK_UNWATCHED "") # rooms
 if(FPKCHECK_SANITIZE)
-  target_compile_options(fpkcheck_flags INTERFACE -fsanitize=address,undefined
-                                                  -fno-omit-frame-pointer)
-  target_link_options(fpkcheck_flags INTERFACE -fsanitize=address,undefined)
+  set(sanitizers -fsanitize=${FPKCHECK_SANITIZE} -fno-sanitize-recover=all)
+  target_compile_options(fpkcheck_watch INTERFACE ${sanitizers} -fno-omit-frame-pointer)
+  target_link_options(fpkcheck_flags INTERFACE ${sanitizers})
+endif()
+if(FPKCHECK_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "FPKCHECK_FUZZ needs Clang (-DCMAKE_CXX_COMPILER=clang++)")
+  endif()
+  # Fuzzers count which branches of readers an input reaches. They never solve: what takes most of
+  # the time to build goes without.
+  target_compile_options(fpkcheck_watch INTERFACE -fsanitize=fuzzer-no-link)
+  set(FPKCHECK_UNWATCHED epc fd_fpk dual controlled)
 endif()
 
 # What only formats, reads or checks need not be optimised hard. At -O1 GCC sees too little of what is
@@ -33,13 +46,24 @@ endfunction()
 function(fpkcheck_library name)
   cmake_parse_arguments(arg "PLAIN" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
   add_library(fpkcheck_${name} STATIC ${arg_SOURCES})
+  add_library(fpkcheck::${name} ALIAS fpkcheck_${name})
+  set_target_properties(fpkcheck_${name} PROPERTIES EXPORT_NAME ${name})
+  set_property(GLOBAL APPEND PROPERTY FPKCHECK_ROOMS ${name})
   set(view "${PROJECT_BINARY_DIR}/include/${name}")
-  file(MAKE_DIRECTORY "${view}")
+  # The second link is for other projects: they include <fpkcheck/NAME/...>, installed or not.
+  file(MAKE_DIRECTORY "${view}/fpkcheck")
   file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${view}/${name}" SYMBOLIC)
-  target_include_directories(fpkcheck_${name} PUBLIC "${view}")
+  file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${view}/fpkcheck/${name}" SYMBOLIC)
+  target_include_directories(
+    fpkcheck_${name} PUBLIC "$<BUILD_INTERFACE:${view}>"
+                            "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_compile_features(fpkcheck_${name} PUBLIC cxx_std_20)
   list(TRANSFORM arg_USES PREPEND fpkcheck_)
   target_link_libraries(fpkcheck_${name} PUBLIC ${arg_USES} ${arg_EXTERNAL}
-                                         PRIVATE ${arg_INTERNAL} fpkcheck_flags)
+                                         PRIVATE ${arg_INTERNAL} "$<BUILD_INTERFACE:fpkcheck_flags>")
+  if(NOT name IN_LIST FPKCHECK_UNWATCHED)
+    target_link_libraries(fpkcheck_${name} PRIVATE "$<BUILD_INTERFACE:fpkcheck_watch>")
+  endif()
   if(arg_PLAIN)
     fpkcheck_compile_fast(fpkcheck_${name})
   endif()

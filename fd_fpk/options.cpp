@@ -35,75 +35,77 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw InputError(message);
 }
 
+Description<Options> make_description() {
+  using O = Options;
+  return Description<O>("fd ")
+      .add("equation", &O::equation, {"E", "white, km4, km4-pade or kf"})
+      .add("impact", &O::impact,
+           {"I",
+            "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2; delta: the paper's, first order "
+            "in 1-r"})
+      .with_choices(impact_names())
+      .add("stepper", &O::stepper, {"S", "cvode, or direct: the null vector alone"})
+      .add("transport", &O::transport,
+           {"T",
+            "upwind differences, or characteristics: along the motion between impulses, for kf "
+            "(default: where impulses are rare or losses strong)"})
+      .with_fallback(std::string(name(Transport::upwind)))
+      .add("order", &O::order,
+           {"P", "order of the transport terms, 2 .. 8; odd ones are upwind-biased"}, between(2, 8))
+      .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"}, positive())
+      .add("origin_refinement", &O::origin_refinement,
+           {"F",
+            "cells at the origin are F times narrower than far from it (default: 16 when r < "
+            "0.95 and the density is bounded there, else 1)"},
+           between(1, kMostOriginRefinement))
+      .add("nx", &O::nx, {"N", "cells in y (default: from equivalent linearisation)"},
+           between(kSmallestLine, kLargestLine))
+      .add("nv", &O::nv, {"N", "cells in y', even (default: likewise)"},
+           even_between(kSmallestLine, kLargestLine).because("y' = 0 lies between two cells"))
+      .add("x1_max", &O::x1_max, {"Y", "box 0 <= y <= Y (default: until it is empty there)"},
+           positive())
+      .with_flag("y-max")
+      .add("x2_max", &O::x2_max, {"V", "box |y'| <= V (default: likewise)"}, positive())
+      .with_flag("v-max")
+      .add("regularisation_length", &O::regularisation_length,
+           {"L",
+            "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4])); 0: the "
+            "literal scheme"},
+           not_negative())
+      .add("wall_density", &O::wall_density,
+           {"D", "density on a wall, relative to the peak, beyond which the box is widened"},
+           strictly_between(0, 1))
+      .add("refine_unresolved", &O::refine_unresolved,
+           {"", "an automatic grid that does not resolve its density is refined"})
+      .without_flag()
+      .add("error_estimate", &O::error_estimate,
+           {"", "the discretisation error is estimated from two coarser grids"})
+      .without_flag()
+      .add("accuracy", &O::accuracy,
+           {"A", "largest estimated error of p(y) or p(y') in L1 of a solution that is ok"},
+           positive())
+      .with_fallback(Options{}.accuracy)
+      .add(
+          "max_seconds", &O::max_seconds,
+          {"S",
+           "no finer grid is begun that would end later: the best answer until then (in a run 20)"},
+          positive())
+      .with_fallback(Options{}.max_seconds)
+      .add("tolerance", &O::tolerance,
+           {"T",
+            "pick the grid whose error estimate, L1 of p(y) and p(y') and the second moments, "
+            "is below T"},
+           resolvable())
+      .add("residual_tolerance", &O::residual_tolerance,
+           {"R", "stationarity residual ||L p||_1 / ||p||_1 to reach"}, positive())
+      .with_flag("residual");
+}
+
 }  // namespace
 
 const Description<Options>& description() {
-  using O = Options;
-  static const auto description =
-      Description<O>("fd ")
-          .add("equation", &O::equation, {"E", "white, km4, km4-pade or kf"})
-          .add("impact", &O::impact,
-               {"I",
-                "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2; delta: the paper's, first order "
-                "in 1-r"})
-          .with_choices(impact_names())
-          .add("stepper", &O::stepper, {"S", "cvode, or direct: the null vector alone"})
-          .add("transport", &O::transport,
-               {"T",
-                "upwind differences, or characteristics: along the motion between impulses, for kf "
-                "(default: where impulses are rare or losses strong)"})
-          .with_fallback(std::string(name(Transport::upwind)))
-          .add("order", &O::order,
-               {"P", "order of the transport terms, 2 .. 8; odd ones are upwind-biased"},
-               between(2, 8))
-          .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"},
-               positive())
-          .add("origin_refinement", &O::origin_refinement,
-               {"F",
-                "cells at the origin are F times narrower than far from it (default: 16 when r < "
-                "0.95 and the density is bounded there, else 1)"},
-               between(1, kMostOriginRefinement))
-          .add("nx", &O::nx, {"N", "cells in y (default: from equivalent linearisation)"},
-               between(kSmallestLine, kLargestLine))
-          .add("nv", &O::nv, {"N", "cells in y', even (default: likewise)"},
-               even_between(kSmallestLine, kLargestLine).because("y' = 0 lies between two cells"))
-          .add("x1_max", &O::x1_max, {"Y", "box 0 <= y <= Y (default: until it is empty there)"},
-               positive())
-          .with_flag("y-max")
-          .add("x2_max", &O::x2_max, {"V", "box |y'| <= V (default: likewise)"}, positive())
-          .with_flag("v-max")
-          .add("regularisation_length", &O::regularisation_length,
-               {"L",
-                "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4])); 0: the "
-                "literal scheme"},
-               not_negative())
-          .add("wall_density", &O::wall_density,
-               {"D", "density on a wall, relative to the peak, beyond which the box is widened"},
-               strictly_between(0, 1))
-          .add("refine_unresolved", &O::refine_unresolved,
-               {"", "an automatic grid that does not resolve its density is refined"})
-          .without_flag()
-          .add("error_estimate", &O::error_estimate,
-               {"", "the discretisation error is estimated from two coarser grids"})
-          .without_flag()
-          .add("accuracy", &O::accuracy,
-               {"A", "largest estimated error of p(y) or p(y') in L1 of a solution that is ok"},
-               positive())
-          .with_fallback(Options{}.accuracy)
-          .add(
-              "max_seconds", &O::max_seconds,
-              {"S",
-               "no finer grid is begun that would end later: the best answer until then (in a run 20)"},
-              positive())
-          .with_fallback(Options{}.max_seconds)
-          .add("tolerance", &O::tolerance,
-               {"T",
-                "pick the grid whose error estimate, L1 of p(y) and p(y') and the second moments, "
-                "is below T"},
-               resolvable())
-          .add("residual_tolerance", &O::residual_tolerance,
-               {"R", "stationarity residual ||L p||_1 / ||p||_1 to reach"}, positive())
-          .with_flag("residual");
+  // Made elsewhere: where the making stands here, Clang 14 destroys parts of it at every call.
+  static const auto description = make_description();
   return description;
 }
 

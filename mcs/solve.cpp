@@ -30,7 +30,8 @@ using transform::Variable;
 
 void estimate_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
   using transform::Moments;
-  auto& [solution, summary] = result;
+  auto& solution = result.solution;
+  auto& summary = result.summary;
   for (const auto& [p, q] : kPowers) {
     summary.joint_moments.push_back(weights.estimate(moments(simulation, p, q)));
   }
@@ -111,7 +112,8 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
     const double ratio = plain_estimate(moments(simulation, p, q)).standard_error / error;
     return ratio * ratio;
   };
-  auto& [solution, summary] = result;
+  auto& solution = result.solution;
+  auto& summary = result.summary;
   const auto& errors = solution.standard_errors->moments;
   summary.effective_samples = effective_samples(simulation, 0, 2);
   summary.effective_samples_y2 = effective_samples(simulation, 2, 0);
@@ -136,7 +138,8 @@ double outside(const Simulation& simulation, const StreamWeights& weights) {
 
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
                         Result& result) {
-  auto& [solution, summary] = result;
+  auto& solution = result.solution;
+  auto& summary = result.summary;
   const auto marginal = [&](Variable variable) {
     auto estimate = estimate_marginal(simulation, weights, variable, summary.effective_samples);
     solution.estimated_marginals.emplace_back(variable, std::move(estimate.marginal));
@@ -230,7 +233,8 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
 Result solve(const problem::Problem& problem, const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   Result result;
-  auto& [solution, summary] = result;
+  auto& solution = result.solution;
+  auto& summary = result.summary;
   solution.identity = identity(options);
   const Plan plan = make_plan(problem, options);
   // Kicks at even times would part the particle from the wall after each interval: an answer that

@@ -15,6 +15,8 @@ namespace fpkcheck::methods {
 using transform::Status;
 
 struct ProblemResiduals::Fit {
+  explicit Fit(const problem::Problem& of) : problem(of) {}
+
   problem::Problem problem;
   std::once_flag once = {};
   std::optional<dual::DensityResiduals> residuals = {};

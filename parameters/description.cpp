@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::parameters {
 namespace {
@@ -41,7 +42,7 @@ void Descriptions::read_into(void* owner, const Values& values, const std::strin
   }
   for (const auto& [name, value] : values) {
     if (find(name) == nullptr) {
-      throw InputError(fmt::format("{}.{} is unknown {}", what, name, kOtherVersion));
+      throw InputError(fmt::format("{}.{} is unknown {}", what, shown(name), kOtherVersion));
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::parameters {
 namespace {
@@ -98,7 +99,7 @@ bool Parameter::in_range(const Value& value) const {
 
 Value value_from(const Parameter& parameter, std::string_view text, const std::string& label) {
   if (const auto value = parameter.parsed(text)) return *value;
-  throw InputError(fmt::format("{} '{}' ({})", label, text, why_not(parameter, text)));
+  throw InputError(fmt::format("{} {} ({})", label, in_quotes(text), why_not(parameter, text)));
 }
 
 }  // namespace fpkcheck::parameters

@@ -2,19 +2,21 @@
 
 #include <fmt/format.h>
 
+#include "parameters/shown.hpp"
+
 namespace fpkcheck::parameters {
 namespace {
 
-std::string shown(std::monostate) { return "automatic"; }
-std::string shown(bool value) { return value ? "true" : "false"; }
-std::string shown(std::int64_t value) { return fmt::format("{}", value); }
-std::string shown(double value) { return fmt::format("{}", value); }
-std::string shown(const std::string& value) { return fmt::format("'{}'", value); }
+std::string held_text(std::monostate) { return "automatic"; }
+std::string held_text(bool value) { return value ? "true" : "false"; }
+std::string held_text(std::int64_t value) { return fmt::format("{}", value); }
+std::string held_text(double value) { return fmt::format("{}", value); }
+std::string held_text(const std::string& value) { return in_quotes(value); }
 
 }  // namespace
 
 std::string text_of(const Value& value) {
-  return std::visit([](const auto& held) { return shown(held); }, value);
+  return std::visit([](const auto& held) { return held_text(held); }, value);
 }
 
 }  // namespace fpkcheck::parameters

@@ -6,20 +6,23 @@
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/locale/utf.hpp>
-#include <boost/program_options.hpp>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <optional>
+#include <set>
 #include <sstream>
 
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
-namespace po = boost::program_options;
+using parameters::in_quotes;
+using parameters::shown;
 
 // "system.damping", ..
 std::vector<std::string> known_keys() {
@@ -35,69 +38,79 @@ std::vector<std::string> known_keys() {
 void require_known(const std::string& key, const std::string& where) {
   const auto keys = known_keys();
   if (std::ranges::find(keys, key) == keys.end()) {
-    throw InputError(
-        fmt::format("{}: unknown key '{}' (known keys: {})", where, key, fmt::join(keys, ", ")));
+    throw InputError(fmt::format("{}: unknown key {} (known keys: {})", where, in_quotes(key),
+                                 fmt::join(keys, ", ")));
   }
 }
 
-// Boost.Program_options knows '#' comments; ini files also use ';', and may begin with a byte-order
-// mark.
-std::string without_semicolon_comments(std::istream& ini) {
-  std::string text;
-  for (std::string line; std::getline(ini, line);) {
-    text += line.substr(0, line.find(';')) + '\n';
-  }
+/// What a key is set to, and where.
+struct Setting {
+  std::string text, where;
+};
+using Settings = std::map<std::string, Setting>;  // of keys
+
+// Ini files know comments by '#' and by ';', and may begin with a byte-order mark.
+std::string without_comment(std::string line, int line_number) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
-  return text;
+  if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
+  return boost::algorithm::trim_copy(line.substr(0, line.find_first_of("#;")));
 }
 
-using Texts = std::map<std::string, std::string>;  // of keys
-
-Texts parse_file(std::istream& ini, const std::string& where) {
-  po::options_description keys;
-  for (const auto& key : known_keys()) keys.add_options()(key.c_str(), po::value<std::string>());
-  std::istringstream text(without_semicolon_comments(ini));
-  Texts values;
-  try {
-    const auto parsed = po::parse_config_file(text, keys, /*allow_unregistered=*/true);
-    for (const auto& option : parsed.options) {
-      require_known(option.string_key, where);
-      const std::string value = option.value.empty() ? "" : option.value.front();
-      if (!values.emplace(option.string_key, value).second) {
-        throw InputError(
-            fmt::format("{}: key '{}' is given twice (keep one)", where, option.string_key));
-      }
+Settings parse_file(std::istream& ini, const std::string& where) {
+  Settings settings;
+  std::string section;
+  int line_number = 0;
+  for (std::string line; std::getline(ini, line);) {
+    ++line_number;
+    const std::string said = without_comment(line, line_number);
+    if (said.empty()) continue;
+    const std::string at = fmt::format("{}:{}", where, line_number);
+    if (said.front() == '[' && said.back() == ']') {
+      section = boost::algorithm::trim_copy(said.substr(1, said.size() - 2)) + '.';
+      continue;
     }
-  } catch (const po::error& error) {
-    throw InputError(fmt::format("{}: {} (a case file has [sections] and key = value lines)", where,
-                                 error.what()));
+    const auto equals = said.find('=');
+    if (equals == std::string::npos) {
+      throw InputError(fmt::format("{}: {} (a case file has [sections] and key = value lines)", at,
+                                   in_quotes(said)));
+    }
+    const std::string key = section + boost::algorithm::trim_copy(said.substr(0, equals));
+    require_known(key, at);
+    const Setting setting{boost::algorithm::trim_copy(said.substr(equals + 1)), at};
+    if (!settings.emplace(key, setting).second) {
+      throw InputError(fmt::format("{}: key '{}' is given twice (keep one)", at, key));
+    }
   }
-  return values;
+  return settings;
 }
 
-void apply(const std::vector<std::string>& overrides, Texts& values) {
+void apply(const std::vector<std::string>& overrides, const std::string& where,
+           Settings& settings) {
+  std::set<std::string> set;
   for (const auto& pair : overrides) {
     const auto equals = pair.find('=');
     if (equals == std::string::npos) {
       throw InputError(
-          fmt::format("--set {} (not key=value; write e.g. --set system.cubic=1.0)", pair));
+          fmt::format("--set {} (not key=value; write e.g. --set system.cubic=1.0)", shown(pair)));
     }
-    const std::string key = pair.substr(0, equals);
+    const std::string key = boost::algorithm::trim_copy(pair.substr(0, equals));
     require_known(key, "--set");
-    values[key] = boost::algorithm::trim_copy(pair.substr(equals + 1));
+    if (!set.insert(key).second) {
+      throw InputError(fmt::format("--set {} is given twice (keep one)", key));
+    }
+    settings[key] = {boost::algorithm::trim_copy(pair.substr(equals + 1)), where};
   }
 }
 
 // The section's part of a case file, from the texts of its keys.
 template <class Owner>
-Owner section(const parameters::Description<Owner>& description, const Texts& texts) {
+Owner section(const parameters::Description<Owner>& description, const Settings& settings) {
   Owner owner{};
   for (const auto& parameter : description.all()) {
     const std::string key = description.prefix() + parameter.name;
-    const auto found = texts.find(key);
-    if (found != texts.end()) {
-      description.parse(owner, parameter, found->second, key + " =");
+    const auto found = settings.find(key);
+    if (found != settings.end()) {
+      description.parse(owner, parameter, found->second.text, key + " =");
     } else if (parameter.fallback) {
       description.assign(owner, parameter, *parameter.fallback, key + " =");
     } else {
@@ -106,6 +119,14 @@ Owner section(const parameters::Description<Owner>& description, const Texts& te
     }
   }
   return owner;
+}
+
+// The line of the key that a message begins with.
+std::optional<std::string> place_of(const std::string& message, const Settings& settings) {
+  for (const auto& [key, setting] : settings) {
+    if (message.starts_with(key + ' ')) return setting.where;
+  }
+  return std::nullopt;
 }
 
 bool is_utf8(const std::string& text) {
@@ -136,14 +157,15 @@ void require_presentable(const std::string& name) {
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides) {
-  const std::string where = fmt::format("case {}", source);
-  Texts texts = parse_file(ini, where);
-  apply(overrides, texts);
+  const std::string where = fmt::format("case {}", shown(source));
+  Settings settings = parse_file(ini, where);
+  apply(overrides, where, settings);
   try {
-    return {name, System(section(system_description(), texts)),
-            ImpulseTrain(section(impulse_description(), texts))};
+    return {name, System(section(system_description(), settings)),
+            ImpulseTrain(section(impulse_description(), settings))};
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
+    throw InputError(
+        fmt::format("{}: {}", place_of(error.what(), settings).value_or(where), error.what()));
   }
 }
 
@@ -156,15 +178,15 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
     }
     names.push_back(name);
   }
-  std::error_code ignored;
-  std::ifstream ini;
-  if (std::filesystem::is_regular_file(name_or_path, ignored)) ini.open(name_or_path);
-  if (!ini.is_open()) {
-    throw InputError(fmt::format("no case '{}' (neither a readable file nor one of {})",
-                                 name_or_path, fmt::join(names, ", ")));
+  constexpr std::size_t kMostBytes = 1 << 20;
+  const auto text = parameters::read_input_file(name_or_path, kMostBytes);
+  if (!text) {
+    throw InputError(fmt::format("no case {} (neither a readable file nor one of {})",
+                                 in_quotes(name_or_path), fmt::join(names, ", ")));
   }
   const std::string name = std::filesystem::path(name_or_path).stem().string();
   require_presentable(name);
+  std::istringstream ini(*text);
   return read_case(ini, name, name_or_path, overrides);
 }
 

@@ -150,7 +150,9 @@ void say_what_residuals_tell(const Case& one, Sentences& sentences) {
   const auto digits = [&](double value) {
     constexpr int kUsual = 7, kMost = 10;
     if (!(largest_gap > 0)) return kUsual;
-    return std::clamp(1 + static_cast<int>(std::log10(std::abs(value) / largest_gap)), 2, kMost);
+    // A double as long as it may be infinite.
+    const double sure = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
+    return sure > 2 ? static_cast<int>(std::min<double>(sure, kMost)) : 2;
   };
   sentences.push_back(fmt::format(
       "By their own residuals E[y^2] and E[y'^2] are off by {}; corrected, those of {} are {:.{}g} "

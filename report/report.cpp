@@ -2,11 +2,11 @@
 
 #include <optional>
 
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "report/figure/pictures.hpp"
 #include "report/page/page.hpp"
 #include "report/table.hpp"
-#include "results/directory.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -32,7 +32,7 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 
 std::vector<std::string> write_report(const fs::path& directory, const results::Run& run) {
   const auto earlier = earlier_run(directory);
-  results::PendingFiles files;
+  files::PendingFiles files;
   results::add_run(files, directory, run);
   files.add(directory / kPageFile, page(run));
   files.commit();
@@ -45,7 +45,7 @@ ReportAgain report_again(const fs::path& directory, const results::Run& run,
   // All of it before anything is written.
   const std::string html = page(run);
   ReportAgain again{table(run, format), {}};
-  results::write_file(directory / kPageFile, html);
+  files::write_file(directory / kPageFile, html);
   again.warnings = draw_pictures(directory, run);
   return again;
 }

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
+#include "results/directory.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
 #include "results/netcdf/writer.hpp"
@@ -91,7 +93,7 @@ void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::stri
 
 /// Calls use(case, solution, cells with their values) for all that a variable has.
 template <class Use>
-void read_variable(const NetCdfReader& file, const std::string& name,
+void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {
   const auto axes = file.dimensions(name);
   if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not over three axes", name));
@@ -113,40 +115,36 @@ void read_variable(const NetCdfReader& file, const std::string& name,
 
 }  // namespace
 
-void add_joint_netcdf(PendingFiles& files, const fs::path& path, const Run& run) {
-  files.add(path, [&](const fs::path& temporary) {
-    try {
-      NetCdfWriter file(temporary);
-      file.attribute("Conventions", "CF-1.8");
-      file.attribute("title",
-                     "stationary joint densities of a vibro-impact Duffing oscillator under "
-                     "Poisson impulses");
-      file.attribute("source", fmt::format("{} {}", run.program.name, run.program.version));
-      file.attribute("command", run.program.command);
-      const auto solutions = solutions_of(run);
-      const int solution = file.dimension("solution", solutions.size());
-      const int bounds = file.dimension("bounds", 2);
-      file.labels("solution", solution, solutions);
-      for (const auto& one : run.cases) write_case(file, one, solutions, solution, bounds);
-      file.close();
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("cannot write {} ({})", path.string(), error.what()));
-    }
-  });
+std::string joint_netcdf(const Run& run) {
+  NetCdfWriter file;
+  file.attribute("Conventions", "CF-1.8");
+  file.attribute("title",
+                 "stationary joint densities of a vibro-impact Duffing oscillator under "
+                 "Poisson impulses");
+  file.attribute("source", fmt::format("{} {}", run.program.name, run.program.version));
+  file.attribute("command", run.program.command);
+  const auto solutions = solutions_of(run);
+  const int solution = file.dimension("solution", solutions.size());
+  const int bounds = file.dimension("bounds", 2);
+  file.labels("solution", solution, solutions);
+  for (const auto& one : run.cases) write_case(file, one, solutions, solution, bounds);
+  return file.bytes();
 }
 
 JointFile read_joint_netcdf(const fs::path& path) {
   try {
-    const NetCdfReader file(path);
+    NetCdfReader file(path);
     const auto solutions = file.labels("solution");
     JointFile found;
-    for (const auto& name : file.variables()) {
-      if (name.starts_with("p_")) {
-        read_variable(file, name, solutions, [&](auto&& one, auto& id, auto&& density) {
-          found.joints.push_back({one, {id, std::move(density)}});
-        });
-      }
-      for (const auto& moment : transform::kMoments) {
+    const auto names = file.variables();
+    for (const auto& name : names) {
+      if (!name.starts_with("p_")) continue;
+      read_variable(file, name, solutions, [&](auto&& one, auto& id, auto&& density) {
+        found.joints.push_back({one, {id, std::move(density)}});
+      });
+    }
+    for (const auto& moment : transform::kMoments) {
+      for (const auto& name : names) {
         if (!name.starts_with(kSource + moment.name + '_')) continue;
         read_variable(file, name, solutions, [&](auto&& one, auto& id, auto&& density) {
           found.sources.push_back({one, {id, moment.name, std::move(density)}});
@@ -156,7 +154,8 @@ JointFile read_joint_netcdf(const fs::path& path) {
     return found;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
-                                 path.string(), error.what()));
+                                 parameters::shown(path.string()),
+                                 parameters::shown(error.what())));
   }
 }
 

@@ -4,12 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "results/directory.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {
 
-/// Adds the joint densities of a run as netCDF-4 (an HDF5 file), following the CF conventions. For
+/// The joint densities of a run as the bytes of a netCDF-4 file (an HDF5 file), following the CF conventions. For
 /// each case, NAME being its name as file_stem files it:
 ///
 ///     dimensions   solution, y_NAME, ydot_NAME, bounds = 2
@@ -24,8 +23,8 @@ namespace fpkcheck::results {
 /// The attributes of p_NAME hold the case's own name, its system and its impulses; those of the
 /// file the command. All is non-dimensional.
 /// @param run with at least one joint density
-/// @throws std::runtime_error on one line when it cannot be written; the file is then as it was
-void add_joint_netcdf(PendingFiles& files, const std::filesystem::path& file, const Run& run);
+/// @throws std::runtime_error on one line
+std::string joint_netcdf(const Run& run);
 
 /// A joint density with the name of its case.
 struct JointOfCase {
@@ -42,7 +41,7 @@ struct JointFile {
   std::vector<SourceOfCase> sources;
 };
 
-/// Reads what add_joint_netcdf wrote.
+/// Reads what joint_netcdf made.
 /// @throws InputError on one line: the file and what is wrong
 JointFile read_joint_netcdf(const std::filesystem::path& file);
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -20,6 +21,9 @@ using transform::Observations;
 
 // Deeper than any file of ours, and far from what would exhaust a stack.
 constexpr int kDeepest = 32;
+// Of hundreds of cases, and far from what would exhaust the memory.
+constexpr std::size_t kMostValues = 2'000'000;
+constexpr std::size_t kLongestText = 1 << 20;  // the longest command line
 
 // The place that a path leads to; what is not there yet is made on the way.
 Json& place(Json& object, std::string_view path) {
@@ -123,7 +127,8 @@ parameters::Value value_in(const Json& json) {
   if (json.is_null()) return {};
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_unsigned() && !std::in_range<std::int64_t>(json.get<std::uint64_t>())) {
-    throw InputError(fmt::format("{} is beyond all integers (run again)", json.dump()));
+    throw InputError(
+        fmt::format("{} is beyond all integers (run again)", parameters::shown(json.dump())));
   }
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
@@ -150,6 +155,17 @@ problem::Problem problem_in(const Json& object) {
 double number_in(const Json& object, const char* key) {
   const Json& value = object.at(key);
   return value.is_null() ? kNotANumber : value.get<double>();
+}
+
+int integer_in(const Json& object, const char* key) {
+  // Left to itself, JSON makes an int of 1e300 too, and of what is beyond all ints.
+  const parameters::Value value = value_in(object.at(key));
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  if (whole == nullptr || !std::in_range<int>(*whole)) {
+    throw InputError(fmt::format("\"{}\" is {} (must be an integer; run again)", key,
+                                 parameters::text_of(value)));
+  }
+  return static_cast<int>(*whole);
 }
 
 transform::Moments moments_in(const Json& json) {
@@ -179,13 +195,30 @@ std::string text_of(const Json& json) {
 }
 
 Json parsed(std::istream& in, const std::string& where) {
-  const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth <= kDeepest) return true;
-    throw InputError(fmt::format("{} is nested more than {} deep (not a file of this program)",
-                                 where, kDeepest));
+  std::size_t count = 0;
+  const auto tame = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth > kDeepest) {
+      throw InputError(fmt::format("{} is nested more than {} deep (not a file of this program)",
+                                   where, kDeepest));
+    }
+    if (++count > kMostValues) {
+      throw InputError(fmt::format("{} has more than {} values (not a file of this program)", where,
+                                   kMostValues));
+    }
+    // Terminals obey control characters, and all texts may come to be printed.
+    const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
+    if (text && value.is_string()) {
+      auto& said = value.get_ref<std::string&>();
+      if (said.size() > kLongestText) {
+        throw InputError(fmt::format("{} has a text of {} bytes (not a file of this program)",
+                                     where, said.size()));
+      }
+      said = parameters::without_controls(said);
+    }
+    return true;
   };
   try {
-    return Json::parse(in, shallow);
+    return Json::parse(in, tame);
   } catch (const Json::parse_error& error) {
     throw InputError(fmt::format("{} is not JSON (at byte {}; run again)", where, error.byte));
   } catch (const Json::exception& error) {  // a number that no double holds
@@ -196,7 +229,7 @@ Json parsed(std::istream& in, const std::string& where) {
 std::string said_by(const std::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
-  return end == std::string::npos ? text : text.substr(end + 2);
+  return parameters::shown(end == std::string::npos ? text : text.substr(end + 2));
 }
 
 }  // namespace fpkcheck::results

@@ -45,6 +45,8 @@ inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 /// NaN for null.
 double number_in(const Json& object, const char* key);
 transform::Moments moments_in(const Json& json);
+/// @throws nlohmann::json::exception, InputError where it is no whole number or one that no int holds
+int integer_in(const Json& object, const char* key);
 /// None where the field is missing or null.
 std::optional<double> number_if_any(const Json& object, const char* key);
 

@@ -8,15 +8,17 @@
 #include <ostream>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::results {
 namespace {
 
 constexpr std::string_view kHeader = "case,solution,variable,abscissa,density,lower,upper";
 constexpr std::size_t kFields = 7;
+constexpr std::size_t kLongestLine = 1000;
 
 // RFC 4180: only a case's name, which is a file's name, can need quotes.
-std::string quoted(const std::string& text) {
+std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
@@ -61,12 +63,16 @@ class RowReader {
 
   void read(const std::string& line, int line_number, std::vector<CurveOfCase>& curves) {
     line_number_ = line_number;
+    if (line.size() > kLongestLine) {
+      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kLongestLine));
+    }
     const auto fields = split(line);
     if (fields.size() != kFields) {
       fail(fmt::format("{} fields (must be {})", fields.size(), kFields));
     }
     const auto variable = parameters::value_named<transform::Variable>(fields[2]);
-    if (!variable) fail(fmt::format("variable '{}' (must be y or ydot)", fields[2]));
+    if (!variable)
+      fail(fmt::format("variable {} (must be y or ydot)", parameters::in_quotes(fields[2])));
     const bool continues = !curves.empty() && curves.back().case_name == fields[0] &&
                            curves.back().curve.solution == fields[1] &&
                            curves.back().curve.variable == *variable;
@@ -84,7 +90,7 @@ class RowReader {
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(fmt::format("{}:{}: {}", source_, line_number_, problem));
+    throw InputError(fmt::format("{}:{}: {}", parameters::shown(source_), line_number_, problem));
   }
 
  private:
@@ -92,7 +98,8 @@ class RowReader {
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end) fail(fmt::format("'{}' is not a number", text));
+    if (error != std::errc{} || stop != end)
+      fail(fmt::format("{} is not a number", parameters::in_quotes(text)));
     return value;
   }
 
@@ -106,7 +113,7 @@ void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
                          std::vector<Curve> Case::*curves) {
   out << kHeader << '\n';
   for (const auto& one : cases) {
-    const std::string case_name = quoted(one.name());
+    const std::string case_name = csv_field(one.name());
     for (const auto& curve : one.*curves) {
       for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
         fmt::print(out, "{},{},{},{},{},{},{}\n", case_name, curve.solution, name(curve.variable),

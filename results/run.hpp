@@ -94,12 +94,19 @@ struct Program {
 /// @param command the command line of the run
 Program this_program(const std::string& command);
 
+/// What a file of a run was when the run was saved.
+struct FileChecksum {
+  std::string file;   ///< its name
+  std::string crc32;  ///< results::crc32
+};
+
 struct Run {
   Program program;
   std::vector<Case> cases;
   /// That the run was told to stop, and what is missing for it, in one sentence; empty when it came
   /// to its end.
   std::string stopped = {};
+  std::vector<FileChecksum> files = {};  ///< of a run that was read; none in older ones
 };
 
 /// Compares the solutions of a case and keeps what is saved of them.

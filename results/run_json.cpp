@@ -9,6 +9,7 @@
 
 #include "compare/reference.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "results/json.hpp"
 #include "results/solution_json.hpp"
 
@@ -109,7 +110,8 @@ Json case_json(const Case& one) {
 Variable variable_in(const Json& object) {
   const auto text = object.at("variable").get<std::string>();
   const auto variable = parameters::value_named<Variable>(text);
-  if (!variable) throw InputError(fmt::format("variable '{}' (must be y or ydot)", text));
+  if (!variable)
+    throw InputError(fmt::format("variable {} (must be y or ydot)", parameters::in_quotes(text)));
   return *variable;
 }
 
@@ -132,8 +134,8 @@ PairDistances pair_in(const Json& json) {
     d.log10_tail.push_back({.from = tail.at("from"),
                             .to = tail.at("to"),
                             .mean_abs = number_or(kNotANumber, tail.at("mean_abs")),
-                            .bins = tail.at("bins"),
-                            .left_out = tail.at("left_out")});
+                            .bins = integer_in(tail, "bins"),
+                            .left_out = integer_in(tail, "left_out")});
   }
   return pair;
 }
@@ -147,7 +149,7 @@ BudgetRow budget_row_in(const Json& json) {
                 .total_tail = number_or(kNotANumber, json.at("total_tail")),
                 .tail_from = tail.at("from"),
                 .tail_to = tail.at("to"),
-                .tail_bins = tail.at("bins"),
+                .tail_bins = integer_in(tail, "bins"),
                 .parts = {}};
   for (const auto& part : json.at("parts")) {
     row.parts.push_back({.links = compare::links_named(part.at("name").get<std::string>()),
@@ -185,7 +187,8 @@ Case case_in(const Json& json) {
   for (const auto& solution : json.at("solutions")) {
     one.solutions.push_back(solution_in(solution));
     if (!ids.insert(one.solutions.back().id()).second) {
-      throw InputError(one.solutions.back().id() + " is there twice (run again)");
+      throw InputError(parameters::shown(one.solutions.back().id()) +
+                       " is there twice (run again)");
     }
   }
   for (const auto& pair : json.at("comparisons")) one.pairs.push_back(pair_in(pair));
@@ -208,16 +211,18 @@ void require_summary(const Json& json, const std::string& where) {
   }
   if (json.at("schema") != kSummarySchema) {
     throw InputError(fmt::format("{} has schema {} (this program reads schema {}; run again)",
-                                 where, json.at("schema").dump(), kSummarySchema));
+                                 where, parameters::shown(json.at("schema").dump()),
+                                 kSummarySchema));
   }
 }
 
 }  // namespace
 
-std::string summary_text(const Run& run) {
+std::string summary_text(const Run& run, std::span<const FileChecksum> files) {
   Json json{{"schema", kSummarySchema}, {"program", program_json(run.program)}};
   if (!run.stopped.empty()) json["stopped"] = run.stopped;
   json["cases"] = list_of(run.cases, case_json);
+  for (const auto& [file, crc32] : files) json["files"][file] = crc32;
   return text_of(with_null_for_non_finite(std::move(json)));
 }
 
@@ -232,12 +237,17 @@ Run read_summary(std::istream& in, const std::string& where) {
     std::set<std::string> names;
     for (const auto& one : json.at("cases")) {
       const auto name = one.at("name").get<std::string>();
-      if (!names.insert(name).second) throw InputError(name + " is there twice (run again)");
+      if (!names.insert(name).second) {
+        throw InputError(parameters::shown(name) + " is there twice (run again)");
+      }
       try {
         run.cases.push_back(case_in(one));
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", name, error.what()));
+        throw InputError(fmt::format("{}: {}", parameters::shown(name), error.what()));
       }
+    }
+    if (json.contains("files")) {
+      for (const auto& [file, crc32] : json.at("files").items()) run.files.push_back({file, crc32});
     }
     return run;
   } catch (const InputError& error) {

@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
+#include "files/journal.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
+#include "results/crc32.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
 #include "results/run_json.hpp"
@@ -16,28 +21,31 @@ namespace fpkcheck::results {
 namespace {
 
 namespace fs = std::filesystem;
+using parameters::in_quotes;
+using parameters::shown;
 
-std::ifstream open_saved(const fs::path& file) {
-  std::error_code ignored;
-  std::ifstream in;
-  if (fs::is_regular_file(file, ignored)) in.open(file);
-  if (!in.is_open()) {
+// Of hundreds of cases.
+constexpr std::size_t kMostBytesOfText = 64 << 20, kMostBytesOfDensities = 256 << 20;
+
+std::istringstream open_saved(const fs::path& file) {
+  auto text = parameters::read_input_file(file, kMostBytesOfText);
+  if (!text) {
     if (!file.has_parent_path()) {
       throw InputError(fmt::format(
           "{} is not a readable file (give the summary.json of a run, or its directory)",
-          file.string()));
+          shown(file.string())));
     }
     throw InputError(
-        fmt::format("no run in '{}' ({} is not a readable file; give the --out of a run)",
-                    file.parent_path().string(), file.filename().string()));
+        fmt::format("no run in {} ({} is not a readable file; give the --out of a run)",
+                    in_quotes(file.parent_path().string()), shown(file.filename().string())));
   }
-  return in;
+  return std::istringstream(*std::move(text));
 }
 
 [[noreturn]] void refuse_other_run(const fs::path& file) {
-  throw InputError(fmt::format("{} and {} in '{}' are not of the same run (run again)",
-                               kSummaryFile, file.filename().string(),
-                               file.parent_path().string()));
+  throw InputError(fmt::format(
+      "{} and {} in {} are not of the same run, or changed since (run again)", kSummaryFile,
+      shown(file.filename().string()), in_quotes(file.parent_path().string())));
 }
 
 Case* find_case(Run& run, const std::string& name) {
@@ -45,8 +53,15 @@ Case* find_case(Run& run, const std::string& name) {
   return found == run.cases.end() ? nullptr : &*found;
 }
 
+// Of older runs nobody knows.
+void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
+  const auto noted = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
+  if (noted != run.files.end() && noted->crc32 != crc32(contents)) refuse_other_run(file);
+}
+
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
   auto csv = open_saved(file);
+  require_same_run(file, csv.view(), run);
   for (auto& [case_name, curve] : read_marginals_csv(csv, file.string())) {
     Case* one = find_case(run, case_name);
     if (one == nullptr || one->find(curve.solution) == nullptr) refuse_other_run(file);
@@ -69,7 +84,43 @@ bool any_has(const Run& run, std::vector<Element> Case::*list) {
   return std::ranges::any_of(run.cases, [&](const Case& one) { return !(one.*list).empty(); });
 }
 
+// The files of a run, noted as they are added.
+class SavedFiles {
+ public:
+  SavedFiles(files::PendingFiles& files, const fs::path& directory)
+      : files_(files), directory_(directory) {}
+
+  void add(const char* name, const std::string& bytes) {
+    files_.add(directory_ / name, bytes);
+    checksums_.push_back({name, crc32(bytes)});
+  }
+  void remove(const char* name) { files_.remove(directory_ / name); }
+  void add_summary(const Run& run) {
+    files_.add(directory_ / kSummaryFile, summary_text(run, checksums_) + '\n');
+  }
+
+ private:
+  files::PendingFiles& files_;
+  const fs::path& directory_;
+  std::vector<FileChecksum> checksums_;
+};
+
+void add_curves(SavedFiles& saved, const Run& run) {
+  std::ostringstream csv, smooth;
+  write_marginals_csv(csv, run.cases);
+  saved.add(kMarginalsFile, csv.str());
+  if (any_has(run, &Case::smooth)) {
+    write_marginals_csv(smooth, run.cases, &Case::smooth);
+    saved.add(kSmoothFile, smooth.str());
+  } else {
+    saved.remove(kSmoothFile);
+  }
+}
+
 void load_joints(const fs::path& file, Run& run) {
+  if (const auto bytes = parameters::read_input_file(file, kMostBytesOfDensities)) {
+    require_same_run(file, *bytes, run);
+  }
   const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
     Case* one = find_case(run, case_name);
     const auto* found = one == nullptr ? nullptr : one->find(solution);
@@ -94,31 +145,27 @@ void load_joints(const fs::path& file, Run& run) {
 
 }  // namespace
 
-void add_summary_and_curves(PendingFiles& files, const fs::path& directory, const Run& run) {
-  std::ostringstream csv, smooth;
-  write_marginals_csv(csv, run.cases);
-  files.add(directory / kMarginalsFile, csv.str());
-  if (any_has(run, &Case::smooth)) {
-    write_marginals_csv(smooth, run.cases, &Case::smooth);
-    files.add(directory / kSmoothFile, smooth.str());
-  } else {
-    files.remove(directory / kSmoothFile);
-  }
-  files.add(directory / kSummaryFile, summary_text(run) + '\n');
+void add_summary_and_curves(files::PendingFiles& files, const fs::path& directory, const Run& run) {
+  SavedFiles saved(files, directory);
+  add_curves(saved, run);
+  saved.add_summary(run);
 }
 
-void add_run(PendingFiles& files, const fs::path& directory, const Run& run) {
-  add_summary_and_curves(files, directory, run);
+void add_run(files::PendingFiles& files, const fs::path& directory, const Run& run) {
+  SavedFiles saved(files, directory);
+  add_curves(saved, run);
   if (any_has(run, &Case::joints)) {
-    add_joint_netcdf(files, directory / kJointFile, run);
+    saved.add(kJointFile, joint_netcdf(run));
   } else {
-    files.remove(directory / kJointFile);
+    saved.remove(kJointFile);
   }
+  saved.add_summary(run);
 }
 
 Run load_summary(const fs::path& file) {
+  files::finish_interrupted(file.parent_path());
   auto in = open_saved(file);
-  return read_summary(in, file.string());
+  return read_summary(in, shown(file.string()));
 }
 
 void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case::smooth); }

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -69,19 +70,20 @@ Json identity_json(const Identity& identity) {
 void read_identity(const Json& json, Identity& identity) {
   const auto role = parameters::value_named<transform::Role>(json.at("role").get<std::string>());
   if (!role)
-    throw InputError(fmt::format("role {} is unknown (run again)", json.at("role").dump()));
+    throw InputError(
+        fmt::format("role {} is unknown (run again)", parameters::shown(json.at("role").dump())));
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
-  if (!json.at("order").is_null()) identity.order = json.at("order").get<int>();
+  if (!json.at("order").is_null()) identity.order = integer_in(json, "order");
   identity.meaning = json.at("meaning");
-  identity.trust = json.at("trust");
+  identity.trust = integer_in(json, "trust");
   const Json& look = json.at("look");
   identity.look = {.colour = look.at("colour"),
                    .dash = look.at("dash"),
                    .width = look.at("width"),
                    .as_points = look.at("as_points"),
-                   .layer = look.at("layer"),
+                   .layer = integer_in(look, "layer"),
                    .symbol = look.at("symbol")};
 }
 
@@ -111,7 +113,8 @@ std::optional<Enum> choice_in(const Json& json, const char* key, std::string_vie
   const auto text = json.at(key).get<std::string>();
   if (text == unknown) return std::nullopt;
   const auto value = parameters::value_named<Enum>(text);
-  if (!value) throw InputError(fmt::format("{} '{}' is unknown (run again)", key, text));
+  if (!value)
+    throw InputError(fmt::format("{} {} is unknown (run again)", key, parameters::in_quotes(text)));
   return value;
 }
 

@@ -16,12 +16,12 @@ std::vector<WeightedPoint> half_line_points(double end, Panels panels) {
   const auto edge = [&](int k) {
     return end * std::pow(static_cast<double>(k) / kGraded, kGrading);
   };
-  // Within the first, by the same factor each: what fans out from the origin looks alike on every
-  // scale there.
   constexpr int kShrunk = 5;
-  constexpr double kShrinking = 0.25;
+  constexpr double kFactor = 0.25;
   std::vector<double> edges{0};
-  for (int k = kShrunk; k > 0; --k) edges.push_back(edge(1) * std::pow(kShrinking, k));
+  for (int k = panels == Panels::shrinking ? kShrunk : 0; k > 0; --k) {
+    edges.push_back(edge(1) * std::pow(kFactor, k));
+  }
   for (int k = 1; k <= kGraded; ++k) edges.push_back(edge(k));
   std::vector<WeightedPoint> points;
   for (std::size_t k = 1; k < edges.size(); ++k) {

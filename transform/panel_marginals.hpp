@@ -7,9 +7,14 @@
 
 namespace fpkcheck::transform {
 
-/// How the box is cut into panels: evenly, or the narrower the nearer to 0, where strong losses and
-/// rare impulses leave a spike.
-enum class Panels { even, graded };
+/// How the box is cut into panels.
+enum class Panels {
+  even,
+  graded,  ///< the narrower the nearer to 0, where strong losses and rare impulses leave a spike
+  /// The first of these cut further, by the same factor each: what fans out from the origin looks
+  /// alike on every scale there.
+  shrinking
+};
 
 /// A density's marginals at the points of a composite Gauss-Legendre rule on
 /// [0, y_max] x [-v_max, 0] x [0, v_max], with what can be had from the same values.

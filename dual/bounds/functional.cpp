@@ -88,7 +88,10 @@ void validate(const Functional& functional) {
     bool increasing = std::isfinite(b->knots[0]);
     for (int i = 0; i < 4; ++i) increasing = increasing && b->knots[i] < b->knots[i + 1];
     if (!increasing || !std::isfinite(b->knots[4])) {
-      throw InputError("the knots of a smooth bin must increase");
+      throw InputError(
+
+          "the knots of a smooth bin do not increase (give a finite centre and a positive "
+          "spacing)");
     }
     if (b->axis == Axis::displacement && b->knots[0] < 0) {
       throw InputError(fmt::format("a smooth bin of p(y) begins at {:.4g}: y >= 0", b->knots[0]));

@@ -26,7 +26,7 @@ QuadratureRule rule_between(double begin, double end, std::span<const double> a,
                          [&](double x) { return begin < x && x < end; });
   }
   std::ranges::sort(cuts);
-  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return gauss_rule<kSixPoints>(cuts);
 }
 

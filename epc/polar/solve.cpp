@@ -18,6 +18,7 @@ namespace {
 
 using half_plane::Root;
 using half_plane::Shape;
+using transform::Panels;
 
 // By how much more points may change Q_n, in standard deviations: below what the exponent's shape
 // leaves at the usual orders.
@@ -40,9 +41,17 @@ transform::SmoothDensity density_of(const Coordinates& coordinates, const Shape&
           .v_max = support};
 }
 
+// As few panels as hold the mass.
+Panels panels_for(const transform::SmoothDensity& density) {
+  constexpr double kMissed = 1e-6;
+  const double mass =
+      transform::panel_marginals(density, density.y_max, density.v_max, Panels::graded).mass;
+  return std::abs(mass - 1) < kMissed ? Panels::graded : Panels::shrinking;
+}
+
 // Of C exp(Q_(n-2)) on the box of another density, C such that it integrates to 1 there.
 transform::PanelMarginals marginals_before(const Coordinates& coordinates, const Shape& previous,
-                                           const transform::SmoothDensity& density) {
+                                           const transform::SmoothDensity& density, Panels panels) {
   const double near_peak = exponent(previous, 0, 0);
   transform::PanelMarginals before = transform::panel_marginals(
       {.value =
@@ -52,7 +61,7 @@ transform::PanelMarginals marginals_before(const Coordinates& coordinates, const
            },
        .y_max = density.y_max,
        .v_max = density.v_max},
-      density.y_max, density.v_max, transform::Panels::graded);
+      density.y_max, density.v_max, panels);
   for (auto* marginal : {&before.p_y, &before.p_v}) {
     for (double& p : *marginal) p /= before.mass;
   }
@@ -88,11 +97,11 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const Shape& shape = root.shape;
   const auto confinement = half_plane::confinement_of(shape.level, options.tail);
   const transform::SmoothDensity density = density_of(coordinates, shape, confinement);
-  const auto marginals =
-      put_density(problem, Impact::map, density, result, transform::Panels::graded);
+  const Panels panels = panels_for(density);
+  const auto marginals = put_density(problem, Impact::map, density, result, panels);
   if (root.previous) {
     summary.distance_to_previous =
-        distance(marginals, marginals_before(coordinates, *root.previous, density));
+        distance(marginals, marginals_before(coordinates, *root.previous, density, panels));
   }
   const double support = amplitude_at(shape.support);
   const double edge =

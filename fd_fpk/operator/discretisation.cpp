@@ -112,9 +112,9 @@ std::string objection(const problem::Problem& problem, const Options& options, c
         "from white noise (solve white, whose relative error is of the order 1e-4)",
         deviation, width);
   }
-  if (nx * nv > kMostCells) {
+  if (!(nx * nv <= kMostCells)) {
     return fmt::format(
-        "the grid needs {:.0f} x {:.0f} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
+        "the grid needs {:.9g} x {:.9g} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
         kMostCells);
   }
   return "";
@@ -168,10 +168,13 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   const Grading of_x1 =
       x1_grading(problem, options, at_origin, of_x2, linear.displacement_deviation);
   const double width = (at_origin == 1 ? 1 : kGradedWidth) / options.refinement;
-  const double nx = options.nx.value_or(
-      cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation, of_x1));
-  const double nv = options.nv.value_or(
-      2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation, of_x2));
+  // Not value_or(), which would make an int of it.
+  const double nx =
+      options.nx ? *options.nx
+                 : cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation, of_x1);
+  const double nv =
+      options.nv ? *options.nv
+                 : 2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation, of_x2);
   const std::string refusal = objection(problem, options, box, nx, nv);
   if (!refusal.empty()) {
     return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};

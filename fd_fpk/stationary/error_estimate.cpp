@@ -207,7 +207,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
       const bool newer = last[2] && (last[2]->summary.error || !estimated);
       return given_up(newer ? *last[2] : *estimated, options, result.solution.reason);
     }
-    std::ranges::rotate(last, last.begin() + 1);
+    std::rotate(last.begin(), last.begin() + 1, last.end());
     last[2] = std::move(result);
     if (last[0]) {
       const auto error =

@@ -12,12 +12,18 @@
 #include <string_view>
 #include <utility>
 
+#include "files/pending_files.hpp"
+#include "files/whole_file.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
+// Of any version, and of this one.
+constexpr std::string_view kEveryFirstLine = "fpkcheck mcs checkpoint ";
 constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 3\n";
 
 /// FNV-1a.
@@ -27,26 +33,11 @@ std::uint64_t checksum(std::string_view text) {
   return sum;
 }
 
-std::string beside_of(const std::string& path) { return path + ".part"; }
-
 std::string unwritten(const std::string& path, const std::string& why) {
-  return fmt::format("cannot write the checkpoint {} ({})", path, why);
+  return fmt::format("cannot write the checkpoint {} ({})", parameters::shown(path), why);
 }
 
 constexpr const char* kNoPlace = "is there such a directory, writable and with space?";
-
-/// Writes a file anew.
-/// @return whether that went well; if not, there is no such file afterwards
-bool write_file(const std::string& path, std::string_view contents, std::string_view more) {
-  std::ofstream out(path, std::ios::binary);
-  if (!out) return false;
-  out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
-  out.write(more.data(), static_cast<std::streamsize>(more.size()));
-  out.close();
-  std::error_code ignored;
-  if (!out) std::filesystem::remove(path, ignored);
-  return static_cast<bool>(out);
-}
 
 /// @return why the checkpoint could not be written; empty when it is
 std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
@@ -54,13 +45,22 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
   std::ostringstream contents;
   contents << kFirstLine << fingerprint << '\n';
   simulation.save(contents);
-  const std::string text = std::move(contents).str();
+  std::string text = std::move(contents).str();
   const std::uint64_t sum = checksum(text);
-  const std::string_view sum_bytes(reinterpret_cast<const char*>(&sum), sizeof sum);
-  if (!write_file(beside_of(path), text, sum_bytes)) return unwritten(path, kNoPlace);
-  std::error_code error;
-  std::filesystem::rename(beside_of(path), path, error);
-  return error ? unwritten(path, error.message()) : "";
+  text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  try {
+    files::write_file(path, text);
+    return "";
+  } catch (const std::runtime_error&) {
+    return unwritten(path, kNoPlace);
+  }
+}
+
+bool is_checkpoint(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(kEveryFirstLine.size(), '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == kEveryFirstLine;
 }
 
 }  // namespace
@@ -92,12 +92,22 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
 CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const std::string&)> warn)
     : path_(std::move(path)), warn_(std::move(warn)) {
   if (path_.empty()) return;
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  if (std::filesystem::is_directory(path_, ignored)) {
-    throw InputError(unwritten(path_, "it is a directory"));
+  const auto there = fs::status(path_, ignored);
+  if (fs::is_directory(there)) throw InputError(unwritten(path_, "it is a directory"));
+  // Neither a case file that was named by mistake nor a device.
+  if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
+    throw InputError(
+        unwritten(path_, "something else is there, which would be lost: name another file"));
   }
-  if (!write_file(beside_of(path_), kFirstLine, "")) throw InputError(unwritten(path_, kNoPlace));
-  std::filesystem::remove(beside_of(path_), ignored);
+  try {
+    const fs::path probe = files::partial_beside(path_);
+    files::write_new(probe, kFirstLine);
+    fs::remove(probe);
+  } catch (const std::system_error&) {
+    throw InputError(unwritten(path_, kNoPlace));
+  }
 }
 
 void CheckpointWriter::attempt(const std::string& fingerprint, const Simulation& simulation) {
@@ -130,16 +140,21 @@ void CheckpointWriter::write_last(const std::string& fingerprint, const Simulati
 
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(path)) {
+  // The largest have all streams, deposits on the finest grids and the finest bins.
+  constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+  const auto read = parameters::read_input_file(path, kMostBytes);
+  const std::string name = parameters::shown(path);
+  if (!read) {
     throw InputError(
         fmt::format("cannot read the checkpoint {} (there is no such file) name one that "
                     "--checkpoint has written",
-                    path));
+                    name));
   }
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string& text = *read;
   if (!text.starts_with(kFirstLine)) {
-    throw InputError(fmt::format("{} is no checkpoint of this version of fpkcheck mcs", path));
+    throw InputError(fmt::format(
+        "{} is no checkpoint of this version of fpkcheck mcs (start again without --resume)",
+        name));
   }
   std::uint64_t sum = 0;
   const std::size_t size = text.size() - sizeof sum;
@@ -148,7 +163,7 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   if (sum != checksum(contents)) {
     throw InputError(fmt::format(
         "the checkpoint {} is damaged (its checksum is wrong): start again without --resume",
-        path));
+        name));
   }
   const std::string_view rest = contents.substr(kFirstLine.size());
   const std::size_t end = rest.find('\n');
@@ -156,13 +171,14 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
     throw InputError(
         fmt::format("the checkpoint {} belongs to another simulation (give the case, "
                     "seed and options that it was made with)",
-                    path));
+                    name));
   }
   std::istringstream in{std::string(rest.substr(end + 1))};
   try {
     simulation.load(in);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("the checkpoint {} is damaged: {}", path, error.what()));
+    throw InputError(fmt::format("the checkpoint {} is damaged ({}): start again without --resume",
+                                 name, error.what()));
   }
 }
 

@@ -1,18 +1,48 @@
 #include "mcs/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
 #include <ostream>
 
 #include "mcs/motion/start.hpp"
 #include "mcs/simulation/saved_numbers.hpp"
 #include "mcs/simulation/workers.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
 constexpr std::size_t kGroup = 8;  // streams that a thread takes at a time
+
+// A checksum is soon repaired: what goes on from impossible numbers may never end.
+void require_possible(bool holds) {
+  if (!holds) throw InputError("its numbers are impossible");
+}
+
+bool is_finite(double number) { return std::isfinite(number); }
+bool is_finite(std::uint64_t) { return true; }
+template <class Numbers>
+bool is_finite(const Numbers& numbers) {
+  return std::ranges::all_of(numbers, [](const auto& number) { return is_finite(number); });
+}
+
+/// A branch between two rounds, within what chance and the motion can bring it to.
+bool is_possible(const Branch& branch, const Plan& plan) {
+  constexpr double kFarthest = 1e4;     // of the deviations and of what an impulse adds
+  constexpr double kRarestDraws = 1e3;  // mean waiting times, widths of the law: once in exp(1000)
+  const Excitation& impulses = plan.excitation;
+  const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
+  const double v = kFarthest * (plan.velocity_deviation + strongest);
+  const double y = v * plan.displacement_deviation / plan.velocity_deviation;
+  const double sample = 2 * plan.sampling_interval;
+  const auto between = [](double least, double x, double most) { return x >= least && x <= most; };
+  return between(0, branch.y, y) && between(-v, branch.v, v) &&
+         between(-strongest, branch.amplitude, strongest) &&
+         between(0, branch.until_impulse, kRarestDraws * impulses.interval) &&
+         between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0);
+}
 
 }  // namespace
 
@@ -79,13 +109,24 @@ void Simulation::save(std::ostream& out) const {
 
 void Simulation::load(std::istream& in) {
   get(in, rounds_);
+  // What is simulated ends far below: only a file that was tampered with has as many.
+  constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
+  require_possible(rounds_ <= kMostRounds);
   for (Stream& stream : streams_) {
     std::uint64_t number = 0;
     get(in, stream.branch);
+    const int levels = motion_.splitting == nullptr ? 0 : motion_.splitting->levels();
+    require_possible(is_possible(stream.branch, *plan_) && stream.branch.level >= 0 &&
+                     stream.branch.level <= levels && stream.branch.floor >= 0 &&
+                     stream.branch.floor <= levels);
     get(in, number);
     stream.source.continue_from(number);
-    for_each_sum(stream.record, [&](auto& sum) { get(in, sum); });
+    for_each_sum(stream.record, [&](auto& sum) {
+      get(in, sum);
+      require_possible(is_finite(sum));
+    });
   }
+  require_possible(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }
 
 }  // namespace fpkcheck::mcs

@@ -6,11 +6,13 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 
 #include "methods/given/bin_errors.hpp"
 #include "methods/given/column_meaning.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
 
 // After fpclassify: pchip of Boost 1.74 calls isnan without having declared it.
 #include <boost/math/interpolators/makima.hpp>
@@ -30,13 +32,14 @@ void require_rows(const NumberTable& table, Variable variable) {
   for (std::size_t k = 0; k <= last; ++k) {
     const double x = table.rows[k][0];
     if (k > 0 && x <= table.rows[k - 1][0]) {
-      table.fail(k, fmt::format("{:g} after {:g} (must increase)", x, table.rows[k - 1][0]));
+      table.fail(k, fmt::format("{} after {} (must increase)", x, table.rows[k - 1][0]));
     }
     if (variable == Variable::y && x < 0) {
       // Only names can have said so.
-      table.fail(k, fmt::format("y = {:g} under the names '{}' (must not be negative; name the "
-                                "abscissa 'v' if the density is that of y')",
-                                x, fmt::join(table.names, ",")));
+      table.fail(
+          k, fmt::format("y = {:g} under the names {} (must not be negative; name the "
+                         "abscissa 'v' if the density is that of y')",
+                         x, parameters::in_quotes(fmt::format("{}", fmt::join(table.names, ",")))));
     }
   }
 }
@@ -48,6 +51,9 @@ void require_not_negative(const NumberTable& table, std::size_t column, const ch
     }
   }
 }
+
+// Of abscissae and integrals: their fourth powers, over the narrowest bins, are still numbers.
+constexpr double kLargest = 1e60;
 
 template <class Function>
 double integral(const Function& f, double a, double b) {
@@ -123,10 +129,17 @@ void GivenMarginal::read_points(const NumberTable& table) {
 void GivenMarginal::normalise(BinValue value) {
   constexpr double kNearOne = 0.1;
   const double total = cumulative_.back();
-  const std::string& file = file_.path;
+  const std::string file = parameters::shown(file_.path);
   if (!(total > 0)) throw InputError(fmt::format("{}: the density is 0 everywhere", file));
   if (!std::isfinite(total)) {
     throw InputError(fmt::format("{}: its integral overflows (choose other units)", file));
+  }
+  // Slopes and moments are larger still, or smaller.
+  const auto overflows = [](double x) { return !std::isfinite(x) || std::abs(x) > kLargest; };
+  if (overflows(total) || overflows(knots_.front()) || overflows(knots_.back()) ||
+      !std::isfinite(density_(knots_.front())) || !std::isfinite(density_(knots_.back()))) {
+    throw InputError(
+        fmt::format("{}: its numbers are too large to reckon with (choose other units)", file));
   }
   file_.from = knots_.front();
   file_.to = knots_.back();
@@ -209,12 +222,15 @@ BinSamplingL1 GivenMarginal::sampling_l1(std::span<const double> edges) const {
 }
 
 GivenMarginal read_given_marginal(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream in;
-  if (std::filesystem::is_regular_file(file, ignored)) in.open(file);
-  if (!in.is_open()) {
-    throw InputError(fmt::format("--against: '{}' is not a readable file", file.string()));
+  constexpr std::size_t kMostBytes = 16 << 20;
+  const auto text = parameters::read_input_file(file, kMostBytes);
+  if (!text) {
+    throw InputError(
+        fmt::format("--against: {} is not a readable file (give one as FILE or "
+                    "FILE:LABEL)",
+                    parameters::in_quotes(file.string())));
   }
+  std::istringstream in(*text);
   return GivenMarginal(read_number_table(in, file.string()));
 }
 

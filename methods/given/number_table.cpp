@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -20,14 +21,32 @@ std::string trimmed(std::string text) {
   return text.substr(first, text.find_last_not_of(kAround) - first + 1);
 }
 
+constexpr std::size_t kMostRows = 100000;
+constexpr std::size_t kLongestLine = 10000;
+
+char separator_of(const std::string& line) {
+  for (const char candidate : {';', '\t', ','}) {
+    if (line.find(candidate) != std::string::npos) return candidate;
+  }
+  return ' ';
+}
+
+std::string_view name_of_separator(char separator) {
+  switch (separator) {
+    case ';':
+      return "semicolons";
+    case '\t':
+      return "tabs";
+    case ',':
+      return "commas";
+    default:
+      return "blanks";
+  }
+}
+
 // Blanks separate only where nothing else does, and any number of them.
 std::vector<std::string> split(const std::string& line) {
-  char separator = ' ';
-  for (const char candidate : {';', '\t', ','}) {
-    if (line.find(candidate) == std::string::npos) continue;
-    separator = candidate;
-    break;
-  }
+  const char separator = separator_of(line);
   std::vector<std::string> fields(1);
   for (const char c : line) {
     if (c != separator) {
@@ -81,7 +100,7 @@ std::vector<double> NumberTable::column(std::size_t c) const {
 }
 
 void NumberTable::fail(std::size_t row, const std::string& problem) const {
-  throw InputError(fmt::format("{}:{}: {}", source, lines[row], problem));
+  throw InputError(fmt::format("{}:{}: {}", parameters::shown(source), lines[row], problem));
 }
 
 NumberTable read_number_table(std::istream& in, const std::string& source) {
@@ -89,10 +108,14 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   std::vector<std::string> comment;
   int line_number = 0;
   const auto fail = [&](const std::string& problem) {
-    throw InputError(fmt::format("{}:{}: {}", source, line_number, problem));
+    throw InputError(fmt::format("{}:{}: {}", parameters::shown(source), line_number, problem));
   };
+  char usual_separator = '\0';
   for (std::string line; std::getline(in, line);) {
     ++line_number;
+    if (line.size() > kLongestLine) {
+      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kLongestLine));
+    }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
     line = trimmed(line);
@@ -101,6 +124,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
       if (table.rows.empty()) comment = split(trimmed(without_units(line.substr(1))));
       continue;
     }
+    const char separator = separator_of(line);
     const auto fields = split(line);
     if (table.rows.empty() && table.names.empty() &&
         std::ranges::none_of(fields, [](const auto& field) { return number(field).has_value(); })) {
@@ -110,9 +134,17 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     std::vector<double> row;
     for (const auto& field : fields) {
       const auto value = number(field);
-      if (!value) fail(fmt::format("'{}' is not a number (with a decimal point)", field));
-      if (!std::isfinite(*value)) fail(fmt::format("{} (numbers must be finite)", field));
+      if (!value)
+        fail(
+            fmt::format("{} is not a number (with a decimal point)", parameters::in_quotes(field)));
+      if (!std::isfinite(*value))
+        fail(fmt::format("{} (numbers must be finite)", parameters::shown(field)));
       row.push_back(*value);
+    }
+    if (table.rows.empty()) usual_separator = separator;
+    if (separator != usual_separator) {
+      fail(fmt::format("numbers between {} after rows with {} (choose one)",
+                       name_of_separator(separator), name_of_separator(usual_separator)));
     }
     const std::size_t columns = table.rows.empty() ? row.size() : table.columns();
     if (columns < 2 || columns > 3) {
@@ -121,11 +153,16 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     if (row.size() != columns) {
       fail(fmt::format("{} columns after rows of {}", row.size(), columns));
     }
+    if (table.rows.size() == kMostRows) {
+      fail(fmt::format("more than {} rows (a density has no use for as many: leave some out)",
+                       kMostRows));
+    }
     table.rows.push_back(std::move(row));
     table.lines.push_back(line_number);
   }
   if (table.rows.empty()) {
-    throw InputError(fmt::format("{}: no numbers (must be two or three columns of them)", source));
+    throw InputError(fmt::format("{}: no numbers (must be two or three columns of them)",
+                                 parameters::shown(source)));
   }
   if (table.names.empty() && comment.size() == table.columns()) table.names = lower_case(comment);
   if (!table.names.empty() && table.names.size() != table.columns()) {

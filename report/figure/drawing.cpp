@@ -6,9 +6,10 @@
 #include <future>
 #include <iterator>
 
+#include "files/pending_files.hpp"
+#include "parameters/shown.hpp"
 #include "process/stop.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "results/directory.hpp"
 
 namespace fpkcheck::report {
 
@@ -18,14 +19,15 @@ namespace {
 
 std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
-  return start == std::string::npos ? "it said nothing"
-                                    : text.substr(start, text.find('\n', start) - start);
+  return start == std::string::npos
+             ? "it said nothing"
+             : parameters::shown(text.substr(start, text.find('\n', start) - start));
 }
 
 }  // namespace
 
 void draw(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
-  results::replace_file(picture, [&](const fs::path& temporary) {
+  files::replace_file(picture, [&](const fs::path& temporary) {
     const std::string format = picture.extension().string().substr(1);
     const auto outcome = run_gnuplot(gnuplot,
                                      {"format=" + gnuplot_string(format),
@@ -66,7 +68,7 @@ std::vector<std::string> draw_both(const std::string& gnuplot, const fs::path& f
 std::vector<std::string> write_pictures(const fs::path& figures, const std::string& stem,
                                         const std::string& script, const std::string& gnuplot) {
   fs::create_directories(figures);
-  results::write_file(figures / (stem + ".gp"), script);
+  files::write_file(figures / (stem + ".gp"), script);
   try {
     if (process::stop_requested()) return {};
     auto warnings = draw_both(gnuplot, figures, stem);

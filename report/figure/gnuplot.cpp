@@ -1,15 +1,19 @@
 #include "report/figure/gnuplot.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
 #include <csignal>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -24,12 +28,15 @@ namespace {
   throw std::system_error(error, std::generic_category(), what);
 }
 
-/// The reading end of the child's standard error.
+using Clock = std::chrono::steady_clock;
+
+/// The reading end of the child's standard error; of standard input there is nothing.
 class ErrorPipe {
  public:
   ErrorPipe() {
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) fail(errno, "pipe");  // two may run at once
     posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDOUT_FILENO);
     posix_spawn_file_actions_addclose(&actions_, ends_[0]);
@@ -46,23 +53,23 @@ class ErrorPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  /// The writer is killed when the program is told to stop.
-  std::string read_to_the_end(pid_t writer) {
-    close(ends_[1]);  // else the end never comes
+  /// Its beginning; nothing where there is no end before the deadline, or before the program is told
+  /// to stop.
+  std::optional<std::string> read_to_the_end(Clock::time_point deadline) {
+    constexpr std::size_t kMost = 10000;  // the first line is what is told
+    close(ends_[1]);                      // else the end never comes
     ends_[1] = -1;
     std::string text;
     std::array<char, 4096> buffer;
     for (;;) {
-      if (process::stop_requested()) {
-        kill(writer, SIGKILL);
-        return text;
-      }
-      constexpr int kMilliseconds = 50;
-      pollfd end{ends_[0], POLLIN, 0};
-      if (poll(&end, 1, kMilliseconds) == 0) continue;
-      const ssize_t count = read(ends_[0], buffer.data(), buffer.size());
+      constexpr int kMilliseconds = 50;  // between looks at the clock and at the signals
+      if (process::stop_requested() || Clock::now() > deadline) return std::nullopt;
+      pollfd end{.fd = ends_[0], .events = POLLIN, .revents = 0};
+      const int ready = poll(&end, 1, kMilliseconds);
+      if (ready == 0) continue;
+      const ssize_t count = ready < 0 ? -1 : read(ends_[0], buffer.data(), buffer.size());
       if (count > 0) {
-        text.append(buffer.data(), static_cast<std::size_t>(count));
+        text.append(buffer.data(), std::min(static_cast<std::size_t>(count), kMost - text.size()));
       } else if (count == 0 || errno != EINTR) {
         return text;
       }
@@ -122,7 +129,7 @@ std::vector<std::string> environment_without(std::string_view start) {
 }  // namespace
 
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
-                           const std::filesystem::path& script) {
+                           const std::filesystem::path& script, std::chrono::milliseconds longest) {
   std::string before;
   for (const auto& assignment : assignments) before += assignment + "; ";
   // Without a shell: no path needs quoting. Yet gnuplot takes a name that begins with '<' for a
@@ -140,9 +147,15 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                                  signals.attributes(), argv.data(), envp.data());
   if (error == ENOENT || error == EACCES) return {false, -1, ""};
   if (error != 0) fail(error, "starting gnuplot");
-  std::string message = error_pipe.read_to_the_end(child);
-  const int exit_code = wait_for(child);
-  return {true, exit_code, std::move(message)};
+  auto message = error_pipe.read_to_the_end(Clock::now() + longest);
+  if (!message) {
+    kill(child, SIGKILL);
+    wait_for(child);
+    return {
+        true, -1,
+        fmt::format("it took longer than {} s", std::chrono::duration<double>(longest).count())};
+  }
+  return {true, wait_for(child), *std::move(message)};
 }
 
 std::string gnuplot_string(const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "files/pending_files.hpp"
 #include "process/stop.hpp"
 #include "report/budget/figure.hpp"
 #include "report/figure/drawing.hpp"
@@ -62,7 +63,7 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   fs::create_directories(figures);
   remove_pictures(directory, run);
   for (const auto& [stem, script] : pictures) {
-    results::write_file(figures / (stem + ".gp"), script);
+    files::write_file(figures / (stem + ".gp"), script);
   }
   try {
     for (const auto& picture : pictures) {

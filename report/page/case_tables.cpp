@@ -86,7 +86,8 @@ std::string results_table(const results::Case& one) {
   table.add_text("solves", [](const Solution& s) { return solves_text(s.identity); });
   table.add_status();
   for (const auto& [header, member] : kShownMoments) {
-    table.add_of_density(header, 4, [&](const Solution& s) { return s.moments.*member; });
+    table.add_of_density(header, 4,
+                         [member = member](const Solution& s) { return s.moments.*member; });
   }
   for (const Solution* measure : references(one)) {
     for (const Variable variable : transform::kVariables) {
@@ -119,7 +120,7 @@ std::string moment_errors_table(const results::Case& one) {
     const compare::Bound* bound = compare::bound_of(*one.bounds, member);
     if (bound == nullptr) continue;
     const auto [lower, upper] = outward(bound->lower, bound->upper);
-    const auto error = [&](const Solution& s) -> std::string {
+    const auto error = [&, member = member](const Solution& s) -> std::string {
       const double value = s.moments.*member;
       if (!s.has_density() || !std::isfinite(value)) return std::string(kNoValue);
       if (bound->lower <= value && value <= bound->upper) return "within";

@@ -74,7 +74,7 @@ std::string solved_html(const std::vector<const Solution*>& solutions,
   std::string html;
   for (const auto& [value, name, meaning] : names(Enum{})) {
     const bool there = std::ranges::any_of(
-        solutions, [&](const Solution* s) { return s->identity.*member == value; });
+        solutions, [&, value = value](const Solution* s) { return s->identity.*member == value; });
     if (there) {
       html += term(fmt::format(fmt::runtime(form), name), fmt::format("{}: {}.", what, meaning));
     }

@@ -2,11 +2,23 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
+
+#include "parameters/input_file.hpp"
 
 namespace fpkcheck::results {
 namespace {
+
+// Of hundreds of cases.
+constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+// Of one variable: all solutions of a case on their cells are less than a million.
+constexpr std::size_t kMostValues = std::size_t{1} << 24;
+constexpr std::size_t kMostLabels = 10000;
+constexpr std::size_t kLongestAttribute = 10000;
 
 void check_read(int status, const std::string& what) {
   if (status != NC_NOERR) {
@@ -17,7 +29,14 @@ void check_read(int status, const std::string& what) {
 }  // namespace
 
 NetCdfReader::NetCdfReader(const std::filesystem::path& path) {
-  check_read(nc_open(path.c_str(), NC_NOWRITE, &id_), "cannot be opened");
+  auto bytes = parameters::read_input_file(path, kMostBytes);
+  if (!bytes) throw std::runtime_error("no readable file");
+  bytes_ = *std::move(bytes);
+  // All that this program writes is HDF5; readers of the older forms trust their headers.
+  if (!bytes_.starts_with("\x89HDF\r\n\x1a\n")) throw std::runtime_error("no netCDF-4");
+  // From memory: libnetcdf takes some paths for addresses in the network, and changes others.
+  check_read(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
+             "cannot be opened");
 }
 
 NetCdfReader::~NetCdfReader() { nc_close(id_); }
@@ -66,18 +85,52 @@ std::vector<std::size_t> NetCdfReader::shape(const std::string& name) const {
   return lengths;
 }
 
-std::vector<double> NetCdfReader::values(const std::string& name) const {
+std::size_t NetCdfReader::count_of(const std::string& name) {
+  const int id = variable(name);
   std::size_t count = 1;
-  for (const std::size_t length : shape(name)) count *= length;
-  std::vector<double> values(count);
+  const auto lengths = shape(name);
+  for (const std::size_t length : lengths) {
+    if (length > kMostValues / std::max<std::size_t>(count, 1)) {
+      throw std::runtime_error(fmt::format("{}: more than {} values", name, kMostValues));
+    }
+    count *= length;
+  }
+  // A file of a kilobyte may claim any number of values: those that nobody wrote are not in it.
+  constexpr std::size_t kMostPerByte = 260;  // of single precision, as deflate compresses
+  asked_for_ += count;
+  if (asked_for_ > kMostPerByte * bytes_.size()) {
+    throw std::runtime_error(fmt::format("{}: more values than the file can hold", name));
+  }
+  nc_type type = NC_NAT;
+  check_read(nc_inq_vartype(id_, id, &type), name);
+  if (type != NC_CHAR && type != NC_FLOAT && type != NC_DOUBLE) {
+    throw std::runtime_error(fmt::format("{}: neither numbers nor texts", name));
+  }
+  int storage = NC_CONTIGUOUS;
+  std::vector<std::size_t> chunk(lengths.size());
+  check_read(nc_inq_var_chunking(id_, id, &storage, chunk.data()), name);
+  if (storage != NC_CHUNKED) return count;
+  // A chunk is held in memory as a whole, however few of its values there are.
+  for (std::size_t k = 0; k < chunk.size(); ++k) {
+    if (chunk[k] > std::max<std::size_t>(lengths[k], 1)) {
+      throw std::runtime_error(fmt::format("{}: chunks beyond its values", name));
+    }
+  }
+  return count;
+}
+
+std::vector<double> NetCdfReader::values(const std::string& name) {
+  std::vector<double> values(count_of(name));
   check_read(nc_get_var_double(id_, variable(name), values.data()), name);
   return values;
 }
 
-std::vector<std::string> NetCdfReader::labels(const std::string& name) const {
+std::vector<std::string> NetCdfReader::labels(const std::string& name) {
   const auto lengths = shape(name);
-  if (lengths.size() != 2) throw std::runtime_error(fmt::format("{}: no texts", name));
-  std::string characters(lengths[0] * lengths[1], '\0');
+  if (lengths.size() != 2 || lengths[0] > kMostLabels) {
+    throw std::runtime_error(fmt::format("{}: no texts", name));
+  }
+  std::string characters(count_of(name), '\0');
   check_read(nc_get_var_text(id_, variable(name), characters.data()), name);
   std::vector<std::string> texts;
   for (std::size_t n = 0; n < lengths[0]; ++n) {
@@ -87,7 +140,7 @@ std::vector<std::string> NetCdfReader::labels(const std::string& name) const {
   return texts;
 }
 
-std::vector<double> NetCdfReader::edges(const std::string& coordinate) const {
+std::vector<double> NetCdfReader::edges(const std::string& coordinate) {
   const std::string bounds = text(coordinate, "bounds");
   const auto lengths = shape(bounds);
   const auto ends = values(bounds);
@@ -109,7 +162,11 @@ std::string NetCdfReader::text(const std::string& name, const std::string& attri
   const std::string what = fmt::format("{}:{}", name, attribute);
   const int id = variable(name);
   std::size_t length = 0;
-  check_read(nc_inq_attlen(id_, id, attribute.c_str(), &length), what);
+  nc_type type = NC_NAT;
+  check_read(nc_inq_att(id_, id, attribute.c_str(), &type, &length), what);
+  if (type != NC_CHAR || length > kLongestAttribute) {
+    throw std::runtime_error(fmt::format("{}: no short text", what));
+  }
   std::string text(length, '\0');
   check_read(nc_get_att_text(id_, id, attribute.c_str(), text.data()), what);
   return text;

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
 #include <stdexcept>
 
 namespace fpkcheck::results {
@@ -26,13 +29,14 @@ int define(int file, const std::string& name, nc_type type, const std::vector<in
 
 }  // namespace
 
-NetCdfWriter::NetCdfWriter(const std::filesystem::path& path) {
+NetCdfWriter::NetCdfWriter() {
   static_assert(kFile == NC_GLOBAL);
-  check_written(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_), "cannot create the file");
+  constexpr std::size_t kFirstSize = 1 << 20;  // it grows
+  check_written(nc_create_mem("in memory", NC_NETCDF4, kFirstSize, &id_), "cannot begin");
 }
 
 NetCdfWriter::~NetCdfWriter() {
-  if (open_) nc_close(id_);
+  if (open_) nc_abort(id_);
 }
 
 int NetCdfWriter::dimension(const std::string& name, std::size_t length) {
@@ -119,9 +123,12 @@ void NetCdfWriter::attribute(const std::string& name, int value, int variable) {
                 fmt::format("attribute {}", name));
 }
 
-void NetCdfWriter::close() {
+std::string NetCdfWriter::bytes() {
   open_ = false;
-  check_written(nc_close(id_), "cannot finish the file");
+  NC_memio file = {};
+  check_written(nc_close_memio(id_, &file), "cannot finish");
+  const std::unique_ptr<void, decltype(&std::free)> owner(file.memory, &std::free);
+  return {static_cast<const char*>(file.memory), file.size};
 }
 
 }  // namespace fpkcheck::results

@@ -1,18 +1,19 @@
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace fpkcheck::results {
 
-/// A netCDF-4 file being written. Every member throws std::runtime_error on one line.
+/// A netCDF-4 file being made, in memory: HDF5 does not survive a disk that is full, and netCDF takes
+/// some names of files for addresses. Readers find its variables in the order of their names. Every
+/// member throws std::runtime_error on one line.
 class NetCdfWriter {
  public:
   static constexpr int kFile = -1;  ///< stands for the file where a variable is asked for
 
-  explicit NetCdfWriter(const std::filesystem::path& path);
+  NetCdfWriter();
   NetCdfWriter(const NetCdfWriter&) = delete;
   NetCdfWriter& operator=(const NetCdfWriter&) = delete;
   ~NetCdfWriter();
@@ -47,8 +48,8 @@ class NetCdfWriter {
   void attribute(const std::string& name, double value, int variable = kFile);
   void attribute(const std::string& name, int value, int variable = kFile);
 
-  /// A full disk may show only here.
-  void close();
+  /// The whole file; nothing can be added any more.
+  std::string bytes();
 
  private:
   int id_ = 0;

@@ -98,7 +98,8 @@ int ReferenceValue::agreed_digits(int most) const {
   const double difference = std::abs(seventh - fifth) / std::abs(seventh);
   // Half a unit of the last digit.
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
-  return std::clamp(static_cast<int>(digits), 1, most);
+  // A double as long as it may be infinite or, of 0/0, no number.
+  return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
 }
 
 void validate(const problem::Problem& problem, const ReferenceOptions& options) {

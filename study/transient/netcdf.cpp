@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "results/directory.hpp"
+#include "files/pending_files.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/run.hpp"
@@ -86,23 +86,15 @@ void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
 }  // namespace
 
 void write_transient_netcdf(const fs::path& path, const TransientRun& run) {
-  results::replace_file(path, [&](const fs::path& temporary) {
-    try {
-      results::NetCdfWriter file(temporary);
-      write_attributes(file, run);
-      const int time = file.dimension("time", run.result.snapshots.size());
-      const int bounds = file.dimension("bounds", 2);
-      file.variable("time", {time}, "time", over_time(run, &Snapshot::time));
-      write_marginal(file, run, "y", "displacement y", time, bounds, run.result.y_edges,
-                     &Snapshot::y);
-      write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges,
-                     &Snapshot::v);
-      write_series(file, run, time);
-      file.close();
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("cannot write {} ({})", path.string(), error.what()));
-    }
-  });
+  results::NetCdfWriter file;
+  write_attributes(file, run);
+  const int time = file.dimension("time", run.result.snapshots.size());
+  const int bounds = file.dimension("bounds", 2);
+  file.variable("time", {time}, "time", over_time(run, &Snapshot::time));
+  write_marginal(file, run, "y", "displacement y", time, bounds, run.result.y_edges, &Snapshot::y);
+  write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges, &Snapshot::v);
+  write_series(file, run, time);
+  files::write_file(path, file.bytes());
 }
 
 }  // namespace fpkcheck::study

@@ -4,6 +4,7 @@
 
 #include "check/baseline.hpp"
 #include "check/check.hpp"
+#include "files/pending_files.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
@@ -163,7 +164,7 @@ TEST_F(ToyClosure, IsStudiedOverItsOrder) {
 
 TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
   const tests::TemporaryDirectory directory;
-  results::PendingFiles files;
+  files::PendingFiles files;
   results::add_run(files, directory.path(), run_);
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});

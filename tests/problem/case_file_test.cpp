@@ -51,7 +51,7 @@ TEST(CaseFile, ReadsWhatEditorsLeaveInFiles) {
 TEST(CaseFile, MeanDefaultsToZero) { EXPECT_EQ(read(kGood).impulses.law().moment(1), 0.0); }
 
 TEST(CaseFile, OverridesReplaceAndComplete) {
-  EXPECT_EQ(read(kGood, {"system.cubic=7", "system.cubic=8"}).system.coefficients().cubic, 8.0);
+  EXPECT_EQ(read(kGood, {"system.cubic=7", "system.damping=8"}).system.coefficients().cubic, 7.0);
   EXPECT_EQ(read("[system]\n" + kGood.substr(kGood.find("stiffness")), {"system.damping=0.2"})
                 .system.damping(),
             0.2);
@@ -71,6 +71,37 @@ TEST(CaseFile, NamesTheKeyTheValueAndTheFileInOneLine) {
   EXPECT_NE(message(kGood, {"cubic=1"}).find("unknown key 'cubic'"), std::string::npos);
   EXPECT_NE(message(kGood + "rate = 5\n").find("given twice"), std::string::npos);
   EXPECT_NE(message("what is this").find("a.ini"), std::string::npos);
+}
+
+TEST(CaseFile, NamesTheLine) {
+  EXPECT_EQ(message(kGood + "\nwhat is this\n").find("case a.ini:11: 'what is this' ("), 0u);
+  EXPECT_EQ(message("; a\n# b\n[system]\ncolour = red\n").find("case a.ini:4: unknown key"), 0u);
+  EXPECT_EQ(message(kGood + "rate = 5\n").find("case a.ini:10: key 'impulse.rate' is given"), 0u);
+  const auto changed = [](const std::string& from, const std::string& to) {
+    return std::string(kGood).replace(kGood.find(from), from.size(), to);
+  };
+  EXPECT_EQ(message(changed("cubic = 0.3", "cubic = 0.3.1")).find("case a.ini:4: system.cubic"),
+            0u);
+  EXPECT_EQ(message(changed("= 0.9", "= 1.9")).find("case a.ini:5: system.restitution = 1.9"), 0u);
+  // Not the file's.
+  EXPECT_EQ(message(kGood, {"system.cubic=-1"}).find("case a.ini: system.cubic = -1"), 0u);
+}
+
+TEST(CaseFile, AKeyIsOverriddenOnce) {
+  EXPECT_EQ(message(kGood, {"system.cubic=7", "system.cubic=8"}),
+            "--set system.cubic is given twice (keep one)");
+}
+
+TEST(CaseFile, WhatAMessageRepeatsIsCutAndEscaped) {
+  const std::string much(1000000, 'x');
+  for (const auto& bad :
+       {message(kGood, {"system.cubic=\x1b[31m" + much}),
+        message(kGood, {"\x1b[31m" + much + "=1"}), message(kGood, {"\x1b[31m" + much}),
+        message("[system]\ndamping = \x1b[31m" + much), message("[\x1b" + much + "]\nx=1"),
+        message("\x1b" + much)}) {
+    EXPECT_LT(bad.size(), 400u) << bad;
+    EXPECT_EQ(bad.find('\x1b'), std::string::npos) << bad;
+  }
 }
 
 TEST(CaseFile, NoSuchCaseListsTheNamedOnes) {

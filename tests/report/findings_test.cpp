@@ -93,6 +93,14 @@ TEST(Findings, SayWhatResidualsTell) {
   EXPECT_EQ(sentence_with(one, "residuals"), "");
 }
 
+// Of a value next to nothing there are as many digits as of any, not -2147483648.
+TEST(Findings, ShowSomeDigitsOfWhatIsSmallerThanItsGap) {
+  auto one = tests::made_up_case_without_noise();
+  one.own_errors = {{"fd-kf", {.y2 = 0, .v2 = 1e308}, {.y2 = 1, .v2 = 1}}};
+  const std::string sentence = sentence_with(one, "By their own residuals");
+  EXPECT_TRUE(contains(sentence, "those of fd-kf are 0 and 1e+308")) << sentence;
+}
+
 TEST(Findings, ComparesEquationsOfOneMethodThatDifferInOneRespectAlone) {
   auto one = made_up_case();
   auto& white = solution_of(one, "fd-white").identity;

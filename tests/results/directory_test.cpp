@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "files/pending_files.hpp"
+#include "files/whole_file.hpp"
 #include "parameters/input_error.hpp"
 #include "temporary_directory.hpp"
 
@@ -39,7 +43,7 @@ TEST(RunDirectory, GoesAgainWhenNothingIsPutIntoIt) {
   EXPECT_TRUE(parent.entries().empty());
   {
     const auto made = make_writable(parent.path() / "a" / "b");
-    write_file(parent.path() / "a" / "f", "text");
+    files::write_file(parent.path() / "a" / "f", "text");
   }
   EXPECT_FALSE(fs::exists(parent.path() / "a" / "b"));
   EXPECT_TRUE(fs::exists(parent.path() / "a" / "f"));
@@ -57,94 +61,38 @@ TEST(RunDirectory, ThatCannotBeIsRefusedInOneLineAndNothingIsLeft) {
 
 TEST(RunDirectory, WhereAFileStandsIsRefused) {
   const tests::TemporaryDirectory parent;
-  write_file(parent.path() / "file", "text");
+  files::write_file(parent.path() / "file", "text");
   EXPECT_NE(refusal_to_write(parent.path() / "file").find("Not a directory"), std::string::npos);
   EXPECT_NE(refusal_to_write(parent.path() / "file" / "below").find("ot a directory"),
             std::string::npos);
   EXPECT_EQ(tests::contents(parent.path() / "file"), "text");
 }
 
+// Of somebody else, of a run that is at work, and of one that was stopped.
+TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
+  const tests::TemporaryDirectory directory;
+  const std::string own = files::partial_beside(directory.path() / "f").filename().string();
+  const std::string before_pid = own.substr(0, own.rfind('-') + 1);
+  constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
+  const std::vector<std::string> stay{".movie.mkv.partial-download",
+                                      ".f.partial-" + std::string(kNobody),
+                                      ".f.partial-elsewhere-" + std::string(kNobody),
+                                      own,
+                                      before_pid.substr(1) + kNobody,
+                                      before_pid + "1x"};
+  for (const auto& name : stay) std::ofstream(directory.path() / name) << "text";
+  std::ofstream(directory.path() / (before_pid + kNobody)) << "text";
+  { const auto made = make_writable(directory.path()); }
+  auto left = directory.entries();
+  std::ranges::sort(left);
+  auto expected = stay;
+  std::ranges::sort(expected);
+  EXPECT_EQ(left, expected);
+}
+
 TEST(RunDirectory, ThatIsNotWritableIsRefused) {
   // Holds for the superuser too.
   EXPECT_NE(refusal_to_write("/proc/self").find("cannot write into"), std::string::npos);
-}
-
-TEST(ReplaceFile, WritesTheWholeFileAndNothingElse) {
-  const tests::TemporaryDirectory directory;
-  write_file(directory.path() / "f", "old and longer");
-  write_file(directory.path() / "f", "new");
-  EXPECT_EQ(tests::contents(directory.path() / "f"), "new");
-  EXPECT_EQ(directory.entries(), std::vector<std::string>{"f"});
-}
-
-TEST(ReplaceFile, KeepsTheOldFileWhileTheNewOneIsWritten) {
-  const tests::TemporaryDirectory directory;
-  const fs::path target = directory.path() / "f";
-  write_file(target, "old");
-  replace_file(target, [&](const fs::path& temporary) {
-    std::ofstream(temporary) << "new";
-    EXPECT_EQ(tests::contents(target), "old");
-    EXPECT_EQ(temporary.parent_path(), target.parent_path());  // a rename cannot cross disks
-  });
-  EXPECT_EQ(tests::contents(target), "new");
-}
-
-TEST(ReplaceFile, ThatFailsLeavesTheTargetAndNoHalfFile) {
-  const tests::TemporaryDirectory directory;
-  const fs::path target = directory.path() / "f";
-  write_file(target, "old");
-  const auto fails = [](const fs::path& temporary) {
-    std::ofstream(temporary) << "half";
-    throw std::domain_error("stopped");
-  };
-  EXPECT_THROW(replace_file(target, fails), std::domain_error);
-  EXPECT_EQ(tests::contents(target), "old");
-  EXPECT_EQ(directory.entries(), std::vector<std::string>{"f"});
-}
-
-TEST(PendingFiles, ReplaceTheirTargetsTogether) {
-  const tests::TemporaryDirectory directory;
-  for (const char* name : {"a", "b", "c"}) write_file(directory.path() / name, "old");
-  PendingFiles files;
-  files.add(directory.path() / "a", "new");
-  files.remove(directory.path() / "c");
-  files.add(directory.path() / "b", "new");
-  EXPECT_EQ(tests::contents(directory.path() / "a"), "old");
-  EXPECT_EQ(tests::contents(directory.path() / "c"), "old");
-  files.commit();
-  EXPECT_EQ(tests::contents(directory.path() / "a"), "new");
-  EXPECT_EQ(tests::contents(directory.path() / "b"), "new");
-  EXPECT_EQ(directory.entries().size(), 2u);
-}
-
-TEST(PendingFiles, OfWhichOneFailsLeaveAllAsTheyWere) {
-  const tests::TemporaryDirectory directory;
-  for (const char* name : {"a", "c"}) write_file(directory.path() / name, "old");
-  fs::create_directories(directory.path() / "taken" / "inside");
-  {
-    PendingFiles files;
-    files.add(directory.path() / "a", "new");
-    files.remove(directory.path() / "c");
-    files.add(directory.path() / "taken", "new");
-    EXPECT_THROW(files.commit(), std::runtime_error);
-  }
-  {
-    PendingFiles files;
-    files.add(directory.path() / "a", "new");
-    EXPECT_THROW(files.add(directory.path() / "absent" / "b", "new"), std::runtime_error);
-  }
-  EXPECT_EQ(tests::contents(directory.path() / "a"), "old");
-  EXPECT_EQ(tests::contents(directory.path() / "c"), "old");
-  EXPECT_EQ(directory.entries().size(), 3u);
-}
-
-TEST(ReplaceFile, OfADirectoryOrByNothingIsAnError) {
-  const tests::TemporaryDirectory directory;
-  fs::create_directories(directory.path() / "taken" / "inside");
-  EXPECT_THROW(write_file(directory.path() / "taken", "text"), std::runtime_error);
-  EXPECT_EQ(directory.entries(), std::vector<std::string>{"taken"});
-  EXPECT_THROW(replace_file(directory.path() / "f", [](const fs::path&) {}), std::runtime_error);
-  EXPECT_THROW(write_file(directory.path() / "absent" / "f", "text"), std::runtime_error);
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <netcdf.h>
+
 #include <cmath>
 
+#include "files/pending_files.hpp"
 #include "opened_netcdf.hpp"
 #include "parameters/input_error.hpp"
 #include "saved_run.hpp"
@@ -43,9 +46,7 @@ results::Run small_run() {
 }
 
 void write(const fs::path& file, const results::Run& run) {
-  PendingFiles files;
-  add_joint_netcdf(files, file, run);
-  files.commit();
+  files::write_file(file, joint_netcdf(run));
 }
 
 void expect_same(const JointDensity& read, const JointDensity& written) {
@@ -98,11 +99,11 @@ TEST(JointNetCdf, IsReadBack) {
   EXPECT_EQ(sources[1].source.moment, "v2");
   EXPECT_EQ(sources[1].source.density.averages, run.cases[0].error_sources[1].density.averages);
   ASSERT_EQ(read.size(), 3u);
+  EXPECT_EQ(read[0].case_name, "case2");
   EXPECT_EQ(read[1].case_name, "it's a-1");
-  EXPECT_EQ(read[2].case_name, "case2");
-  expect_same(read[0].joint, run.cases[0].joints[0]);
-  expect_same(read[1].joint, run.cases[0].joints[1]);
-  expect_same(read[2].joint, run.cases[1].joints[0]);
+  expect_same(read[0].joint, run.cases[1].joints[0]);
+  expect_same(read[1].joint, run.cases[0].joints[0]);
+  expect_same(read[2].joint, run.cases[0].joints[1]);
 }
 
 TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
@@ -112,7 +113,7 @@ TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
   const std::string whole = contents(file);
   for (const std::string& broken :
        {std::string(), std::string("not netCDF"), whole.substr(0, whole.size() / 2)}) {
-    write_file(file, broken);
+    files::write_file(file, broken);
     try {
       read_joint_netcdf(file);
       ADD_FAILURE() << "accepted " << broken.size() << " bytes of " << whole.size();
@@ -120,6 +121,86 @@ TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
       EXPECT_TRUE(contains(error.what(), file.string())) << error.what();
       EXPECT_FALSE(contains(error.what(), "\n")) << error.what();
     }
+  }
+}
+
+/// A file that declares what it does not hold.
+class Declaring : public testing::Test {
+ protected:
+  /// @param lengths of the dimensions of p_case1
+  void declare(const std::vector<std::size_t>& lengths, const std::vector<std::size_t>& chunk,
+               nc_type type = NC_FLOAT, int format = NC_NETCDF4) {
+    int id = 0, labels = 0, characters = 0, variable = 0;
+    ASSERT_EQ(nc_create(file_.c_str(), NC_CLOBBER | format, &id), NC_NOERR);
+    std::vector<int> dimensions;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      const std::string name = "d" + std::to_string(k);
+      nc_def_dim(id, name.c_str(), lengths[k], &dimensions.emplace_back());
+    }
+    nc_def_dim(id, "characters", 1, &characters);
+    const int of_labels[] = {dimensions[0], characters};
+    ASSERT_EQ(nc_def_var(id, "solution", NC_CHAR, 2, of_labels, &labels), NC_NOERR);
+    ASSERT_EQ(nc_def_var(id, "p_case1", type, 3, dimensions.data(), &variable), NC_NOERR);
+    if (!chunk.empty()) {
+      ASSERT_EQ(nc_def_var_chunking(id, variable, NC_CHUNKED, chunk.data()), NC_NOERR);
+    }
+    const int length_of[] = {dimensions[1], dimensions[2]};
+    for (int k = 1; k <= 2; ++k) {
+      int coordinate = 0, bounds = 0, two = 0;
+      const std::string name = "d" + std::to_string(k), of_bounds = name + "_bounds";
+      nc_def_dim(id, ("two" + name).c_str(), 2, &two);
+      const int both[] = {length_of[k - 1], two};
+      nc_def_var(id, name.c_str(), NC_DOUBLE, 1, both, &coordinate);
+      nc_put_att_text(id, coordinate, "bounds", of_bounds.size(), of_bounds.data());
+      nc_def_var(id, of_bounds.c_str(), NC_DOUBLE, 2, both, &bounds);
+      const std::size_t of_one[] = {1, 2};  // so that nothing is stored of what is not written
+      nc_def_var_chunking(id, bounds, NC_CHUNKED, of_one);
+    }
+    nc_close(id);
+  }
+  std::string refusal() const {
+    try {
+      read_joint_netcdf(file_);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  tests::TemporaryDirectory directory_;
+  fs::path file_ = directory_.path() / "joint.nc";
+};
+
+TEST_F(Declaring, MoreThanItHoldsIsRefusedBeforeThereIsRoomForIt) {
+  const std::size_t many = 3'000'000'000;
+  declare({many, 2, 2}, {1, 2, 2});
+  EXPECT_TRUE(contains(refusal(), "no texts")) << refusal();
+  declare({1, many, many}, {1, 1, 1});
+  EXPECT_TRUE(contains(refusal(), "more than")) << refusal();
+  // A product beyond 2^64.
+  declare({5000, many, many}, {1, 1, 1});
+  EXPECT_TRUE(contains(refusal(), "more than")) << refusal();
+  declare({1, 4'000'000, 1}, {1, 1, 1});
+  EXPECT_TRUE(contains(refusal(), "more values than the file can hold")) << refusal();
+}
+
+TEST_F(Declaring, AnotherFormOrTypeIsRefused) {
+  declare({1, 1, 1}, {}, NC_FLOAT, NC_64BIT_DATA);
+  EXPECT_TRUE(contains(refusal(), "no netCDF-4")) << refusal();
+  declare({1, 1, 1}, {}, NC_STRING);
+  EXPECT_TRUE(contains(refusal(), "not a whole file")) << refusal();
+}
+
+// libnetcdf would take one for an address in the network and another for two directories.
+TEST(JointNetCdf, IsReadWhateverTheNameOfItsDirectory) {
+  const tests::TemporaryDirectory directory;
+  const fs::path whole = directory.path() / "joint.nc";
+  write(whole, small_run());
+  for (const char* name : {"http:/h", "x\\y", "  z", "file#mode=bytes"}) {
+    const fs::path other = directory.path() / name;
+    fs::create_directories(other);
+    fs::copy_file(whole, other / "joint.nc");
+    EXPECT_EQ(read_joint_netcdf(other / "joint.nc").joints.size(), 3u) << name;
   }
 }
 

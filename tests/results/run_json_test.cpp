@@ -230,6 +230,21 @@ TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
   }
 }
 
+// What no int holds would become one whose value the language leaves open.
+TEST(Summary, WithWhatIsNoIntegerWhereOneMustBeIsRefused) {
+  for (const Json& wrong : {Json(1e300), Json(-1e300), Json(3000000000), Json(1.5), Json("6")}) {
+    for (const char* place : {"/order", "/trust", "/look/layer"}) {
+      Json json = Json::parse(summary_text(full_run()));
+      json["cases"][0]["solutions"][0]["identity"][Json::json_pointer(place)] = wrong;
+      EXPECT_TRUE(contains(refusal(json.dump()), "(must be an integer")) << place << wrong;
+    }
+  }
+  Json json = Json::parse(summary_text(full_run()));
+  json["cases"][0]["comparisons"][0]["log10_tail"] =
+      Json::array({{{"from", 1}, {"to", 0}, {"mean_abs", 1}, {"bins", 1e300}, {"left_out", 0}}});
+  EXPECT_TRUE(contains(refusal(json.dump()), "\"bins\" is 1e+300 (must be an integer"));
+}
+
 // Deeper JSON than any stack holds must not be descended into.
 TEST(Summary, ThatIsNestedWithoutEndIsRefused) {
   const std::string opening(100000, '[');

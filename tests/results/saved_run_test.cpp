@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "results/run_json.hpp"
 #include "saved_run.hpp"
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 using tests::contains;
 
 void save(const fs::path& directory, const results::Run& run) {
-  PendingFiles files;
+  files::PendingFiles files;
   add_run(files, directory, run);
   files.commit();
 }
@@ -86,6 +87,24 @@ TEST(SavedRun, WhoseFilesAreOfSeveralRunsIsRefused) {
   std::erase_if(fewer.cases[0].curves, [](const Curve& c) { return c.solution == "fd-kf"; });
   save(one.path(), fewer);
   EXPECT_TRUE(contains(refusal_to_load(one.path()), "are not of the same run"));
+}
+
+// Files that fit each other in all but the numbers.
+TEST(SavedRun, OfWhichAFileWasChangedIsRefused) {
+  const tests::TemporaryDirectory directory;
+  save(directory.path(), tests::made_up_run("case1"));
+  const fs::path file = directory.path() / kMarginalsFile;
+  const std::string text = tests::contents(file);
+  const auto digit = text.find_last_of("12345678");
+  std::string changed = text;
+  ++changed[digit];
+  files::write_file(file, changed);
+  EXPECT_TRUE(contains(refusal_to_load(directory.path()), "are not of the same run"));
+  // The ends of lines do not count.
+  std::string other_ends;
+  for (const char c : text) other_ends += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  files::write_file(file, other_ends);
+  EXPECT_EQ(refusal_to_load(directory.path()), "accepted");
 }
 
 TEST(SavedRun, ThatIsNotThereIsRefusedInOneLine) {

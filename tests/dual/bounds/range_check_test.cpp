@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "dual/backward/velocity_samples.hpp"
 #include "dual/bounds/outside.hpp"
@@ -82,8 +83,9 @@ TEST(ResidualRange, DoesNotTrustWhatItIsToldToExpect) {
   const Example e("gaussian");
   const Functional f = PowerMean{Axis::displacement, 2};
   const auto [least, largest] = sampled(e, f);
+  const std::pair expected(10 * least, 10 * largest);
   const Range range = rounded_upward([&] {
-    return residual_range(e.setting(), f, e.candidate(), {10 * least, 10 * largest}, 0.02);
+    return residual_range(e.setting(), f, e.candidate(), {expected.first, expected.second}, 0.02);
   });
   EXPECT_LE(range.least, least);
   EXPECT_GE(range.largest, largest);

@@ -109,7 +109,7 @@ double weight(double x, double sigma) {
 // (23) by panels over the four quadrants and along the wall.
 Eigen::VectorXd brute_force_residual(const BruteForce& brute, const Basis& basis) {
   constexpr int kPanels = 4;
-  const auto [s1, s2] = basis.sigma();
+  const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
   const double far = 11;
   const auto both_halves = [&](const auto& g, double sigma) -> Eigen::VectorXd {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(basis.size());

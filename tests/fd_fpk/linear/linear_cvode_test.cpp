@@ -26,11 +26,11 @@ LinearSystem decay() {
 }
 
 const Eigen::VectorXd kStart = Eigen::VectorXd::Ones(6);
-constexpr BdfControl kControl{.max_order = 2,
-                              .relative_tolerance = 1e-7,
-                              .absolute_tolerance = 1e-9,
-                              .linear_tolerance = 1e-3,
-                              .most_steps = 5000};
+const BdfControl kControl{.max_order = 2,
+                          .relative_tolerance = 1e-7,
+                          .absolute_tolerance = 1e-9,
+                          .linear_tolerance = 1e-3,
+                          .most_steps = 5000};
 
 TEST(LinearCvode, FollowsTheExactSolution) {
   LinearCvode cvode(decay(), kStart, kControl);

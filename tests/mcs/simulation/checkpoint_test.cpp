@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -62,7 +64,8 @@ TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
     EXPECT_EQ(resumed.solution.standard_errors->moments.v2,
               whole.solution.standard_errors->moments.v2);
     EXPECT_EQ(resumed.summary.flights, whole.summary.flights);
-    EXPECT_FALSE(std::filesystem::exists(file_ + ".part"));
+    // The writer's own partial file is gone.
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1);
   }
 }
 
@@ -103,6 +106,47 @@ TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
   expect_refused(options, "cannot read");
 }
 
+// The checksum is no secret.
+TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
+  interrupted(brief(false));
+  std::ifstream in(file_, std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  const auto write_with_checksum = [&](std::string text) {
+    std::uint64_t sum = 14695981039346656037u;
+    for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+    std::ofstream(file_, std::ios::binary) << text;
+  };
+  const std::string text = whole.substr(0, whole.size() - sizeof(std::uint64_t));
+  // The number of rounds follows the second line, then y, y', the time until the next impulse, ..
+  const std::size_t numbers = text.find('\n', text.find('\n') + 1) + 1;
+  Options options = brief(false);
+  options.resume = file_;
+  const auto with = [&](std::size_t place, auto number) {
+    std::string changed = text;
+    std::memcpy(&changed[numbers + place * sizeof number], &number, sizeof number);
+    return changed;
+  };
+  write_with_checksum(text);
+  EXPECT_NO_THROW(solve(problem_, options));
+  write_with_checksum(with(0, ~std::uint64_t{0}));
+  expect_refused(options, "impossible");
+  for (const double number : {HUGE_VAL, -HUGE_VAL, std::nan(""), 1e300, -1e300}) {
+    for (const std::size_t place : {1, 2, 3, 4, 5, 6}) {
+      SCOPED_TRACE(std::to_string(place) + ": " + std::to_string(number));
+      write_with_checksum(with(place, number));
+      expect_refused(options, "impossible");
+    }
+  }
+  // The sums come after the branch and the number of impulses.
+  for (const double number : {HUGE_VAL, std::nan("")}) {
+    write_with_checksum(with(1 + sizeof(Branch) / sizeof(double) + 1, number));
+    expect_refused(options, "impossible");
+  }
+  write_with_checksum(text + "more");
+  expect_refused(options, "impossible");
+}
+
 TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   Options options = brief(true);
   options.progress = [](const Progress&) { FAIL() << "solved something"; };
@@ -114,6 +158,12 @@ TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   refused(directory_ / "nowhere" / "state");
   refused(directory_);
   EXPECT_TRUE(std::filesystem::is_empty(directory_));
+  refused("/dev/null");
+  // The case, given by mistake.
+  const std::string mine = directory_ / "mine.ini";
+  std::ofstream(mine) << "[system]\n";
+  refused(mine);
+  EXPECT_EQ(std::filesystem::file_size(mine), 9u);
 }
 
 TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {

@@ -348,5 +348,33 @@ TEST(GivenMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
   }
 }
 
+TEST(GivenMarginal, OneSeparatorInAllRows) {
+  EXPECT_TRUE(contains(refusal("0,1\n1,2\n2;3\n3,1\n"),
+                       "mine.csv:3: numbers between semicolons after rows with commas"));
+  EXPECT_TRUE(contains(refusal("0 1\n1\t2\n2 3\n3 1\n"),
+                       "mine.csv:2: numbers between tabs after rows with blanks"));
+}
+
+TEST(GivenMarginal, NamesAbscissaeWithAllTheirDigits) {
+  EXPECT_TRUE(contains(refusal("0 1\n0.30000000000000004 2\n0.3 3\n3 1\n"),
+                       "mine.csv:3: 0.3 after 0.30000000000000004 (must increase)"));
+}
+
+TEST(GivenMarginal, OfCountsBeyondAllNumbersIsRefused) {
+  EXPECT_TRUE(contains(refusal("lower,upper,count\n0,1,1e308\n1,2,1e308\n2,3,1e308\n3,4,1\n"),
+                       "its integral overflows"));
+  // Its sum is a number, its density in narrow bins is none.
+  const std::string narrow =
+      refusal("lower,upper,count\n0,1e-9,1e308\n1e-9,2e-9,5e307\n2e-9,3e-9,1\n3e-9,4e-9,1\n");
+  EXPECT_TRUE(contains(narrow, "(choose other units)")) << narrow;
+}
+
+TEST(GivenMarginal, OfTooManyRowsOrTooLongLinesIsRefused) {
+  std::string rows;
+  for (int k = 0; k <= 100000; ++k) rows += fmt::format("{} 1\n", k);
+  EXPECT_TRUE(contains(refusal(rows), "mine.csv:100001: more than 100000 rows"));
+  EXPECT_TRUE(contains(refusal(std::string(20000, '1') + " 2\n"), "mine.csv:1: a line of"));
+}
+
 }  // namespace
 }  // namespace fpkcheck::methods

@@ -229,5 +229,15 @@ TEST_F(GivenMethods, LabelsAreIdsOfTheirOwn) {
   EXPECT_TRUE(contains(refusal({"absent.csv:a"}), "'absent.csv' is not a readable file"));
 }
 
+// Variables of netCDF files and blocks of data in pictures have no '-' and no '.'.
+TEST_F(GivenMethods, LabelsThatOtherNamesCannotTellApartAreRefused) {
+  const auto y = write("y.csv", Variable::y), v = write("v.csv", Variable::ydot);
+  EXPECT_TRUE(contains(refusal({y + ":fd_kf"}), "label 'fd_kf' is a method's"));
+  EXPECT_TRUE(contains(refusal({y + ":epc.gaussian"}), "label 'epc.gaussian' is a method's"));
+  EXPECT_TRUE(contains(refusal({y + ":a.b", v + ":a-b"}), "labels 'a.b' and 'a-b' are too alike"));
+  EXPECT_EQ(refusal({y + ":a.b", v + ":a.b"}), "accepted");
+  EXPECT_EQ(refusal({y + ":fdm"}), "accepted");
+}
+
 }  // namespace
 }  // namespace fpkcheck::methods

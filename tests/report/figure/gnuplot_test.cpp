@@ -51,6 +51,23 @@ TEST_F(Gnuplot, ThatIsNotThereWasNotFound) {
   EXPECT_EQ(run_gnuplot("false", {}, "script").exit_code, 1);
 }
 
+TEST_F(Gnuplot, ThatDoesNotEndIsEnded) {
+  using namespace std::chrono_literals;
+  std::ofstream(program_) << "#!/bin/sh\nexec sleep 100\n";
+  const auto silent = run_gnuplot(program_, {}, "script", 200ms);
+  EXPECT_EQ(silent.exit_code, -1);
+  EXPECT_EQ(silent.message, "it took longer than 0.2 s");
+  std::ofstream(program_) << "#!/bin/sh\nexec yes\n";
+  EXPECT_EQ(run_gnuplot(program_, {}, "script", 200ms).message, "it took longer than 0.2 s");
+}
+
+TEST_F(Gnuplot, IsHeardInPartAndReadsNothing) {
+  std::ofstream(program_) << "#!/bin/sh\ncat\nhead -c 1000000 /dev/zero\n";
+  const auto outcome = run_gnuplot(program_, {}, "script");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.message.size(), 10000u);
+}
+
 TEST_F(Gnuplot, RefusesAFormatThatAScriptDoesNotDraw) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const fs::path script = directory_.path() / "stem.gp", target = directory_.path() / "picture";

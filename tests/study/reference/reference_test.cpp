@@ -17,6 +17,8 @@ TEST(Reference, AgreedDigitsAreThoseBeforeTheDifference) {
   EXPECT_EQ((ReferenceValue{1.2345, 1.2346}.agreed_digits(3)), 3);
   EXPECT_EQ((ReferenceValue{1.0, 2.0}.agreed_digits(7)), 1);
   EXPECT_EQ((ReferenceValue{0.5, 0.5}.agreed_digits(5)), 5);
+  EXPECT_EQ((ReferenceValue{0.0, 1e-9}.agreed_digits(5)), 1);
+  EXPECT_EQ((ReferenceValue{0.0, 0.0}.agreed_digits(5)), 1);
 }
 
 TEST(Reference, IsExactWhereTheSolutionIsKnown) {

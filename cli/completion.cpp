@@ -1,0 +1,148 @@
+#include "cli/completion.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "problem/impulse_train.hpp"
+#include "problem/named_cases.hpp"
+#include "problem/system.hpp"
+#include "study/order.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words methods_in(const methods::Registry& registry) {
+  Words names;
+  std::set<std::string> seen;
+  const auto add = [&](const std::string& name) {
+    if (seen.insert(name).second) names.push_back(name);
+  };
+  for (const auto& solver : registry.solvers()) {
+    add(solver.name);
+    for (const auto& family : solver.families) {
+      add(family.name);
+      for (const auto& id : family.usual) add(id);
+    }
+  }
+  return names;
+}
+
+// "system.damping=", "impulse.rate=", ..
+Words case_keys() {
+  Words keys;
+  const auto add = [&](const auto& description) {
+    for (const auto& parameter : description.all()) {
+      keys.push_back(description.prefix() + parameter.name + '=');
+    }
+  };
+  add(problem::system_description());
+  add(problem::impulse_description());
+  return keys;
+}
+
+// What an option of this name takes: in the command's own solver, or in any.
+Words choices_of(const std::string& flag, const std::string& command,
+                 const methods::Registry& registry) {
+  Words choices;
+  const auto* const own = registry.find(command);
+  for (const auto& solver : registry.solvers()) {
+    if (own != nullptr && own != &solver) continue;
+    for (const auto& parameter : solver.parameters->all()) {
+      if ("--" + parameter.flag != flag) continue;
+      for (const auto& choice : parameter.choices) {
+        if (std::ranges::find(choices, choice) == choices.end()) choices.push_back(choice);
+      }
+    }
+  }
+  return choices;
+}
+
+// Items after those that stand before the last comma.
+Words items_after(const std::string& word, Words items) {
+  const auto comma = word.rfind(',');
+  if (comma == std::string::npos) return items;
+  for (auto& item : items) item = word.substr(0, comma + 1) + item;
+  return items;
+}
+
+Words values_of(const OptionHelp& option, const std::string& word, const CommandHelp& command,
+                const methods::Registry& registry) {
+  if (option.name == "--methods") return items_after(word, methods_in(registry));
+  if (option.name == "--formulations") return items_after(word, study::formulations(registry));
+  if (option.name == "--set") return case_keys();
+  if (option.placeholder.starts_with("FILE")) return {kFiles};
+  if (option.placeholder == "DIR") return {kDirectories};
+  return choices_of(option.name, command.name, registry);
+}
+
+// What stands for itself: by the first line of the command's help.
+Words positionals_of(const CommandHelp& command) {
+  const auto first_line = command.help.usage.substr(0, command.help.usage.find('\n'));
+  const auto takes = [&](const char* what) { return first_line.find(what) != std::string::npos; };
+  if (takes("SUBJECT")) return {};
+  if (takes("DIR")) return {kDirectories};
+  if (!takes("CASE")) return {kFiles};
+  Words cases;
+  for (const auto& named : problem::named_cases()) cases.push_back(named.name);
+  cases.emplace_back(kFiles);
+  return cases;
+}
+
+Words beginning_with(const std::string& start, const Words& all) {
+  Words chosen;
+  for (const auto& word : all) {
+    if (word.starts_with(start) || word.starts_with(':')) chosen.push_back(word);
+  }
+  return chosen;
+}
+
+const CommandHelp* find(const std::vector<CommandHelp>& commands, const std::string& name) {
+  const auto found = std::ranges::find(commands, name, &CommandHelp::name);
+  return found == commands.end() ? nullptr : &*found;
+}
+
+// The next words of commands that begin with `before`: "grid" after "study ".
+Words next_words(const std::vector<CommandHelp>& commands, const std::string& before) {
+  Words names;
+  for (const auto& command : commands) {
+    if (!command.name.starts_with(before)) continue;
+    const auto rest = command.name.substr(before.size());
+    if (!rest.empty() && rest.find(' ') == std::string::npos) names.push_back(rest);
+  }
+  return names;
+}
+
+}  // namespace
+
+Words completions(const std::vector<CommandHelp>& commands, const methods::Registry& registry,
+                  const Words& words) {
+  if (words.empty()) return {};
+  const auto& word = words.back();
+  const bool asks = words.front() == "help" && words.size() > 1;
+  const std::size_t first = asks ? 1 : 0;
+  if (words.size() == first + 1) {
+    auto names = next_words(commands, "");
+    if (!asks) names.insert(names.end(), {"help", "--help", "--version"});
+    return beginning_with(word, names);
+  }
+  const auto subjects = next_words(commands, words[first] + ' ');
+  if (words.size() == first + 2 && !subjects.empty()) return beginning_with(word, subjects);
+  if (asks) return {};
+  const auto* command = find(commands, words[0]);
+  if (!subjects.empty()) command = find(commands, words[0] + ' ' + words[1]);
+  if (command == nullptr) return {};
+
+  const auto& options = command->help.options;
+  const auto before = std::ranges::find(options, words[words.size() - 2], &OptionHelp::name);
+  if (before != options.end() && !before->placeholder.empty()) {
+    return beginning_with(word, values_of(*before, word, *command, registry));
+  }
+  if (!word.starts_with('-')) return beginning_with(word, positionals_of(*command));
+  Words names;
+  for (const auto& option : options) names.push_back(option.name);
+  return beginning_with(word, names);
+}
+
+}  // namespace fpkcheck::cli

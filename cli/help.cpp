@@ -1,0 +1,179 @@
+#include "cli/help.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "cli/solve_and_report.hpp"
+#include "report/text/wrapped.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+// Where help goes when it is not printed.
+thread_local Help* help_taker = nullptr;
+
+std::size_t indentation(const std::string& line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+// Where the text begins of "  name   text": after the first gap; 0 when there is none.
+std::size_t text_column(const std::string& line) {
+  const auto gap = line.find("  ", indentation(line));
+  return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
+}
+
+// Lines of a paragraph or of an item. Heads are filled to 96 columns or so: a line that ends long
+// before was meant to end.
+bool meant_to_end(const std::string& line, const std::string& next) {
+  constexpr std::size_t kFull = 84;
+  const auto begin = indentation(next);
+  const auto word = std::min(next.find(' ', begin), next.size()) - begin;
+  return line.size() + 1 + word <= kFull;
+}
+
+// An example that is too long goes on as the shell allows it; its remark, if any, goes below.
+std::string filled_example(const std::string& line, std::size_t remark, std::size_t width) {
+  constexpr std::size_t kIndent = 6;
+  std::string result =
+      report::wrapped(remark > 0 ? line.substr(0, remark) : line, width - 2, kIndent);
+  result.pop_back();
+  for (auto end = result.find('\n'); end != std::string::npos; end = result.find('\n', end + 3)) {
+    result.insert(end, " \\");
+  }
+  result += '\n';
+  if (remark > 0) {
+    result += report::wrapped(std::string(kIndent, ' ') + line.substr(remark), width, kIndent);
+  }
+  return result;
+}
+
+std::string filled(const std::vector<std::string>& lines, std::size_t width) {
+  const auto too_long = [&](const auto& line) { return line.size() > width; };
+  std::string result;
+  if (std::ranges::none_of(lines, too_long)) {
+    for (const auto& line : lines) result += line + '\n';
+    return result;
+  }
+  const std::size_t column = text_column(lines.front());
+  if (lines.front().starts_with("  fpkcheck ")) return filled_example(lines.front(), column, width);
+  const std::size_t indent = column > 0 ? column : indentation(lines.front());
+  for (std::size_t i = 0; i < lines.size();) {
+    std::string text = lines[i];
+    for (++i; i < lines.size() && !meant_to_end(lines[i - 1], lines[i]); ++i) {
+      text += ' ' + lines[i];
+    }
+    std::string head;  // with the gap that wrapped would close
+    if (column > 0) {
+      head = text.substr(0, column);
+      text.replace(0, column, column, ' ');
+    }
+    auto block = report::wrapped(text, width, indent);
+    block.replace(0, head.size(), head);
+    result += block;
+  }
+  return result;
+}
+
+std::string label(const OptionHelp& option) {
+  std::string text = option.short_name.empty() ? "" : option.short_name + ", ";
+  text += option.name;
+  if (!option.placeholder.empty()) text += ' ' + option.placeholder;
+  if (!option.usual.empty()) text += " (=" + option.usual + ')';
+  return text;
+}
+
+OptionHelp described(const po::option_description& option) {
+  using po::command_line_style::allow_dash_for_short;
+  using po::command_line_style::allow_long;
+  OptionHelp help{.name = option.canonical_display_name(allow_long),
+                  .short_name = option.canonical_display_name(allow_dash_for_short),
+                  .text = option.description()};
+  if (help.short_name.size() != 2) help.short_name.clear();
+  const std::string parameter = option.format_parameter();  // "N (=6)"
+  const auto usual = parameter.find(" (=");
+  help.placeholder = parameter.substr(0, usual);
+  if (usual != std::string::npos) {
+    help.usual = parameter.substr(usual + 3, parameter.size() - usual - 4);
+  }
+  return help;
+}
+
+}  // namespace
+
+std::string usage_text(const std::string& usage, std::size_t width) {
+  std::string result;
+  std::vector<std::string> block;
+  const auto put = [&] {
+    result += filled(block, width);
+    block.clear();
+  };
+  std::istringstream lines(usage);
+  for (std::string line; std::getline(lines, line);) {
+    const bool continues =
+        !block.empty() && !line.empty() && line != block.front() &&
+        indentation(line) == (indentation(block.front()) == 0 ? 0 : text_column(block.front())) &&
+        !block.front().starts_with("usage:");
+    if (!continues) put();
+    block.push_back(line);
+  }
+  put();
+  return result;
+}
+
+std::string help_text(const Help& help, std::size_t width) {
+  std::string text = usage_text(help.usage, width);
+  if (help.options.empty()) return text;
+  constexpr std::size_t kIndent = 2, kGap = 2, kLongestLabel = 26;
+  std::size_t longest = 0;
+  for (const auto& option : help.options) {
+    const auto size = label(option).size();
+    if (size <= kLongestLabel) longest = std::max(longest, size);
+  }
+  const std::size_t column = kIndent + longest + kGap;
+  text += "\noptions:\n";
+  for (const auto& option : help.options) {
+    std::string line = std::string(kIndent, ' ') + label(option);
+    if (line.size() + kGap > column) {
+      text += line + '\n';
+      line.clear();
+    }
+    line.resize(column, ' ');
+    auto block = report::wrapped(std::string(column, ' ') + option.text, width, column);
+    block.replace(0, column, line);
+    text += block;
+  }
+  return text;
+}
+
+void answer_help(const std::string& usage, const po::options_description& options) {
+  Help help{usage, {}};
+  for (const auto& option : options.options()) help.options.push_back(described(*option));
+  if (help_taker != nullptr) {
+    *help_taker = std::move(help);
+    return;
+  }
+  constexpr std::size_t kWithoutTerminal = 80;
+  std::cout << help_text(help,
+                         isatty(STDOUT_FILENO) == 1 ? terminal_format().width : kWithoutTerminal);
+}
+
+Help help_from(const std::function<void()>& call) {
+  Help help;
+  help_taker = &help;
+  try {
+    call();
+  } catch (...) {
+    help_taker = nullptr;
+    throw;
+  }
+  help_taker = nullptr;
+  return help;
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,98 @@
+#include "cli/manual.hpp"
+
+#include <fmt/format.h>
+
+#include "results/run.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+// As it is: a backslash, a hyphen that may be typed, a line that begins like a request.
+std::string literal(const std::string& text) {
+  std::string result;
+  bool line_begins = true;
+  for (const char c : text) {
+    if (line_begins && (c == '.' || c == '\'')) result += "\\&";
+    if (c == '\\') {
+      result += "\\e";
+    } else if (c == '-') {
+      result += "\\-";
+    } else {
+      result += c;
+    }
+    line_begins = c == '\n';
+  }
+  return result;
+}
+
+// What a command's help says, in its lines.
+std::string head(const std::string& usage) {
+  constexpr std::size_t kWidth = 72;  // man indents it by seven
+  return ".nf\n" + literal(usage_text(usage, kWidth)) + ".fi\n";
+}
+
+std::string entry(const OptionHelp& option) {
+  std::string text = ".TP\n";
+  if (!option.short_name.empty()) text += "\\fB" + literal(option.short_name) + "\\fR, ";
+  text += "\\fB" + literal(option.name) + "\\fR";
+  if (!option.placeholder.empty()) text += " \\fI" + literal(option.placeholder) + "\\fR";
+  if (!option.usual.empty()) text += " (=" + literal(option.usual) + ')';
+  return text + '\n' + literal(option.text) + '\n';
+}
+
+}  // namespace
+
+std::string manual(const std::vector<CommandHelp>& commands) {
+  const auto program = results::this_program("");
+  std::string page = fmt::format(".TH FPKCHECK 1 \"\" \"{} {}\" \"User Commands\"\n", program.name,
+                                 program.version);
+  page += R"(.SH NAME
+fpkcheck \- stationary density of a vibro\-impact Duffing oscillator under Poisson impulses
+.SH SYNOPSIS
+.B fpkcheck
+.I COMMAND
+[\fICASE\fR ...] [\fIoptions\fR]
+.SH DESCRIPTION
+A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by
+random impulses:
+.PP
+.nf
+    y'' + c y' + k y + mu y^3 = impulses  (y > 0)
+    y'(+) = \-r y'(\-)                      at y = 0
+.fi
+.PP
+The stationary probability densities of y and y' are computed by methods that share nothing but the
+problem, and compared with one another.
+A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
+.SH COMMANDS
+)";
+  for (const auto& command : commands) {
+    page += ".SS " + literal("fpkcheck " + command.name) + '\n';
+    if (!command.summary.empty()) page += literal(command.summary) + "\n.PP\n";
+    page += head(command.help.usage);
+    if (command.help.options.empty()) continue;
+    page += ".PP\nOptions:\n";
+    for (const auto& option : command.help.options) page += entry(option);
+  }
+  page += R"(.SH EXIT STATUS
+.TP
+0
+done
+.TP
+1
+a solver did not reach what was asked, or a check failed
+.TP
+2
+bad input, told in one line
+.TP
+130
+interrupted by Ctrl\-C
+.SH ENVIRONMENT
+.TP
+NO_COLOR
+no colours on a terminal, unless it is empty
+)";
+  return page;
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,44 @@
+# What `cmake --install` puts where (docs/installing.md), in two components: `program`, and `development` for who
+# links the libraries.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS fpkcheck COMPONENT program)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
+install(FILES "${PROJECT_SOURCE_DIR}/third_party/plotly/LICENSE" RENAME LICENSE.plotly
+        DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${CMAKE_INSTALL_DATADIR}/fpkcheck"
+        COMPONENT program)
+if(TARGET fpkcheck_manual)
+  install(FILES "${PROJECT_BINARY_DIR}/cli/fpkcheck.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+endif()
+install(FILES "${PROJECT_SOURCE_DIR}/cli/completion.bash" RENAME fpkcheck
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT program)
+
+set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/fpkcheck")
+get_property(rooms GLOBAL PROPERTY FPKCHECK_ROOMS)
+list(TRANSFORM rooms PREPEND fpkcheck_ OUTPUT_VARIABLE libraries)
+install(TARGETS ${libraries} EXPORT fpkcheck COMPONENT development)
+install(EXPORT fpkcheck NAMESPACE fpkcheck:: FILE fpkcheckTargets.cmake
+        DESTINATION "${package_directory}" COMPONENT development)
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/fpkcheckConfig.cmake.in" "${PROJECT_BINARY_DIR}/fpkcheckConfig.cmake"
+  INSTALL_DESTINATION "${package_directory}" NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+# Before 1.0 a minor version may change everything.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/fpkcheckConfigVersion.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/fpkcheckConfig.cmake"
+              "${PROJECT_BINARY_DIR}/fpkcheckConfigVersion.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindKLU.cmake" "${PROJECT_SOURCE_DIR}/cmake/FindNetCDF.cmake"
+        DESTINATION "${package_directory}" COMPONENT development)
+
+# Headers call one another "epc/solve.hpp". Installed, they say "fpkcheck/epc/solve.hpp": a folder `report` or
+# `methods` of another project is then never taken for ours, nor ours for its.
+string(REPLACE ";" "|" any_room "${rooms}")
+install(
+  CODE "set(rooms \"${rooms}\")
+        set(any_room \"${any_room}\")
+        set(source \"${PROJECT_SOURCE_DIR}\")
+        set(staged \"${PROJECT_BINARY_DIR}/installed-headers\")
+        set(destination \"${CMAKE_INSTALL_INCLUDEDIR}\")"
+  COMPONENT development)
+install(SCRIPT "${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake" COMPONENT development)

@@ -1,0 +1,26 @@
+# cpack: fpkcheck_VERSION_ARCH.deb with the program, fpkcheck-dev_VERSION_ARCH.deb with the libraries.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME fpkcheck)
+set(CPACK_PACKAGE_VENDOR "the fpkcheck authors")
+set(CPACK_PACKAGE_CONTACT "the fpkcheck authors <fpkcheck@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_DESCRIPTION
+    "Stationary probability densities of a vibro-impact Duffing oscillator under Poisson
+impulses by exponential-polynomial closures, finite volumes and simulation, compared
+with one another in tables, pictures and a page.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fpkcheck)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+# Pictures are drawn by gnuplot, in this font.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, fonts-dejavu-core")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME fpkcheck-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+# What fpkcheckConfig.cmake finds.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "fpkcheck (= ${PROJECT_VERSION}), libboost-dev, libboost-program-options-dev, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libsundials-dev, libsuitesparse-dev, libnetcdf-dev")
+include(CPack)

@@ -1,0 +1,40 @@
+// A checkpoint of a simulation: the bytes as a file, and as the state in a file whose head and
+// checksum are right.
+#include "mcs/simulation/checkpoint.hpp"
+
+#include "one_input.hpp"
+#include "problem/case_file.hpp"
+
+namespace {
+
+using namespace fpkcheck;
+
+struct Small {
+  problem::Problem problem = problem::load_case("case1");
+  mcs::Plan plan = mcs::make_plan(
+      problem, {.time = 100, .streams = 8, .y_edges = {0, 1, 2}, .v_edges = {-1, 0, 1}});
+  std::string fingerprint = mcs::fingerprint(problem, plan, nullptr);
+};
+
+std::string in_checkpoint(const std::string& fingerprint, std::string_view state) {
+  std::string text = "fpkcheck mcs checkpoint 3\n" + fingerprint + '\n';
+  text += state;
+  std::uint64_t sum = 14695981039346656037u;  // FNV-1a
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Small small;
+  const std::string_view bytes = fuzz::text_of(data, size);
+  for (const std::string& contents :
+       {std::string(bytes), in_checkpoint(small.fingerprint, bytes)}) {
+    fuzz::only_input_errors([&] {
+      mcs::Simulation simulation(small.problem, small.plan);
+      mcs::read_checkpoint(fuzz::written("state", contents), small.fingerprint, simulation);
+    });
+  }
+  return 0;
+}

@@ -1,0 +1,108 @@
+"""Gives the program every line of bad_inputs.txt: each must end soon, in little memory, with exit
+code 2, one line, and nothing left behind.
+
+usage: bad_input_test.py FPKCHECK [--unlimited]     --unlimited: as much memory as it takes
+"""
+import concurrent.futures
+import os
+import pathlib
+import resource
+import shlex
+import subprocess
+import sys
+import tempfile
+
+import bad_files
+
+SECONDS = 5
+BYTES = 500 * 2**20
+LONGEST_MESSAGE = 400
+PLACES = {"{long}": "x" * 100000, "{esc}": "\x1b", "{newline}": "\n"}
+# Those of them that begin with a command that has --out.
+WITH_OUT = ("run", "epc", "fd", "mcs", "bounds", "study", "check", "reference")
+
+
+def lines():
+    table = pathlib.Path(__file__).with_name("bad_inputs.txt")
+    for number, line in enumerate(table.read_text().splitlines(), 1):
+        if line and not line.startswith("#"):
+            arguments, expected = line.split("=>", 1)
+            yield number, arguments.strip(), expected.strip()
+
+
+def filled(argument):
+    for place, text in PLACES.items():
+        argument = argument.replace(place, text)
+    return argument
+
+
+def files():
+    """Names of all files here with the time of their last change."""
+    return {path: os.lstat(path).st_mtime_ns
+            for folder, folders, names in os.walk(".")
+            for path in (os.path.join(folder, name) for name in folders + names)}
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def failures(program, unlimited, number, text, expected):
+    arguments = [filled(argument) for argument in shlex.split(text)]
+    out = f"out-{number}"
+    if len(arguments) > 1 and arguments[0] in WITH_OUT and "--out" not in arguments:
+        arguments += ["--out", out]
+    try:
+        done = subprocess.run([program, *arguments], stdin=subprocess.DEVNULL, capture_output=True,
+                              timeout=SECONDS, preexec_fn=None if unlimited else limit_memory)
+    except subprocess.TimeoutExpired:
+        yield f"has not ended after {SECONDS} s"
+        return
+    message = done.stderr.decode(errors="backslashreplace")
+    if done.returncode != 2:
+        yield f"exit code {done.returncode}"
+    if not message.startswith("fpkcheck: ") or message.count("\n") != 1 or message[-1] != "\n":
+        yield "not one line"
+    if len(message) >= LONGEST_MESSAGE:
+        yield f"{len(message)} characters"
+    if any(ord(c) < 32 or ord(c) == 127 for c in message[:-1]):
+        yield "control characters"
+    if expected not in message:
+        yield f"does not say {expected!r}"
+    if expected not in message or done.returncode != 2:
+        yield f"but: {message[:300]!r}"
+    if done.stdout:
+        yield "something on standard output"
+    if os.path.exists(out):
+        yield f"left {os.listdir(out)} behind"
+
+
+def main():
+    program, unlimited = os.path.abspath(sys.argv[1]), "--unlimited" in sys.argv
+    table = list(lines())
+    failed = 0
+    with tempfile.TemporaryDirectory() as directory:
+        os.chdir(directory)
+        bad_files.make(program)
+        before = files()
+
+        def judge(line):
+            return list(failures(program, unlimited, *line))
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            for (number, text, _), found in zip(table, pool.map(judge, table)):
+                if found:
+                    failed += 1
+                    print(f"bad_inputs.txt:{number}: {text[:200]}: {'; '.join(found)}")
+        changed = sorted(set(before.items()) ^ set(files().items()))
+        if changed:
+            failed += 1
+            print("files were changed or left behind:", changed)
+        os.chdir("/")
+    print(f"{len(table)} bad inputs, {failed} failures")
+    sys.exit(failed > 0)
+
+
+if __name__ == "__main__":
+    main()

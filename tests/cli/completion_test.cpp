@@ -1,0 +1,93 @@
+#include "cli/completion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "cli/program.hpp"
+#include "methods/builtin.hpp"
+#include "problem/named_cases.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string printed(const Words& arguments) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_program(arguments), kDone);
+  std::fflush(stdout);
+  return testing::internal::GetCapturedStdout();
+}
+
+Words completed(Words words) {
+  words.insert(words.begin(), "--complete");
+  std::istringstream lines(printed(words));
+  Words result;
+  for (std::string line; std::getline(lines, line);) result.push_back(line);
+  return result;
+}
+
+bool has(const Words& words, const std::string& word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+TEST(Completion, KnowsEveryCommandAndItsOptions) {
+  const auto commands = completed({""});
+  const auto registry = methods::builtin();
+  for (const auto& solver : registry.solvers()) {
+    EXPECT_TRUE(has(commands, solver.name)) << solver.name;
+    const auto options = completed({solver.name, "case1", "--"});
+    for (const auto& parameter : solver.parameters->all()) {
+      if (parameter.flag.empty()) continue;
+      EXPECT_TRUE(has(options, "--" + parameter.flag)) << solver.name << ' ' << parameter.flag;
+      if (parameter.choices.empty()) continue;
+      EXPECT_EQ(completed({solver.name, "--" + parameter.flag, ""}), parameter.choices);
+    }
+  }
+  for (const auto& command : commands) {
+    if (command.starts_with("--")) continue;
+    const bool has_subjects = command == "study" || command == "help";
+    EXPECT_EQ(has(completed({command, "--"}), "--help"), !has_subjects) << command;
+  }
+}
+
+TEST(Completion, KnowsSubjectsAndWhatIsAskedForByHelp) {
+  EXPECT_EQ(completed({"study", ""}), (Words{"grid", "order", "regularisation"}));
+  EXPECT_TRUE(has(completed({"study", "grid", "--"}), "--orders"));
+  EXPECT_EQ(completed({"help", "study", "g"}), Words{"grid"});
+  EXPECT_EQ(completed({"help", "rep"}), Words{"report"});
+}
+
+TEST(Completion, KnowsCasesMethodsAndKeys) {
+  const auto cases = completed({"run", ""});
+  for (const auto& named : problem::named_cases()) EXPECT_TRUE(has(cases, named.name));
+  EXPECT_TRUE(has(cases, kFiles));
+  EXPECT_EQ(completed({"report", ""}), Words{kDirectories});
+  EXPECT_EQ(completed({"check", ""}), Words{kFiles});
+  EXPECT_EQ(completed({"run", "--out", ""}), Words{kDirectories});
+  EXPECT_TRUE(has(completed({"run", "--methods", "fd-"}), "fd-kf"));
+  EXPECT_EQ(completed({"run", "--methods", "mcs,epc-polar-n4,fd-w"}),
+            Words{"mcs,epc-polar-n4,fd-white"});
+  EXPECT_EQ(completed({"run", "--set", "system.res"}), Words{"system.restitution="});
+}
+
+TEST(Completion, SaysNothingWhereItKnowsNothing) {
+  EXPECT_EQ(completed({"cook", "--"}), Words{});
+  EXPECT_EQ(completed({"fd", "--nx", ""}), Words{});
+  EXPECT_EQ(completed({}), Words{});
+}
+
+TEST(Manual, HasEveryCommandWithItsOptions) {
+  const auto page = printed({"--manual"});
+  EXPECT_TRUE(page.starts_with(".TH FPKCHECK 1"));
+  for (const auto* expected :
+       {".SS fpkcheck run\n", ".SS fpkcheck study grid\n", ".SS fpkcheck report\n",
+        "\\fB\\-\\-origin\\-refinement\\fR \\fIF\\fR", "\\fB\\-q\\fR, \\fB\\-\\-quiet\\fR"}) {
+    EXPECT_NE(page.find(expected), std::string::npos) << expected;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::cli

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Stops a run before each thing that it does to a file: afterwards its directory holds the run of
+before, the new one or (where there was none) nothing, and never some files of both.
+
+    at_each_file_operation.py PROGRAM LIBRARY [--verbose]
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+FILES = ["summary.json", "marginals.csv", "joint.nc", "report.html"]
+MOST = 400
+
+
+def run(program, directory, restitution, **environment):
+    return subprocess.run(
+        [program, "run", "case1", "--methods", "epc-gaussian-n2,epc-moment-n2", "--quiet",
+         "--out", str(directory), "--set", f"system.restitution={restitution}"],
+        # Without gnuplot: pictures come after the run and are drawn again from it.
+        env={"PATH": "/nowhere", **environment}, capture_output=True, text=True, timeout=60)
+
+
+def names(directory):
+    return sorted(path.name for path in directory.iterdir()) if directory.exists() else []
+
+
+def state(program, directory):
+    """'old', 'new' or 'none', by what the program itself reads there."""
+    report = subprocess.run([program, "report", str(directory)], env={"PATH": "/nowhere"},
+                            capture_output=True, text=True, timeout=60)
+    if report.returncode != 0:
+        if "no run in" in report.stderr and not any(name in FILES for name in names(directory)):
+            return "none"
+        raise SystemExit(f"neither a run nor none in {directory}: {report.stderr}")
+    summary = json.loads((directory / "summary.json").read_text())
+    restitution = summary["cases"][0]["system"]["restitution"]
+    # Finished and read, it has no left-overs of the writing.
+    for name in names(directory):
+        if "commit" in name and "partial" not in name:
+            raise SystemExit(f"{name} is left in {directory}")
+    return "old" if restitution == 0.98 else "new"
+
+
+def main(program, library, verbose=False):
+    base = pathlib.Path(tempfile.mkdtemp(prefix="fpkcheck-faults-"))
+    before = base / "before"
+    assert run(program, before, 0.98).returncode in (0, 1)
+    total = {}
+    for fault in ("kill", "full"):
+        for there in (True, False):
+            seen = []
+            for number in range(1, MOST):
+                directory = base / "run"
+                shutil.rmtree(directory, ignore_errors=True)
+                if there:
+                    shutil.copytree(before, directory)
+                done = run(program, directory, 0.9, LD_PRELOAD=library, FAULT=fault,
+                           FAULT_AT=str(number))
+                if fault == "kill" and done.returncode >= 0:
+                    break
+                found = state(program, directory)
+                assert found != ("none" if there else "old"), (fault, number, found)
+                if fault == "full":
+                    if done.returncode < 0 or len(done.stderr.splitlines()) > 2:
+                        raise SystemExit(f"full disk at {number}: {done.returncode} {done.stderr}")
+                    if done.returncode == 0 and found != "new":
+                        raise SystemExit(f"full disk at {number}: said nothing, {found}")
+                seen.append(found)
+                if verbose:
+                    print(fault, there, number, found, done.returncode, done.stderr.strip()[:150])
+                if fault == "full" and done.returncode in (0, 1) and not done.stderr:
+                    break
+            # Both sides of the moment at which the new run is there were met.
+            assert "new" in seen and ("old" in seen or "none" in seen), (fault, there, seen)
+            assert seen == sorted(seen, key=lambda each: each == "new"), (fault, there, seen)
+            total[fault, there] = len(seen)
+    shutil.rmtree(base)
+    print("moments:", ", ".join(f"{fault}, {'over a run' if there else 'alone'}: {count}"
+                                for (fault, there), count in total.items()))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], "--verbose" in sys.argv)

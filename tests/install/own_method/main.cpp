@@ -1,0 +1,94 @@
+// fpkcheck with one method more: the Gaussian density of equivalent linearisation. It has a command
+// of its own, and stands beside the others in every table.
+#include <cmath>
+#include <fpkcheck/cli/program.hpp>
+#include <fpkcheck/methods/builtin.hpp>
+#include <fpkcheck/problem/equivalent_linearisation.hpp>
+#include <fpkcheck/transform/panel_marginals.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace methods = fpkcheck::methods;
+namespace parameters = fpkcheck::parameters;
+namespace problem = fpkcheck::problem;
+namespace transform = fpkcheck::transform;
+
+struct Options {
+  double widths = 8;  ///< of the box, in deviations
+};
+
+const parameters::Description<Options>& description() {
+  static const auto description = parameters::Description<Options>("linear ").add(
+      "widths", &Options::widths, {"N", "half-width of the box in deviations"},
+      parameters::between(5, 20));
+  return description;
+}
+
+void validate(const Options& options) { description().validate(options); }
+
+transform::Identity identity(const Options&) {
+  return {.id = "linear",
+          .method = "linear",
+          .equation = problem::Equation::white,
+          .impact = problem::Impact::map};
+}
+
+std::optional<Options> options_of(std::string_view id) {
+  return id == "linear" ? std::optional(Options{}) : std::nullopt;
+}
+
+transform::Solution solve(const problem::Problem& problem, const Options& options) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double a = linear.displacement_deviation, b = linear.velocity_deviation;
+  const transform::SmoothDensity density{
+      [=](double y, double v) {
+        return std::exp(-y * y / (2 * a * a) - v * v / (2 * b * b)) / (std::numbers::pi * a * b);
+      },
+      options.widths * a, options.widths * b};
+  const auto marginals = transform::panel_marginals(density, density.y_max, density.v_max);
+  transform::Solution solution{.identity = identity(options)};
+  solution.status = transform::Status::ok;
+  solution.density = density;
+  solution.mass = marginals.mass;
+  solution.moments = marginals.moments;
+  return solution;
+}
+
+methods::Solver linear_solver() {
+  methods::Solver entry{.name = "linear",
+                        .summary = "the Gaussian density of equivalent linearisation",
+                        .usage = "usage: own_method linear CASE ... [options]\n",
+                        .families = {{.name = "linear",
+                                      .role = transform::Role::closure,
+                                      .meaning = "The Gaussian of equivalent linearisation.",
+                                      .usual = {"linear"},
+                                      .look =
+                                          [](const transform::Identity&) {
+                                            return transform::Look{.colour = "#808000"};
+                                          }}},
+                        .parameters = nullptr,
+                        .usual_options = {},
+                        .options_of = {},
+                        .method = {}};
+  return methods::with_front<Options>(
+      std::move(entry), {.description = description(),
+                         .validate = validate,
+                         .identity = identity,
+                         .options_of = options_of,
+                         .solve = [](const problem::Problem& problem, const Options& options,
+                                     const methods::Setting&) { return solve(problem, options); }});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  auto registry = methods::builtin();
+  registry.add(linear_solver());
+  return fpkcheck::cli::run_program(std::vector<std::string>(argv + 1, argv + argc), registry);
+}
