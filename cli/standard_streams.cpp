@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
 
 #include "parameters/shown.hpp"
 
@@ -28,7 +27,7 @@ void put_out(std::string_view text) {
 
 void complain(std::string_view message) {
   const std::string line =
-      fmt::format("fpkcheck: {}\n", parameters::one_line(std::string(message)));
+      fmt::format("fpkcheck: {}\n", parameters::one_line(message));
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
