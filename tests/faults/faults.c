@@ -8,6 +8,7 @@
 #include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/types.h>
@@ -23,6 +24,15 @@ __attribute__((constructor)) static void begin(void) {
   fault_at = at ? atol(at) : 0;
   kills = what && strcmp(what, "kill") == 0;
   unsetenv("LD_PRELOAD");  // the programs that it starts are left alone
+}
+
+// How many there were.
+__attribute__((destructor)) static void end(void) {
+  const char* to = getenv("FAULT_COUNT");
+  FILE* const out = to ? fopen(to, "w") : NULL;
+  if (!out) return;
+  fprintf(out, "%ld", atomic_load(&count));
+  fclose(out);
 }
 
 // Whether there is no space for this.
