@@ -91,7 +91,7 @@ A CASE is case1 .. case4 (the paper's Table 1) or an ini file like
 cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain a
 command's options; start with `fpkcheck run`.
 Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
-2 bad input; 130 Ctrl-C, 143 SIGTERM, each within a second.
+2 bad input; 130 Ctrl-C, 143 SIGTERM.
 )");
 }
 

@@ -87,6 +87,7 @@ class RowReader {
         fail("intervals on some rows of a curve only");
       }
     }
+    if (curve.lower.size() != curve.upper.size()) fail("an interval with one end only");
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
