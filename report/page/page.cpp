@@ -136,7 +136,7 @@ std::string page(const results::Run& run) {
   const std::string title = "fpkcheck: stationary densities of a vibro-impact oscillator";
   const std::string body =
       navigation(run) + "<main>\n" + element("h1", title) +
-      (run.stopped.empty() ? "" : element("p", "<strong>" + escaped(run.stopped) + "</strong>")) +
+      (run.stopped.empty() ? "" : "<p>" + element("strong", run.stopped) + "</p>\n") +
       "<section id=\"problem\">\n" + element("h2", "The problem") + problem_html(run) +
       overview_table(run) + "<details>\n<summary>What the names mean</summary>\n" +
       glossary_html(run) + "</details>\n</section>\n" + sections + repetition(run) + "</main>\n";

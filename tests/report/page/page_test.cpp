@@ -168,6 +168,14 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   EXPECT_TRUE(page(results::load_run(directory.path())) == page(run));
 }
 
+TEST(Page, SaysFirstThatItsRunWasStopped) {
+  auto run = whole_run();
+  EXPECT_FALSE(contains(page(run), "was stopped"));
+  run.stopped = "This run was stopped. Missing: <b>.";
+  EXPECT_TRUE(contains(
+      page(run), "</h1>\n<p><strong>This run was stopped. Missing: &lt;b&gt;.</strong>\n</p>"));
+}
+
 TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderThreeMegabytes) {
   // More closures, up to fifteen solutions.
   auto one = whole_run().cases[0];
