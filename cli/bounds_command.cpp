@@ -18,7 +18,6 @@
 #include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
 #include "report/bounds.hpp"
-#include "results/directory.hpp"
 #include "results/run_json.hpp"
 #include "results/saved_run.hpp"
 

@@ -9,10 +9,8 @@
 #include "cli/standard_streams.hpp"
 #include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
 #include "report/figure/drawing.hpp"
-#include "results/directory.hpp"
 
 namespace fpkcheck::cli {
 namespace {

@@ -10,12 +10,10 @@
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
-#include "cli/progress_line.hpp"
 #include "cli/standard_streams.hpp"
 #include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "process/files_in_hand.hpp"
-#include "results/directory.hpp"
 #include "study/reference/reference.hpp"
 
 namespace fpkcheck::cli {

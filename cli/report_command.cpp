@@ -5,7 +5,6 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
 #include "report/report.hpp"
 #include "results/saved_run.hpp"

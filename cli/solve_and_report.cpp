@@ -22,7 +22,6 @@
 #include "methods/bounds.hpp"
 #include "methods/own_errors.hpp"
 #include "methods/run_cases.hpp"
-#include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
 #include "report/report.hpp"

@@ -9,9 +9,7 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
-#include "results/directory.hpp"
 #include "study/transient/report.hpp"
 
 namespace fpkcheck::cli {

@@ -5,18 +5,21 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <system_error>
 #include <thread>
 
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::files {
 namespace {
 
 namespace fs = std::filesystem;
+using parameters::in_quotes;
+using parameters::shown;
 
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
@@ -69,7 +72,10 @@ std::optional<Journal> journal_at(const fs::path& file) {
   // In a directory that others may write to, somebody else's would have us remove our files.
   struct stat status = {};
   if (stat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
+  constexpr std::size_t kMostBytes = 1 << 20;
+  const auto text = parameters::read_input_file(file, kMostBytes);
+  if (!text) return std::nullopt;
+  std::istringstream in(*text);
   return journal_in(in);
 }
 
@@ -81,7 +87,7 @@ bool is_there(const fs::path& file) {
 }  // namespace
 
 void Journal::announce(const fs::path& directory) const {
-  // Its parts are there together: it is renamed into place itself.
+  // Written aside first, then given its name: whoever finds it finds all of it.
   const fs::path file = directory / kFile, partial = partial_beside(file);
   write_new(partial, text_of(*this));
   std::error_code error;
@@ -126,23 +132,24 @@ void finish_interrupted(const fs::path& directory) {
       throw InputError(fmt::format(
           "{} is no journal of yours, or damaged (a run that is stopped while its files are put in "
           "place leaves one): remove it, and run again",
-          file.string()));
+          shown(file.string())));
     }
     if (!journal->writer.may_run()) {
       try {
         journal->carry_out(directory);
       } catch (const std::system_error& error) {
         throw InputError(fmt::format(
-            "the files of '{}' are not all in place ({}; a run was stopped as it put them there): "
+            "the files of {} are not all in place ({}; a run was stopped as it put them there): "
             "make the directory writable",
-            directory.string(), error.code().message()));
+            in_quotes(directory.string()), error.code().message()));
       }
       return;
     }
     if (time == kTimes) {
       throw InputError(fmt::format(
-          "process {} on {} is putting files into '{}' (or was stopped there): wait, or remove {}",
-          journal->writer.pid, journal->writer.host, directory.string(), file.string()));
+          "process {} on {} is putting files into {} (or was stopped there): wait, or remove {}",
+          journal->writer.pid, shown(journal->writer.host), in_quotes(directory.string()),
+          shown(file.string())));
     }
     std::this_thread::sleep_for(kBetween);
   }
