@@ -127,7 +127,7 @@ Answer answer(const methods::Method& method, const problem::Problem& problem,
 void print_case(const problem::Problem& problem, const Judge& judge,
                 const std::vector<methods::Method>& methods, const std::vector<Answer>& answers) {
   fmt::print("{}: {:.3g} impulses per decay time, {}\n", problem.name,
-             tests::impulses_per_decay_time(problem), problem::parameters_text(problem));
+             problem::impulses_per_decay_time(problem), problem::parameters_text(problem));
   fmt::print("  {:20} {:>13} L1 {:.1e} {:.1e} by chance\n", "mcs", "", judge.y_noise,
              judge.ydot_noise);
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -201,7 +201,7 @@ void print_domain(const methods::Method& method, std::size_t m,
     for (int i = 0; i < 5; ++i) {
       int all = 0, ok = 0;
       for (std::size_t p = 0; p < problems.size(); ++p) {
-        const double rate = tests::impulses_per_decay_time(problems[p]);
+        const double rate = problem::impulses_per_decay_time(problems[p]);
         const double r = problems[p].system.restitution();
         if (rate < rates[i] || rate >= rates[i + 1]) continue;
         if (r < restitutions[j] || r >= restitutions[j + 1]) continue;
@@ -236,7 +236,7 @@ int run(const Settings& settings) {
   for (const int number : numbers_of(settings)) {
     problems.push_back(tests::random_problem(static_cast<std::uint64_t>(number)));
     const auto& problem = problems.back();
-    const auto axes = compare::comparison_axes(problem);
+    const auto axes = compare::even_axes(compare::comparison_axes(problem));
     judges.push_back(judge(problem, axes, settings));
     std::vector<Answer> row(methods.size());
     methods::side_by_side(methods.size(), 0, [&](std::size_t m) {

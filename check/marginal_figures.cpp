@@ -68,10 +68,10 @@ Figure largest_change(Figure figure, const Curve& was, const Curve& is, bool by_
 }
 
 double l1(const Curve& was, const Curve& is) {
-  const double width = was.abscissa.size() > 1 ? was.abscissa[1] - was.abscissa[0] : 0;  // uniform
+  const auto widths = results::bin_widths(was);
   double sum = 0;
   for (std::size_t k = 0; k < was.density.size(); ++k) {
-    sum += std::abs(is.density[k] - was.density[k]) * width;
+    sum += std::abs(is.density[k] - was.density[k]) * widths[k];
   }
   return sum;
 }

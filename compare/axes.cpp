@@ -1,5 +1,10 @@
 #include "compare/axes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::compare {
@@ -8,6 +13,35 @@ namespace {
 constexpr double kDeviations = 7;
 // A tenth (y') or a twentieth (y) of a deviation: the density is nearly straight over one bin.
 constexpr int kBins = 140;
+constexpr int kDivisions = 3;
+constexpr double kDividedBy = 4;
+
+// From 0, or symmetric to the last digit and exactly 0 in the middle, where p(y, y') jumps at the
+// wall.
+std::vector<double> bins(double end, bool symmetric, int divisions) {
+  std::vector<double> edges;
+  const double width = end * (symmetric ? 2 : 1) / kBins;
+  const auto divide = [&](int side, int d) {
+    edges.push_back(side * width / std::pow(kDividedBy, d));
+  };
+  for (int k = 0; k <= kBins; ++k) {
+    const int steps = symmetric ? 2 * k - kBins : k;
+    for (int d = 1; steps == 0 && symmetric && d <= divisions; ++d) divide(-1, d);
+    edges.push_back(end * steps / kBins);
+    for (int d = divisions; steps == 0 && d >= 1; --d) divide(1, d);
+  }
+  return edges;
+}
+
+std::vector<double> without_divisions(const std::vector<double>& edges, int divisions) {
+  const auto zero = std::ranges::find(edges, 0.0) - edges.begin();
+  std::vector<double> even;
+  for (std::ptrdiff_t k = 0; k < std::ssize(edges); ++k) {
+    const auto from_zero = std::abs(k - zero);
+    if (from_zero == 0 || from_zero > divisions) even.push_back(edges[static_cast<std::size_t>(k)]);
+  }
+  return even;
+}
 
 }  // namespace
 
@@ -16,17 +50,45 @@ ComparisonAxes comparison_axes(const problem::Problem& problem) {
   const double y_max =
       problem::static_deflection(problem) + kDeviations * bell.displacement_deviation;
   const double v_max = kDeviations * bell.velocity_deviation;
-  ComparisonAxes axes;
-  for (int k = 0; k <= kBins; ++k) {
-    axes.y_edges.push_back(y_max * k / kBins);
-    // Symmetric to the last digit and exactly 0 in the middle, where p(y, y') jumps at the wall.
-    axes.v_edges.push_back(v_max * (2 * k - kBins) / kBins);
-  }
-  return axes;
+  const int divisions = problem::impulses_per_decay_time(problem) < 1 ? kDivisions : 0;
+  return {bins(y_max, false, divisions), bins(v_max, true, divisions), divisions};
 }
 
 const std::vector<double>& edges(const ComparisonAxes& axes, transform::Variable variable) {
   return variable == transform::Variable::y ? axes.y_edges : axes.v_edges;
+}
+
+ComparisonAxes even_axes(const ComparisonAxes& axes) {
+  return {without_divisions(axes.y_edges, axes.divisions),
+          without_divisions(axes.v_edges, axes.divisions)};
+}
+
+transform::Marginal on_even_bins(const ComparisonAxes& axes, transform::Variable variable,
+                                 const transform::Marginal& marginal) {
+  if (axes.divisions == 0) return marginal;
+  transform::Marginal even{edges(even_axes(axes), variable), {}, {}, {}};
+  // An end's distances from the density, of the parts from one on: the root of the sum of squares.
+  const auto distance = [&](const std::vector<double>& ends, std::size_t from, std::size_t to) {
+    double sum = 0;
+    for (std::size_t k = from; k < to; ++k) {
+      sum += std::pow((ends[k] - marginal.density[k]) * marginal.width(k), 2);
+    }
+    return std::sqrt(sum);
+  };
+  std::size_t part = 0;
+  for (std::size_t b = 0; b + 1 < even.edges.size(); ++b) {
+    const std::size_t first = part;
+    const double width = even.width(b);
+    double mass = 0;
+    for (; part < marginal.size() && marginal.edges[part] < even.edges[b + 1]; ++part) {
+      mass += marginal.density[part] * marginal.width(part);
+    }
+    even.density.push_back(mass / width);
+    if (marginal.lower.empty()) continue;
+    even.lower.push_back((mass - distance(marginal.lower, first, part)) / width);
+    even.upper.push_back((mass + distance(marginal.upper, first, part)) / width);
+  }
+  return even;
 }
 
 }  // namespace fpkcheck::compare

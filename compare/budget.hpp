@@ -70,7 +70,7 @@ struct BudgetRow {
 };
 
 /// The budgets of all closures that have a density, by solution; none without a chain's end.
-/// @param marginals of the solutions on the axes, or all of them in smooth bins
+/// @param marginals of the solutions over even bins, or all of them in smooth bins
 std::vector<BudgetRow> error_budget(const ComparisonAxes& axes,
                                     std::span<const transform::Solution> solutions,
                                     std::span<const SolutionMarginal> marginals);

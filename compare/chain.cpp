@@ -32,7 +32,7 @@ class Chain {
  public:
   Chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
         std::span<const SolutionMarginal> marginals, Variable variable)
-      : edges_(edges(axes, variable)),
+      : edges_(edges(even_axes(axes), variable)),
         solutions_(solutions),
         marginals_(marginals),
         variable_(variable),
@@ -107,7 +107,7 @@ class Chain {
     nodes_.push_back(std::move(node));
   }
 
-  const std::vector<double>& edges_;
+  std::vector<double> edges_;
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   Variable variable_;

@@ -22,7 +22,8 @@ bool has_marginal(const Solution& solution, Variable variable, const std::vector
          });
 }
 
-/// @param smooth the same as `sharp` in smooth bins, or empty
+/// @param sharp over even bins
+/// @param smooth the same in smooth bins, or empty
 /// @param noisy solutions with errors by chance that are stated of sharp bins
 PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
                       const std::vector<SolutionMarginal>& smooth, std::size_t a, std::size_t b,
@@ -46,6 +47,7 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
   for (const auto& solution : solutions) {
     if (&solution != measure && solution.sampling) noisy.insert(solution.id());
   }
+  std::vector<SolutionMarginal> over_even_bins;
   for (const auto variable : transform::kVariables) {
     const auto& bins = edges(axes, variable);
     std::vector<SolutionMarginal> found;
@@ -53,18 +55,23 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
       if (!has_marginal(solution, variable, bins)) continue;
       found.push_back({solution.id(), variable, transform::marginal(solution, variable, bins)});
     }
+    std::vector<SolutionMarginal> even;
+    for (const auto& one : found) {
+      even.push_back({one.solution, variable, on_even_bins(axes, variable, one.marginal)});
+    }
     const auto smooth = measure == nullptr ? std::vector<SolutionMarginal>{}
                                            : in_smooth_bins(found, solutions, *measure);
     for (std::size_t a = 0; a < found.size(); ++a) {
       for (std::size_t b = a + 1; b < found.size(); ++b) {
-        result.pairs.push_back(pair_of(found, smooth, a, b, measure, noisy));
+        result.pairs.push_back(pair_of(even, smooth, a, b, measure, noisy));
       }
     }
     std::ranges::move(found, std::back_inserter(result.marginals));
+    std::ranges::move(even, std::back_inserter(over_even_bins));
     std::ranges::copy(smooth, std::back_inserter(result.smooth));
   }
   result.budget =
-      error_budget(axes, solutions, measure == nullptr ? result.marginals : result.smooth);
+      error_budget(axes, solutions, measure == nullptr ? over_even_bins : result.smooth);
   result.limits = limits(result.budget, solutions);
   return result;
 }

@@ -43,7 +43,7 @@ bool prefer_characteristics(const problem::Problem& problem) {
   constexpr double kStrongLosses = 0.4;
   constexpr double kOffTheWall = 2;  // deviations, of the static deflection
   const auto linear = problem::equivalent_linearisation(problem);
-  const double per_decay_time = impulses_per_decay_time(problem);
+  const double per_decay_time = problem::impulses_per_decay_time(problem);
   const bool losses =
       problem.system.restitution() < kStrongLosses &&
       problem::static_deflection(problem) < kOffTheWall * linear.displacement_deviation;
@@ -82,7 +82,8 @@ class Solver {
     if (first.solution.is_ok() && (along || good(first))) return first;
     // Impulses shorter than cells are lost in them, and a box that was given is the same for both.
     const bool given_box = options_.x1_max || options_.x2_max;
-    if (given_box || (!along && impulses_per_decay_time(problem_) > kMostFrequent)) return first;
+    if (given_box || (!along && problem::impulses_per_decay_time(problem_) > kMostFrequent))
+      return first;
     Result second = by(along ? Transport::upwind : Transport::characteristics);
     return better(second, first) ? second : first;
   }

@@ -64,6 +64,10 @@ double slowest_decay(const EquivalentLinearisation& linear) {
   return 2 * linear.stiffness / (linear.damping + std::sqrt(discriminant));
 }
 
+double impulses_per_decay_time(const Problem& problem) {
+  return problem.impulses.arrival_rate() / slowest_decay(equivalent_linearisation(problem));
+}
+
 double static_deflection(const Problem& problem) {
   const double force = problem.impulses.rate_moment(1);
   if (force <= 0) return 0;

@@ -25,6 +25,12 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 /// far above it.
 double slowest_decay(const EquivalentLinearisation& linear);
 
+/// Impulses in the time in which the slowest mode of equivalent linearisation falls by a factor e.
+/// Between impulses an amplitude a decays like exp(-kappa t): with lambda/kappa of them the mass
+/// within a is like a^(lambda/kappa), so that the joint density is unbounded at rest below 2 and
+/// its marginals are below 1.
+double impulses_per_decay_time(const Problem& problem);
+
 /// Where the mean of the impulses alone would hold the oscillator: g(y) = lambda E[Y] when
 /// they push away from the wall, else 0. The Gaussian above knows nothing of it.
 double static_deflection(const Problem& problem);

@@ -27,6 +27,25 @@ const Curve* curve_among(const std::vector<Curve>& curves, std::string_view solu
 
 }  // namespace
 
+std::vector<double> bin_widths(const Curve& curve) {
+  const auto& centres = curve.abscissa;
+  std::vector<double> widths(centres.size());
+  const auto first_above = std::ranges::upper_bound(centres, 0.0);
+  double edge = 0;
+  for (auto k = first_above - centres.begin(); k < std::ssize(centres); ++k) {
+    const double half = centres[static_cast<std::size_t>(k)] - edge;
+    widths[static_cast<std::size_t>(k)] = 2 * half;
+    edge += 2 * half;
+  }
+  edge = 0;
+  for (auto k = first_above - centres.begin() - 1; k >= 0; --k) {
+    const double half = edge - centres[static_cast<std::size_t>(k)];
+    widths[static_cast<std::size_t>(k)] = 2 * half;
+    edge -= 2 * half;
+  }
+  return widths;
+}
+
 const Curve* Case::curve(std::string_view solution, transform::Variable variable) const {
   return curve_among(curves, solution, variable);
 }

@@ -28,7 +28,7 @@ class Solving {
   Solving(const problem::Problem& problem, const GridStudyOptions& options, std::size_t total,
           const methods::ProgressListener& listener)
       : problem_(problem),
-        axes_(compare::comparison_axes(problem)),
+        axes_(compare::even_axes(compare::comparison_axes(problem))),
         options_(options),
         listener_(listener),
         total_(total) {}

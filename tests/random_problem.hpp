@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "problem/equivalent_linearisation.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::tests {
@@ -45,12 +44,6 @@ inline problem::Problem random_problem(std::uint64_t number) {
                                              .law = law,
                                              .intensity = intensity,
                                              .mean = skew * std::sqrt(intensity / rate)})};
-}
-
-/// Impulses in the time in which equivalent linearisation's slowest mode falls by a factor e.
-inline double impulses_per_decay_time(const problem::Problem& problem) {
-  return problem.impulses.arrival_rate() /
-         problem::slowest_decay(problem::equivalent_linearisation(problem));
 }
 
 }  // namespace fpkcheck::tests

@@ -5,7 +5,7 @@
 #include "fd_fpk/characteristics/aggregation.hpp"
 #include "fd_fpk/line/cell_jumps.hpp"
 #include "fd_fpk/linear/gmres.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -97,7 +97,7 @@ void improve(const Chain& chain, const Aggregation& aggregation, double toleranc
 int blocks_for(const problem::Problem& problem) {
   constexpr double kPerImpulse = 20;
   return static_cast<int>(
-      std::clamp(kPerImpulse * impulses_per_decay_time(problem), 200.0, 1600.0));
+      std::clamp(kPerImpulse * problem::impulses_per_decay_time(problem), 200.0, 1600.0));
 }
 
 }  // namespace

@@ -132,13 +132,8 @@ Box initial_box(const problem::Problem& problem, const Options& options) {
                                        std::abs(law.moment(1)) + kImpulseBox * law.deviation()))};
 }
 
-double impulses_per_decay_time(const problem::Problem& problem) {
-  return problem.impulses.arrival_rate() /
-         problem::slowest_decay(problem::equivalent_linearisation(problem));
-}
-
 bool unbounded_at_origin(const problem::Problem& problem) {
-  return impulses_per_decay_time(problem) <= 2;
+  return problem::impulses_per_decay_time(problem) <= 2;
 }
 
 bool off_the_wall(const problem::Problem& problem) {

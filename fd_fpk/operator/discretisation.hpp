@@ -27,11 +27,7 @@ struct Discretisation {
   std::string refusal = {};
 };
 
-/// In the time in which the slowest mode of equivalent linearisation falls by a factor e.
-double impulses_per_decay_time(const problem::Problem& problem);
-
-/// Between impulses an amplitude a decays like exp(-kappa t), so that close to the origin the
-/// density goes like a^(lambda/kappa - 2): true where that is unbounded.
+/// The density at rest is (problem::impulses_per_decay_time).
 bool unbounded_at_origin(const problem::Problem& problem);
 
 /// The mean of the impulses holds the oscillator so far off the wall that it hardly meets it.

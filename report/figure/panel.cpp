@@ -40,7 +40,11 @@ std::string axes(Panel panel, const FigureSide& side) {
                   in_the_tail ? r.logarithmic_to : r.linear_to, gnuplot_string(variable));
   switch (panel) {
     case Panel::linear:
-      text += fmt::format("set yrange [0:{:.4g}]\n", 1.08 * r.largest_density);
+      text += fmt::format("set yrange [0:{:.4g}]\n", 1.08 * r.linear_top);
+      if (const std::string beyond = beyond_the_top(r); !beyond.empty()) {
+        text += fmt::format("set label 1 {} at first 0, graph 0.94 offset character 1,0\n",
+                            gnuplot_literal(beyond));
+      }
       break;
     case Panel::logarithmic:
       text +=
@@ -131,7 +135,7 @@ std::string drawn_with(const transform::Look& look, bool with_interval) {
 
 std::string panel_commands(Panel panel, const FigureSide& side, const std::string& reference) {
   return fmt::format("set title {}\n", gnuplot_literal(title(panel, side, reference))) +
-         axes(panel, side) + plot(panel, side) + "unset logscale\nset format y\n\n";
+         axes(panel, side) + plot(panel, side) + "unset label 1\nunset logscale\nset format y\n\n";
 }
 
 }  // namespace fpkcheck::report

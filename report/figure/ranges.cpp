@@ -1,5 +1,7 @@
 #include "report/figure/ranges.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +22,14 @@ struct Extent {
 
 }  // namespace
 
+std::vector<bool> DrawnCurve::broad_bins() const {
+  const auto widths = results::bin_widths(*curve);
+  const double widest = widths.empty() ? 0 : std::ranges::max(widths);
+  std::vector<bool> broad;
+  for (const double width : widths) broad.push_back(width > widest / 2);
+  return broad;
+}
+
 std::pair<double, double> difference_decades(const FigureRanges& r) {
   if (!(r.largest_difference > 0)) return {1e-6, 1};
   const double to = std::pow(10, std::ceil(std::log10(r.largest_difference)));
@@ -27,25 +37,37 @@ std::pair<double, double> difference_decades(const FigureRanges& r) {
   return {std::max(from, 1e-8 * to), to};
 }
 
+std::string beyond_the_top(const FigureRanges& ranges) {
+  if (ranges.largest_density <= 1.08 * ranges.linear_top) return "";
+  return fmt::format("spike up to {:.3g}", ranges.largest_density);
+}
+
 FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
   constexpr double kVisiblePart = 1.0 / 500;
   Extent linear, logarithmic;
-  double largest_density = 0, largest_difference = 0;
+  double linear_top = 0, largest_density = 0, largest_difference = 0;
   double least_difference = std::numeric_limits<double>::infinity();
   for (const auto& drawn : curves) {
     const results::Curve* curve = drawn.curve;
+    const std::vector<bool> broad = drawn.broad_bins();
     double peak = 0;
-    for (const double p : curve->density) {
-      if (std::isfinite(p)) peak = std::max(peak, p);
+    for (std::size_t k = 0; k < curve->density.size(); ++k) {
+      const double p = curve->density[k];
+      if (!std::isfinite(p)) continue;
+      largest_density = std::max(largest_density, p);
+      if (broad[k]) peak = std::max(peak, p);
     }
-    largest_density = std::max(largest_density, peak);
+    linear_top = std::max(linear_top, peak);
     for (std::size_t k = 0; k < curve->density.size(); ++k) {
       if (curve->density[k] > kVisiblePart * peak) linear.include(curve->abscissa[k]);
       if (curve->density[k] > kSmallestDrawnDensity) logarithmic.include(curve->abscissa[k]);
     }
     double peak_difference = 0;
-    for (const double d : drawn.difference.values) {
-      if (std::isfinite(d)) peak_difference = std::max(peak_difference, std::abs(d));
+    const bool of_the_same_bins = drawn.difference.abscissa == curve->abscissa;
+    for (std::size_t k = 0; k < drawn.difference.values.size(); ++k) {
+      const double d = drawn.difference.values[k];
+      if (!std::isfinite(d) || (of_the_same_bins && !broad[k])) continue;
+      peak_difference = std::max(peak_difference, std::abs(d));
     }
     largest_difference = std::max(largest_difference, peak_difference);
     if (peak_difference > 0) least_difference = std::min(least_difference, peak_difference);
@@ -59,6 +81,7 @@ FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
           .linear_to = linear.to,
           .logarithmic_from = logarithmic.from,
           .logarithmic_to = logarithmic.to,
+          .linear_top = linear_top,
           .largest_density = largest_density,
           .largest_difference = largest_difference,
           .least_difference = std::min(least_difference, largest_difference)};

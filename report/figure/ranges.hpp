@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,10 +15,11 @@ inline constexpr double kSmallestDrawnDensity = 1e-6;
 
 /// Axis ranges of the panels of one variable.
 struct FigureRanges {
-  double linear_from, linear_to;            ///< where a density exceeds 1/500 of its peak
+  double linear_from, linear_to;            ///< where a density exceeds 1/500 of linear_top
   double logarithmic_from, logarithmic_to;  ///< where a density exceeds kSmallestDrawnDensity
-  double largest_density;
-  double largest_difference;  ///< from the reference; 0 without one
+  double linear_top;          ///< the largest density but for the narrow bins that hold a spike
+  double largest_density;     ///< in all bins
+  double largest_difference;  ///< from the reference, but for narrow bins; 0 without one
   double least_difference;    ///< the smallest peak of a curve of differences
 };
 
@@ -36,12 +38,19 @@ struct DrawnCurve {
   const results::Curve* curve;
   Difference difference;  ///< from the reference's; empty without one
 
+  /// Which of its bins are not the narrow ones into which those at a spike are divided
+  /// (compare::comparison_axes): whatever they hold would press the rest to the axis.
+  std::vector<bool> broad_bins() const;
+
   const transform::Look& look() const { return solution->identity.look; }
 };
 
 /// Of a logarithmic axis of differences: from two decades below the smallest peak up to the largest,
 /// eight decades at most.
 std::pair<double, double> difference_decades(const FigureRanges& ranges);
+
+/// What to say where a spike goes beyond the linear panel; else empty.
+std::string beyond_the_top(const FigureRanges& ranges);
 
 /// Ranges that hold all the curves. Pass only those that are to be trusted with the scale: one wild
 /// curve would press all others together.

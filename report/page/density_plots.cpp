@@ -162,7 +162,7 @@ class DensityPlot {
               {"yaxis",
                {{"domain", domain(kLinear)},
                 {"anchor", "x"},
-                {"range", {0, 1.08 * r.largest_density}},
+                {"range", {0, 1.08 * r.linear_top}},
                 {"title", {{"text", p}}}}},
               {"xaxis2", x_axis(kLogarithmic, r.logarithmic_from, r.logarithmic_to)},
               {"yaxis2",
@@ -173,6 +173,16 @@ class DensityPlot {
                 {"exponentformat", "power"},
                 {"range", {std::log10(kSmallestShown), std::log10(3 * r.largest_density)}},
                 {"title", {{"text", p + ", logarithmic"}}}}}};
+    if (const std::string beyond = beyond_the_top(r); !beyond.empty()) {
+      json["annotations"] = Json::array({{{"xref", "x"},
+                                          {"yref", "y domain"},
+                                          {"x", 0},
+                                          {"y", 0.97},
+                                          {"xanchor", "left"},
+                                          {"xshift", 8},
+                                          {"showarrow", false},
+                                          {"text", beyond}}});
+    }
     if (with_difference) {
       json["xaxis3"] = x_axis(kDifference, r.linear_from, r.linear_to);
       json["yaxis3"] = {{"domain", domain(kDifference)},

@@ -53,6 +53,20 @@ TEST(Comparison, UsesTheSimulationsOwnHistogram) {
   EXPECT_EQ(used.marginal.lower, own.lower);
 }
 
+TEST(Comparison, IsOverEvenBinsWhereThoseAtASpikeAreDivided) {
+  const auto axes = comparison_axes(tests::make_problem({.rate = 0.02}));
+  ASSERT_GT(axes.divisions, 0);
+  const auto comparison = compare_solutions(axes, tests::made_up_solutions(axes));
+  const auto& one = comparison.marginals[0];
+  const auto& other = comparison.marginals[2];
+  ASSERT_EQ(one.variable, Variable::y);
+  EXPECT_EQ(one.marginal.edges, axes.y_edges);  // shown
+  const auto* pair = find_pair(comparison.pairs, one.solution, other.solution, Variable::y);
+  ASSERT_NE(pair, nullptr);
+  EXPECT_EQ(pair->distances.l1, transform::l1(on_even_bins(axes, Variable::y, one.marginal),
+                                              on_even_bins(axes, Variable::y, other.marginal)));
+}
+
 TEST(Comparison, IsOfTheMarginalOfTheVariableItNames) {
   // Made with the same p(y), and with another p(y').
   std::vector<Solution> two;

@@ -33,6 +33,11 @@ TEST(EquivalentLinearisation, SlowestDecayIsThatOfTheRootsOfTheCharacteristicPol
   EXPECT_NEAR(slowest_decay({.damping = 1e9, .stiffness = 1}), 1e-9, 1e-20);
 }
 
+TEST(EquivalentLinearisation, CountsImpulsesInItsSlowestDecay) {
+  const Problem p = tests::make_problem({.damping = 0.2, .cubic = 0, .restitution = 1, .rate = 3});
+  EXPECT_NEAR(impulses_per_decay_time(p), 30, 1e-12);  // kappa = c/2
+}
+
 TEST(EquivalentLinearisation, StaticDeflectionBalancesTheMeanForce) {
   const Problem p = tests::make_problem({.cubic = 0.5, .rate = 2, .intensity = 1, .mean = 0.6});
   EXPECT_NEAR(p.system.force()(static_deflection(p)), 1.2, 1e-12);

@@ -28,18 +28,35 @@ TEST(FigureRanges, HoldWhatTheLogarithmShows) {
 
 TEST(FigureRanges, AreThoseOfWhatIsVisible) {
   const transform::Solution solution;
-  const results::Curve curve{"toy", Variable::ydot, {-3, -2, -1, 1, 2}, {1e-7, 1e-5, 4, 1, 0}, {},
-                             {}};
+  const results::Curve curve{
+      "toy", Variable::ydot, {-2.5, -1.5, -0.5, 0.5, 1.5}, {1e-7, 1e-5, 4, 1, 0}, {}, {}};
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {0, 0, -0.5, 0.25, nothing}, {}, {}}};
   const auto ranges = figure_ranges(std::vector{drawn});
-  EXPECT_EQ(ranges.linear_from, -1);
-  EXPECT_EQ(ranges.linear_to, 1);
-  EXPECT_EQ(ranges.logarithmic_from, -2);
-  EXPECT_EQ(ranges.logarithmic_to, 1);
+  EXPECT_EQ(ranges.linear_from, -0.5);
+  EXPECT_EQ(ranges.linear_to, 0.5);
+  EXPECT_EQ(ranges.logarithmic_from, -1.5);
+  EXPECT_EQ(ranges.logarithmic_to, 0.5);
   EXPECT_EQ(ranges.largest_density, 4);
+  EXPECT_EQ(ranges.linear_top, 4);
+  EXPECT_EQ(beyond_the_top(ranges), "");
   EXPECT_EQ(ranges.largest_difference, 0.5);
   EXPECT_EQ(ranges.least_difference, 0.5);
+}
+
+TEST(FigureRanges, LeaveASpikeInNarrowBinsToTheLogarithm) {
+  const transform::Solution solution;
+  // The first of even bins of width 1 is divided at 1/4.
+  const results::Curve curve{"toy", Variable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1},
+                             {},    {}};
+  const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {-70, 0.1, 0.3, 0.2}, {}, {}}};
+  const auto ranges = figure_ranges(std::vector{drawn});
+  EXPECT_EQ(drawn.broad_bins(), (std::vector{false, true, true, true}));
+  EXPECT_EQ(ranges.linear_top, 9);
+  EXPECT_EQ(ranges.linear_to, 2.5);  // above 1/500 of 9
+  EXPECT_EQ(ranges.largest_density, 5000);
+  EXPECT_EQ(ranges.largest_difference, 0.3);
+  EXPECT_EQ(beyond_the_top(ranges), "spike up to 5e+03");
 }
 
 TEST(FigureRanges, OfADisplacementBeginAtTheWall) {

@@ -1,0 +1,31 @@
+#include "results/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "compare/axes.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+using transform::Variable;
+
+TEST(Curves, KnowTheWidthsOfTheirBinsFromTheCentres) {
+  // A twentieth of the usual rate: the bins at 0 are divided.
+  const auto axes = compare::comparison_axes(tests::make_problem({.rate = 0.05}));
+  ASSERT_GT(axes.divisions, 0);
+  for (const Variable variable : transform::kVariables) {
+    const transform::Marginal marginal{compare::edges(axes, variable), {}, {}, {}};
+    Curve curve{"", variable, {}, {}, {}, {}};
+    for (std::size_t b = 0; b + 1 < marginal.edges.size(); ++b) {
+      curve.abscissa.push_back(marginal.centre(b));
+    }
+    const auto widths = bin_widths(curve);
+    for (std::size_t b = 0; b < widths.size(); ++b) {
+      EXPECT_NEAR(widths[b], marginal.width(b), 1e-11 * marginal.width(0));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::results
