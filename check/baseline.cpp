@@ -16,10 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 using transform::Solution;
 
-// A solution from a file cannot be solved again: it goes, with its distances and curves.
+// A solution that somebody brought along cannot be solved again: it goes, with its distances, its
+// error budget and its curves.
 void leave_out(results::Case& one, const std::string& id) {
   std::erase_if(one.solutions, [&](const auto& solution) { return solution.id() == id; });
   std::erase_if(one.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
+  std::erase_if(one.budget, [&](const auto& row) { return row.solution == id; });
+  std::erase_if(one.own_errors, [&](const auto& own) { return own.solution == id; });
   std::erase_if(one.curves, [&](const auto& curve) { return curve.solution == id; });
 }
 
@@ -58,7 +61,7 @@ CaseAgain plan(results::Case& one, const methods::Registry& registry,
   for (const auto& id : not_ours) {
     leave_out(one, id);
     notes.push_back(fmt::format(
-        "{} {} was read from a file: it is not solved again and not compared.", one.name(), id));
+        "{} {} was given from outside: it is not solved again and not compared.", one.name(), id));
   }
   return again;
 }

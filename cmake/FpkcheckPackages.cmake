@@ -1,4 +1,5 @@
-# cpack: fpkcheck_VERSION_ARCH.deb with the program, fpkcheck-dev_VERSION_ARCH.deb with the libraries.
+# cpack: fpkcheck_VERSION_ARCH.deb with the program, fpkcheck-dev_VERSION_ARCH.deb with the libraries, and
+# python3-fpkcheck_VERSION_ARCH.deb where that is built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fpkcheck)
 set(CPACK_PACKAGE_VENDOR "the fpkcheck authors")
@@ -23,4 +24,14 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # What fpkcheckConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "fpkcheck (= ${PROJECT_VERSION}), libboost-dev, libboost-program-options-dev, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libsundials-dev, libsuitesparse-dev, libnetcdf-dev")
+if(FPKCHECK_PYTHON_PACKAGE)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-fpkcheck)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  math(EXPR next_minor "${FPKCHECK_PYTHON_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= ${FPKCHECK_PYTHON_MAJOR}.${FPKCHECK_PYTHON_MINOR}), python3 (<< ${FPKCHECK_PYTHON_MAJOR}.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-xarray, gnuplot-nox | gnuplot")
+endif()
 include(CPack)

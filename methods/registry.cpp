@@ -133,9 +133,10 @@ std::vector<Method> Registry::select(const std::string& list, const Values& give
 }
 
 std::optional<Method> Registry::that_made(const Solution& solution, const Values& given) const {
-  constexpr const char* kFile = "file";
+  // Brought along as a file, or as a function or samples.
+  constexpr const char *kFile = "file", *kGiven = "given";
   const auto& identity = solution.identity;
-  if (identity.method == kFile) return std::nullopt;
+  if (identity.method == kFile || identity.method == kGiven) return std::nullopt;
   const Solver* solver = find(identity.method);
   if (solver == nullptr) {
     std::vector<std::string> names;

@@ -41,7 +41,7 @@ class Registry {
   std::vector<Method> select(const std::string& list, const parameters::Values& given) const;
 
   /// The method that made a solution of a saved run, with its options; nothing for a solution that
-  /// was read from a file.
+  /// somebody brought along, as a file or otherwise.
   /// @throws InputError when its options cannot be read or used, when they are those of another id,
   ///         or when no solver here makes such solutions
   std::optional<Method> that_made(const transform::Solution& solution,

@@ -157,6 +157,7 @@ void require_presentable(const std::string& name) {
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides) {
+  require_presentable(name);
   const std::string where = fmt::format("case {}", shown(source));
   Settings settings = parse_file(ini, where);
   apply(overrides, where, settings);
@@ -185,7 +186,6 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
                                  in_quotes(name_or_path), fmt::join(names, ", ")));
   }
   const std::string name = std::filesystem::path(name_or_path).stem().string();
-  require_presentable(name);
   std::istringstream ini(*text);
   return read_case(ini, name, name_or_path, overrides);
 }

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 
 #include "methods/given/given_marginal.hpp"
+#include "methods/given/label.hpp"
 #include "methods/look.hpp"
 #include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "problem/motion_balances.hpp"
 #include "results/directory.hpp"
 #include "transform/balance_residuals.hpp"
@@ -35,32 +34,6 @@ Argument parse(const std::string& text) {
     return {text, results::file_stem(fs::path(text).stem().string())};
   }
   return {text.substr(0, colon), text.substr(colon + 1)};
-}
-
-// As names of variables and of blocks of data have it: "a.b" and "a-b" would be one there.
-std::string plain_name(std::string label) {
-  std::ranges::replace_if(
-      label, [](unsigned char c) { return !std::isalnum(c); }, '_');
-  return label;
-}
-
-void require_free(const std::string& label, const Registry& registry) {
-  constexpr std::size_t kLongest = 24;  // the table has 80 columns
-  const bool legal =
-      !label.empty() && label.size() <= kLongest && results::file_stem(label) == label;
-  if (!legal) {
-    throw InputError(
-        fmt::format("--against: label {} (must be 1 to {} letters, digits, '-', '_' or '.': "
-                    "FILE:LABEL)",
-                    parameters::in_quotes(label), kLongest));
-  }
-  for (const auto& solver : registry.solvers()) {
-    const std::string plain = plain_name(label);
-    if (plain == solver.name || plain.starts_with(solver.name + '_')) {
-      throw InputError(
-          fmt::format("--against: label '{}' is a method's (choose another: FILE:LABEL)", label));
-    }
-  }
 }
 
 double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
@@ -178,15 +151,7 @@ std::vector<Method> given_methods(std::span<const std::string> arguments,
     require_free(label, registry);
     auto marginal = read_given_marginal(file);
     auto own = std::ranges::find(solutions, label, &Given::label);
-    const auto alike = std::ranges::find_if(solutions, [&](const Given& given) {
-      return given.label != label && plain_name(given.label) == plain_name(label);
-    });
-    if (alike != solutions.end()) {
-      throw InputError(fmt::format(
-          "--against: labels '{}' and '{}' are too alike (they differ in '-', '_' or '.' alone: "
-          "choose another: FILE:LABEL)",
-          alike->label, label));
-    }
+    for (const auto& given : solutions) require_unlike(given.label, label);
     if (own == solutions.end()) own = solutions.insert(own, {label, {}});
     if (std::ranges::find(own->marginals, marginal.variable(), &GivenMarginal::variable) !=
         own->marginals.end()) {

@@ -154,13 +154,15 @@ TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
   const std::size_t methods = whole.cases[0].methods.size();
   EXPECT_EQ(baseline.cases[0].methods.size() + 1, methods);
   EXPECT_EQ(baseline.run.cases[0].find("epc-gaussian-n6"), nullptr);
-  EXPECT_NE(baseline.notes.back().find("case1 epc-gaussian-n6 was read from a file"),
+  EXPECT_NE(baseline.notes.back().find("case1 epc-gaussian-n6 was given from outside"),
             std::string::npos);
   const auto& pairs = baseline.run.cases[0].pairs;
   for (const auto& pair : pairs) {
     EXPECT_NE(pair.a, "epc-gaussian-n6");
     EXPECT_NE(pair.b, "epc-gaussian-n6");
   }
+  for (const auto& row : baseline.run.cases[0].budget) EXPECT_NE(row.solution, "epc-gaussian-n6");
+  EXPECT_LT(baseline.run.cases[0].budget.size(), whole.run.cases[0].budget.size());
   EXPECT_EQ(pairs.size(), whole.run.cases[0].pairs.size() - 2 * (methods - 1));
 }
 

@@ -1,0 +1,363 @@
+// fpkcheck._fpkcheck: what the package of this name stands on. Its functions take and give numbers,
+// texts and NumPy arrays; what users see is made of them in Python.
+#include <fmt/format.h>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "compare/axes.hpp"
+#include "extension/options.hpp"
+#include "extension/saving.hpp"
+#include "extension/solving.hpp"
+#include "methods/builtin.hpp"
+#include "methods/given/given_methods.hpp"
+#include "methods/given/label.hpp"
+#include "methods/given/own_density.hpp"
+#include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
+#include "problem/case_file.hpp"
+#include "problem/named_cases.hpp"
+#include "report/table.hpp"
+#include "results/run_json.hpp"
+
+namespace fpkcheck::python {
+namespace {
+
+namespace py = pybind11;
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using RunPointer = std::shared_ptr<results::Run>;
+
+/// The registry of the program, once.
+const methods::Registry& registry() {
+  static const auto one = methods::builtin();
+  return one;
+}
+
+py::array_t<double> array(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::array_t<double> cells(const transform::GridDensity& density) {
+  return py::array_t<double>({density.ny(), density.nv()}, density.averages.data());
+}
+
+parameters::Value value_in(const py::handle& object, const std::string& name) {
+  if (object.is_none()) return {};
+  if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
+  if (py::isinstance<py::int_>(object)) {
+    // One that no integer here holds is out of every range.
+    int overflows = 0;
+    const auto whole = PyLong_AsLongLongAndOverflow(object.ptr(), &overflows);
+    if (overflows != 0) return object.cast<double>();
+    return std::int64_t{whole};
+  }
+  if (py::isinstance<py::float_>(object)) return object.cast<double>();
+  if (py::isinstance<py::str>(object)) return object.cast<std::string>();
+  throw py::type_error(fmt::format("{} is of type {} (use a number, a text, a bool or None)",
+                                   parameters::in_quotes(name), Py_TYPE(object.ptr())->tp_name));
+}
+
+parameters::Values values_in(const py::dict& dict) {
+  parameters::Values values;
+  for (const auto& [key, value] : dict) {
+    const auto name = key.cast<std::string>();
+    values.push_back({name, value_in(value, name)});
+  }
+  return values;
+}
+
+py::object object_of(const parameters::Value& value) {
+  return std::visit(
+      [](const auto& held) -> py::object {
+        using Held = std::decay_t<decltype(held)>;
+        if constexpr (std::is_same_v<Held, std::monostate>) {
+          return py::none();
+        } else {
+          return py::cast(held);
+        }
+      },
+      value);
+}
+
+// -- problems
+
+std::vector<std::string> keys() {
+  std::vector<std::string> all;
+  const auto add = [&](const parameters::Descriptions& section) {
+    for (const auto& parameter : section.all()) all.push_back(section.prefix() + parameter.name);
+  };
+  add(problem::system_description());
+  add(problem::impulse_description());
+  return all;
+}
+
+problem::Problem problem_of(const std::string& name, const std::vector<std::string>& settings) {
+  std::istringstream empty;
+  return problem::read_case(empty, name, name, settings);
+}
+
+py::dict sections_of(const problem::Problem& problem) {
+  py::dict sections;
+  for (const auto& section : problem::sections(problem)) {
+    py::dict values;
+    for (const auto& [name, value] : section.values) values[py::str(name)] = object_of(value);
+    sections[py::str(section.name)] = values;
+  }
+  return sections;
+}
+
+void bind_problems(py::module_& module) {
+  py::class_<problem::Problem>(module, "Problem")
+      .def_readonly("name", &problem::Problem::name)
+      .def_property_readonly("sections", sections_of)
+      .def_property_readonly(
+          "text", [](const problem::Problem& one) { return problem::parameters_text(one); });
+  module.def("case_names", [] {
+    std::vector<std::string> names;
+    for (const auto& named : problem::named_cases()) names.push_back(named.name);
+    return names;
+  });
+  module.def("keys", keys);
+  module.def("load_case", problem::load_case, py::arg("name_or_path"), py::arg("settings"));
+  module.def("problem_of", problem_of, py::arg("name"), py::arg("settings"));
+  module.def("axes_of", [](const problem::Problem& problem) {
+    const auto axes = compare::comparison_axes(problem);
+    return std::make_tuple(array(axes.y_edges), array(axes.v_edges));
+  });
+}
+
+// -- what users bring along
+
+methods::OwnDensity own_density(const std::string& label,
+                                const std::optional<std::string>& equation,
+                                const std::string& impact, std::size_t place) {
+  methods::require_free(label, registry());
+  methods::OwnDensity own{.label = label, .place = place};
+  const auto refuse = [&](const char* what, const std::string& value, const auto& names) {
+    std::string known;
+    for (const auto& named : names) known += fmt::format(", {}", named.name);
+    throw InputError(fmt::format("density '{}': {} {} (must be one of {})", label, what,
+                                 parameters::in_quotes(value), known.substr(2)));
+  };
+  if (equation) {
+    own.equation = parameters::value_named<problem::Equation>(*equation);
+    if (!own.equation) refuse("equation", *equation, problem::kEquationNames);
+  }
+  const auto known = parameters::value_named<problem::Impact>(impact);
+  // Trajectories alone are reflected exactly.
+  if (!known || *known == problem::Impact::exact) {
+    refuse("impact", impact, std::span(problem::kImpactNames).first(2));
+  }
+  own.impact = *known;
+  return own;
+}
+
+methods::Method function_method(const problem::Problem& problem, const Array& values,
+                                const std::string& label, std::optional<std::string> equation,
+                                const std::string& impact, bool normalise, double accuracy,
+                                std::size_t place) {
+  const auto own = own_density(label, equation, impact, place);
+  if (!(accuracy > 0)) {
+    throw InputError(
+        fmt::format("density '{}': accuracy = {:g} (must be positive)", label, accuracy));
+  }
+  return methods::own_function(own, {.normalise = normalise, .accuracy = accuracy},
+                               methods::DensityPoints(compare::comparison_axes(problem)),
+                               {values.data(), values.data() + values.size()});
+}
+
+methods::Method samples_method(const Array& y, const Array& v, const std::string& label,
+                               std::optional<std::string> equation, const std::string& impact,
+                               double independent, std::size_t place) {
+  const auto own = own_density(label, equation, impact, place);
+  return methods::own_samples(own, {y.data(), static_cast<std::size_t>(y.size())},
+                              {v.data(), static_cast<std::size_t>(v.size())}, independent);
+}
+
+void bind_methods(py::module_& module) {
+  py::class_<methods::Method>(module, "Method").def_property_readonly("id", &methods::Method::id);
+  module.def("method_families", [] {
+    std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> all;
+    for (const auto* family : registry().families()) {
+      all.emplace_back(family->name, family->meaning, family->usual);
+    }
+    return all;
+  });
+  module.def("options_of", [](const std::string& list) {
+    py::dict all;
+    for (const auto& method : methods_with(registry(), list, {})) {
+      py::dict options;
+      for (const auto& [name, value] : method.options) options[py::str(name)] = object_of(value);
+      all[py::str(method.id())] = options;
+    }
+    return all;
+  });
+  module.def("points_of", [](const problem::Problem& problem) {
+    const methods::DensityPoints points(compare::comparison_axes(problem));
+    return std::make_tuple(array(points.y()), array(points.v()));
+  });
+  module.def("function_method", function_method, py::arg("problem"), py::arg("values"),
+             py::arg("label"), py::arg("equation"), py::arg("impact"), py::arg("normalise"),
+             py::arg("accuracy"), py::arg("place"));
+  module.def("samples_method", samples_method, py::arg("y"), py::arg("v"), py::arg("label"),
+             py::arg("equation"), py::arg("impact"), py::arg("independent"), py::arg("place"));
+  module.def("file_methods", [](const std::vector<std::string>& arguments) {
+    return methods::given_methods(arguments, registry());
+  });
+}
+
+// -- runs
+
+std::string default_methods() {
+  std::string list;
+  for (const auto& solver : registry().solvers()) list += solver.name + ',';
+  return list;
+}
+
+void throw_on_signal() {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+RunPointer solve_task(const std::vector<problem::Problem>& problems,
+                      const std::optional<std::string>& methods_list, const py::dict& options,
+                      const std::vector<methods::Method>& against, int threads,
+                      std::optional<double> max_seconds, bool bounds, const py::object& progress,
+                      const std::string& command) {
+  if (problems.empty()) throw InputError("no case to solve");
+  if (!against.empty() && problems.size() != 1) {
+    throw InputError(
+        fmt::format("--against with {} cases (a file is of one case: name it)", problems.size()));
+  }
+  if (threads < 0) throw InputError(fmt::format("threads = {} (must be 0 or more)", threads));
+  Task task{problems, {}, threads, bounds, command};
+  auto settings = values_in(options);
+  if (threads > 0) settings.push_back({"threads", std::int64_t{threads}});
+  task.methods = methods_with(registry(), methods_list.value_or(default_methods()), settings);
+  for (const auto& own : against) {
+    for (const auto& other : against) methods::require_unlike(own.id(), other.id());
+    task.methods.push_back(own);
+  }
+  std::ranges::stable_sort(task.methods, methods::less_trusted, &methods::Method::identity);
+
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  methods::RunProgress last{};
+  const auto look = [&](const methods::RunProgress* news) {
+    const py::gil_scoped_acquire locked;
+    throw_on_signal();
+    if (news != nullptr) {
+      last = *news;
+      if (!progress.is_none()) {
+        using namespace py::literals;
+        progress(py::dict("done"_a = last.done, "total"_a = last.total, "case"_a = last.case_name,
+                          "method"_a = last.method, "fraction"_a = last.fraction,
+                          "note"_a = last.note));
+      }
+    }
+    const std::chrono::duration<double> elapsed = Clock::now() - begin;
+    if (max_seconds && elapsed.count() > *max_seconds) {
+      const auto text =
+          fmt::format("not solved in {:g} s: {} of {} solutions, last {} (raise max_seconds)",
+                      *max_seconds, last.done, last.total, last.method);
+      PyErr_SetString(PyExc_TimeoutError, text.c_str());
+      throw py::error_already_set();
+    }
+  };
+  const py::gil_scoped_release unlocked;
+  return std::make_shared<results::Run>(solve(std::move(task), look));
+}
+
+const results::Case& case_of(const results::Run& run, std::size_t k) { return run.cases.at(k); }
+
+py::list curve_list(const std::vector<results::Curve>& curves) {
+  py::list all;
+  for (const auto& curve : curves) {
+    const bool known = !curve.lower.empty();
+    all.append(py::make_tuple(curve.solution, std::string(name(curve.variable)),
+                              array(curve.abscissa), array(curve.density),
+                              known ? py::object(array(curve.lower)) : py::none(),
+                              known ? py::object(array(curve.upper)) : py::none()));
+  }
+  return all;
+}
+
+void bind_runs(py::module_& module) {
+  py::class_<results::Run, RunPointer>(module, "Run")
+      .def("summary", [](const results::Run& run) { return results::summary_text(run); })
+      .def("table",
+           [](const results::Run& run, std::size_t width) { return report::table(run, width); })
+      .def("problem",
+           [](const results::Run& run, std::size_t k) { return case_of(run, k).problem; })
+      .def("curves", [](const results::Run& run,
+                        std::size_t k) { return curve_list(case_of(run, k).curves); })
+      .def("smooth", [](const results::Run& run,
+                        std::size_t k) { return curve_list(case_of(run, k).smooth); })
+      .def("joints",
+           [](const results::Run& run, std::size_t k) {
+             py::list all;
+             for (const auto& [solution, density] : case_of(run, k).joints) {
+               all.append(py::make_tuple(solution, array(density.y_edges), array(density.v_edges),
+                                         cells(density)));
+             }
+             return all;
+           })
+      .def("error_sources",
+           [](const results::Run& run, std::size_t k) {
+             py::list all;
+             for (const auto& [solution, moment, density] : case_of(run, k).error_sources) {
+               all.append(py::make_tuple(solution, moment, array(density.y_edges),
+                                         array(density.v_edges), cells(density)));
+             }
+             return all;
+           })
+      .def("save", [](const RunPointer& run, const std::filesystem::path& directory) {
+        const py::gil_scoped_release unlocked;
+        return save(directory, *run, [] {
+          const py::gil_scoped_acquire locked;
+          throw_on_signal();
+        });
+      });
+  module.def("solve", solve_task, py::arg("problems"), py::arg("methods"), py::arg("options"),
+             py::arg("against"), py::arg("threads"), py::arg("max_seconds"), py::arg("bounds"),
+             py::arg("progress"), py::arg("command"));
+  module.def("load", [](const std::filesystem::path& directory) {
+    const py::gil_scoped_release unlocked;
+    return std::make_shared<results::Run>(load(directory));
+  });
+  module.def("prepare_for_exit", prepare_for_exit);
+}
+
+}  // namespace
+
+// InputError is a std::invalid_argument, which is a ValueError there; other exceptions become
+// RuntimeError.
+PYBIND11_MODULE(_fpkcheck, module) {
+  module.attr("__version__") = results::this_program("").version;
+  py::register_exception_translator([](std::exception_ptr failure) {
+    try {
+      if (failure) std::rethrow_exception(failure);
+    } catch (const std::filesystem::filesystem_error& error) {
+      PyErr_SetString(PyExc_OSError, error.what());
+    }
+  });
+  bind_problems(module);
+  bind_methods(module);
+  bind_runs(module);
+}
+
+}  // namespace fpkcheck::python

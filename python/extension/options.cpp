@@ -1,0 +1,88 @@
+#include "extension/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+
+#include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
+
+namespace fpkcheck::python {
+namespace {
+
+using parameters::NamedValue;
+using parameters::Value;
+using parameters::Values;
+
+// The name that the solver knows the option by; nothing where it is none of its.
+std::optional<std::string> own_name(const methods::Solver& solver, const std::string& option) {
+  const auto dot = option.find('.');
+  if (dot != std::string::npos && option.substr(0, dot) != solver.name) return std::nullopt;
+  auto name = dot == std::string::npos ? option : option.substr(dot + 1);
+  if (solver.parameters->find(name) == nullptr) return std::nullopt;
+  return name;
+}
+
+void require_known(const methods::Registry& registry, const std::string& option) {
+  std::vector<std::string> known;
+  for (const auto& solver : registry.solvers()) {
+    if (own_name(solver, option)) return;
+    if (option.find('.') != std::string::npos && !option.starts_with(solver.name + '.')) continue;
+    for (const auto& parameter : solver.parameters->all()) {
+      known.push_back(solver.name + '.' + parameter.name);
+    }
+  }
+  if (known.empty()) {
+    for (const auto& solver : registry.solvers()) known.push_back(solver.name + ".NAME");
+  }
+  throw InputError(fmt::format("options: {} is no option (known: {})",
+                               parameters::in_quotes(option), fmt::join(known, ", ")));
+}
+
+// Of the type that the parameter takes.
+Value fitting(const parameters::Parameter& parameter, const NamedValue& given) {
+  const std::string label = fmt::format("options: {} =", parameters::shown(given.name));
+  if (const auto* text = std::get_if<std::string>(&given.value)) {
+    return value_from(parameter, *text, label);
+  }
+  const auto value = parameter.accepted(given.value);
+  if (!value) {
+    throw InputError(fmt::format("{} {} (must be {})", label, parameters::text_of(given.value),
+                                 parameter.allowed()));
+  }
+  return *value;
+}
+
+methods::Method with_options(const methods::Registry& registry, const methods::Method& method,
+                             const Values& options) {
+  const methods::Solver& solver = *registry.find(method.identity.method);
+  Values replaced = method.options;
+  for (const auto& option : options) {
+    const auto name = own_name(solver, option.name);
+    if (!name) continue;
+    const Value value = fitting(*solver.parameters->find(*name), option);
+    const auto own = std::ranges::find(replaced, *name, &NamedValue::name);
+    if (own != replaced.end()) own->value = value;
+  }
+  auto made = registry.method(solver, replaced);
+  if (made.id() != method.id()) {
+    throw InputError(fmt::format("options: they make {} of {} (name that among the methods)",
+                                 made.id(), method.id()));
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<methods::Method> methods_with(const methods::Registry& registry,
+                                          const std::string& list, const Values& options) {
+  for (const auto& option : options) require_known(registry, option.name);
+  auto methods = registry.select(list, {});
+  for (auto& method : methods) method = with_options(registry, method, options);
+  return methods;
+}
+
+}  // namespace fpkcheck::python

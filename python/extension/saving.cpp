@@ -1,0 +1,68 @@
+#include "extension/saving.hpp"
+
+#include <dlfcn.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <future>
+#include <mutex>
+
+#include "methods/builtin.hpp"
+#include "process/files_in_hand.hpp"
+#include "process/stop.hpp"
+#include "report/report.hpp"
+#include "results/directory.hpp"
+#include "results/saved_run.hpp"
+
+namespace fpkcheck::python {
+namespace {
+
+// netCDF is for one thread at a time.
+std::mutex& files_mutex() {
+  static std::mutex& one = *new std::mutex;
+  return one;
+}
+
+// HDF5 complains on standard error of every attribute that it looks for in vain, unless the thread
+// has said that it need not: netCDF says so in the first thread that uses it alone.
+void let_hdf5_be_silent_here() {
+  using SetAuto = int (*)(std::int64_t, void*, void*);
+  const auto set_auto = reinterpret_cast<SetAuto>(dlsym(RTLD_DEFAULT, "H5Eset_auto2"));
+  if (set_auto != nullptr) set_auto(0, nullptr, nullptr);
+}
+
+std::vector<std::string> written(const std::filesystem::path& directory, const results::Run& run) {
+  const std::lock_guard lock(files_mutex());
+  let_hdf5_be_silent_here();
+  const process::FilesInHand in_hand;
+  const auto made = results::make_writable(directory);
+  return report::write_report(directory, run);
+}
+
+}  // namespace
+
+std::vector<std::string> save(const std::filesystem::path& directory, const results::Run& run,
+                              const std::function<void()>& look) {
+  using namespace std::chrono_literals;
+  auto warnings = std::async(std::launch::async, [&] { return written(directory, run); });
+  try {
+    while (warnings.wait_for(50ms) != std::future_status::ready) look();
+  } catch (...) {
+    process::request_stop(SIGINT);
+    warnings.wait();
+    process::request_stop(0);
+    throw;
+  }
+  return warnings.get();
+}
+
+results::Run load(const std::filesystem::path& directory) {
+  const std::lock_guard lock(files_mutex());
+  let_hdf5_be_silent_here();
+  auto run = results::load_run(directory);
+  methods::builtin().introduce(run);
+  return run;
+}
+
+}  // namespace fpkcheck::python

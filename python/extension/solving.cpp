@@ -1,0 +1,170 @@
+#include "extension/solving.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "methods/bounds.hpp"
+#include "methods/own_errors.hpp"
+#include "methods/problem_residuals.hpp"
+
+namespace fpkcheck::python {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kBetweenLooks = 50ms;
+constexpr auto kToEndByItself = 300ms;
+
+struct GivenUp : std::exception {
+  const char* what() const noexcept override { return "given up"; }
+};
+
+/// A run on its way; both threads own it, since either may be the last.
+class Work {
+ public:
+  explicit Work(Task task) : task_(std::move(task)) {}
+
+  /// What the thread does.
+  void run() noexcept {
+    try {
+      solve_all();
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    changed_.notify_all();
+  }
+
+  /// @return whether it has ended
+  template <class Duration>
+  bool wait_for(Duration duration) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, duration, [this] { return ended_; });
+  }
+  bool has_ended() { return wait_for(0ms); }
+
+  void give_up() { given_up_ = true; }
+
+  /// What was told since it was asked for last.
+  std::optional<methods::RunProgress> news() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(news_, std::nullopt);
+  }
+
+  /// @pre has_ended()
+  results::Run result() {
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(run_);
+  }
+
+ private:
+  void solve_all() {
+    const auto residuals = methods::residuals_of(task_.problems);
+    run_.program = results::this_program(task_.command);
+    run_.cases = methods::run_cases(task_.problems, task_.methods, task_.threads,
+                                    [this](const methods::RunProgress& at) {
+                                      throw_if_given_up();
+                                      const std::lock_guard lock(mutex_);
+                                      news_ = at;
+                                    },
+                                    residuals, {});
+    for (std::size_t k = 0; task_.bounds && k < run_.cases.size(); ++k) {
+      throw_if_given_up();
+      methods::add_bounds(run_.cases[k], task_.threads);
+      throw_if_given_up();
+      methods::add_own_errors(run_.cases[k], residuals[k], task_.threads);
+    }
+  }
+
+  void throw_if_given_up() const {
+    if (given_up_) throw GivenUp();
+  }
+
+  Task task_;
+  results::Run run_;
+  std::exception_ptr failure_;
+  std::atomic<bool> given_up_ = false;
+  std::mutex mutex_;  // guards what stands below
+  std::condition_variable changed_;
+  bool ended_ = false;
+  std::optional<methods::RunProgress> news_;
+};
+
+struct LeftBehind {
+  std::shared_ptr<Work> work;
+  std::thread thread;
+};
+
+// Never destroyed: a process that ends by a signal leaves it as it is.
+struct Abandoned {
+  std::mutex mutex;
+  std::vector<LeftBehind> all;
+};
+Abandoned& abandoned() {
+  static Abandoned& one = *new Abandoned;
+  return one;
+}
+
+void forget_ended() {
+  const std::lock_guard lock(abandoned().mutex);
+  std::erase_if(abandoned().all, [](LeftBehind& one) {
+    if (!one.work->has_ended()) return false;
+    one.thread.join();
+    return true;
+  });
+}
+
+bool any_abandoned() {
+  forget_ended();
+  const std::lock_guard lock(abandoned().mutex);
+  return !abandoned().all.empty();
+}
+
+}  // namespace
+
+results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& look) {
+  forget_ended();
+  const auto work = std::make_shared<Work>(std::move(task));
+  std::thread thread([work] { work->run(); });
+  try {
+    while (!work->wait_for(kBetweenLooks)) {
+      const auto news = work->news();
+      look(news ? &*news : nullptr);
+    }
+  } catch (...) {
+    work->give_up();
+    if (work->wait_for(kToEndByItself)) {
+      thread.join();
+    } else {
+      const std::lock_guard lock(abandoned().mutex);
+      abandoned().all.push_back({work, std::move(thread)});
+    }
+    throw;
+  }
+  thread.join();
+  return work->result();
+}
+
+void prepare_for_exit() {
+  if (!any_abandoned()) return;
+  // What is registered last is called first, before any destructor.
+  on_exit(
+      [](int status, void*) {
+        if (!any_abandoned()) return;
+        std::fflush(nullptr);
+        _exit(status);
+      },
+      nullptr);
+}
+
+}  // namespace fpkcheck::python

@@ -1,0 +1,521 @@
+"""What came out."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _fpkcheck
+from ._problem import Problem
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[np.float64]
+VARIABLES = ("y", "ydot")
+
+
+def _xarray() -> Any:
+    try:
+        import xarray
+    except ImportError as error:
+        raise ImportError(f"tables with named axes need xarray ({error})") from error
+    return xarray
+
+
+def _number(value: float | None) -> float:
+    """Files have null for what is not finite."""
+    return float("nan") if value is None else float(value)
+
+
+def _numbers(values: Mapping[str, float | None] | None) -> dict[str, float]:
+    return {name: _number(value) for name, value in (values or {}).items()}
+
+
+@dataclass(frozen=True)
+class StatedError:
+    """What a method states of its own error, other than by chance."""
+
+    y_l1: float  #: of p(y), in L1
+    ydot_l1: float  #: of p(y')
+    moments: Mapping[str, float]  #: absolute, by the names of Solution.moments
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A marginal density as averages over bins. Arrays of shape (n,)."""
+
+    abscissa: Array  #: centres of the bins
+    density: Array  #: averages
+    lower: Array | None  #: ends of 95 % intervals, where there are any
+    upper: Array | None
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What a method returned."""
+
+    id: str  #: "fd-kf"
+    method: str  #: the solver: "fd"
+    equation: str  #: "kf", "km4", "km4-pade", "white"; "given" where nobody knows
+    impact: str  #: "map", "delta", "exact"; "-" where nobody knows
+    status: str  #: "ok", "inaccurate", "inadmissible", "not_converged", "ill_posed" or "failed"
+    reason: str  #: why it is not ok, in a sentence; else empty
+    seconds: float  #: wall-clock time
+    moments: Mapping[str, float]  #: y1, y2, y4, v1, v2, v4: E[y], E[y^2], .., E[y'^4]; empty without a density
+    mass: float  #: integral of the density as returned
+    min_density: float  #: smallest value relative to the largest
+    energy_residual: float  #: of the balance of power, relative
+    error: StatedError | None  #: what it states of its own error
+    standard_errors: Mapping[str, float]  #: of the moments, where chance enters; else empty
+    sampling_l1: Mapping[str, float]  #: L1 by chance: expected "y", "ydot"; "y_99", "ydot_99"
+    options: Mapping[str, Any]  #: what was asked for
+    record: Mapping[str, Any] = field(repr=False)  #: all of it, as summary.json has it
+
+    @property
+    def is_ok(self) -> bool:
+        """Whether the status is "ok"."""
+        return self.status == "ok"
+
+    @property
+    def has_density(self) -> bool:
+        """Whether there is anything that could be called a density."""
+        return bool(self.moments)
+
+    @classmethod
+    def _of(cls, record: Mapping[str, Any]) -> Solution:
+        error = record.get("error")
+        stated = None
+        if isinstance(error, dict) and "y_l1" in error:
+            stated = StatedError(_number(error["y_l1"]), _number(error["ydot_l1"]), _numbers(error["moments"]))
+        return cls(
+            id=record["id"],
+            method=record["method"],
+            equation=record["equation"],
+            impact=record["impact"],
+            status=record["status"],
+            reason=record["reason"],
+            seconds=_number(record["seconds"]),
+            moments=MappingProxyType(_numbers(record["moments"])),
+            mass=_number(record["mass"]),
+            min_density=_number(record["min_density"]),
+            energy_residual=_number(record["energy_residual"]),
+            error=stated,
+            standard_errors=MappingProxyType(_numbers(record.get("standard_errors"))),
+            sampling_l1=MappingProxyType(dict(record.get("sampling_l1", {}))),
+            options=MappingProxyType(record["options"]),
+            record=MappingProxyType(record),
+        )
+
+
+class Case:
+    """What a run found out about one case."""
+
+    def __init__(self, native: _fpkcheck.Run, place: int, record: Mapping[str, Any]) -> None:
+        self._native = native
+        self._place = place
+        self._record = record
+
+    @property
+    def name(self) -> str:
+        """The case's name."""
+        return self._record["name"]
+
+    @property
+    def record(self) -> Mapping[str, Any]:
+        """All of it but densities, as summary.json has it (docs/glossary.md has every key)."""
+        return MappingProxyType(dict(self._record))
+
+    @cached_property
+    def problem(self) -> Problem:
+        """What was solved."""
+        return Problem._of(self._native.problem(self._place))
+
+    @cached_property
+    def solutions(self) -> Mapping[str, Solution]:
+        """By id, by increasing trust."""
+        return MappingProxyType({each["id"]: Solution._of(each) for each in self._record["solutions"]})
+
+    @property
+    def reference(self) -> str | None:
+        """Id of the solution that all are measured against; None when no solution of the problem itself is ok."""
+        return self._record["reference"]
+
+    @property
+    def limits(self) -> str:
+        """What limits each closure, in a sentence; empty without a budget."""
+        return self._record["limits"]
+
+    @property
+    def bounds(self) -> dict[str, tuple[float, float]]:
+        """Guaranteed bounds by the functional, "E[y^2]"; empty where they were not computed."""
+        bounds = self._record.get("bounds", {"each": []})
+        return {each["functional"]: (_number(each["lower"]), _number(each["upper"])) for each in bounds["each"]}
+
+    @cached_property
+    def _curves(self) -> dict[str, dict[tuple[str, str], Curve]]:
+        return {
+            kind: {
+                (solution, variable): Curve(abscissa, density, lower, upper)
+                for solution, variable, abscissa, density, lower, upper in curves
+            }
+            for kind, curves in (
+                ("sharp", self._native.curves(self._place)),
+                ("smooth", self._native.smooth(self._place)),
+            )
+        }
+
+    def curve(self, solution: str, variable: str = "y", *, smooth: bool = False) -> Curve:
+        """A marginal density.
+
+        Parameters
+        ----------
+        solution : str
+            Id.
+        variable : {"y", "ydot"}
+            Which one.
+        smooth : bool
+            In smooth bins (docs/simulation.md), where the simulation knows it far better.
+
+        Raises
+        ------
+        KeyError
+            When there is none: no such solution, or one without a density.
+        """
+        return self._curves["smooth" if smooth else "sharp"][solution, variable]
+
+    def _marginals(self, kind: str) -> xarray.Dataset:
+        curves = self._curves[kind]
+        ids = [each for each in self.solutions if any((each, variable) in curves for variable in VARIABLES)]
+        tables: dict[str, Any] = {}
+        coords: dict[str, Any] = {"solution": ids}
+        for variable in VARIABLES:
+            own = {each: curves[each, variable] for each in ids if (each, variable) in curves}
+            if not own:
+                continue
+            coords[variable] = next(iter(own.values())).abscissa
+            nothing = np.full(len(coords[variable]), np.nan)
+            for name, values in (
+                ("", {each: curve.density for each, curve in own.items()}),
+                ("_lower", {each: curve.lower for each, curve in own.items() if curve.lower is not None}),
+                ("_upper", {each: curve.upper for each, curve in own.items() if curve.upper is not None}),
+            ):
+                table = np.stack([values.get(each, nothing) for each in ids])
+                tables[f"p_{variable}{name}"] = (("solution", variable), table)
+        return _xarray().Dataset(tables, coords, {"case": self.name})
+
+    @property
+    def marginals(self) -> xarray.Dataset:
+        """Marginal densities as averages over the bins of the comparison.
+
+        ``p_y(solution, y)``, ``p_ydot(solution, ydot)``, and ends of 95 % intervals as ``p_y_lower``, ``p_y_upper``
+        and so on: NaN where a solution has none. ``y`` and ``ydot`` are centres of bins.
+        """
+        return self._marginals("sharp")
+
+    @property
+    def smooth(self) -> xarray.Dataset:
+        """The same over smooth bins, where the simulation is known far better; empty where it is not."""
+        return self._marginals("smooth")
+
+    @property
+    def joint(self) -> xarray.DataArray:
+        """Joint densities ``p(solution, y, ydot)`` as averages over common cells.
+
+        ``y`` and ``ydot`` are centres of cells, ``y_lower``, ``y_upper``, ``ydot_lower`` and ``ydot_upper`` their
+        edges.
+        """
+        return self._on_cells(self._native.joints(self._place), "p")
+
+    @property
+    def error_sources(self) -> dict[str, xarray.DataArray]:
+        """Where the errors of E[y^2] and E[y'^2] come from, by the moment's name, ``y2`` and ``v2``.
+
+        Values over the cells of `joint`, which times the areas sum to the error of the moment.
+        """
+        found: dict[str, list[tuple[Any, ...]]] = {}
+        for solution, moment, *rest in self._native.error_sources(self._place):
+            found.setdefault(moment, []).append((solution, *rest))
+        return {moment: self._on_cells(each, f"source_{moment}") for moment, each in found.items()}
+
+    def _on_cells(self, each: Sequence[tuple[Any, ...]], name: str) -> xarray.DataArray:
+        if not each:
+            return _xarray().DataArray(
+                np.empty((0, 0, 0)), {"solution": [], "y": [], "ydot": []}, ("solution", "y", "ydot"), name
+            )
+        _, y, v, _ = each[0]
+        return _xarray().DataArray(
+            np.stack([values for *_, values in each]),
+            {
+                "solution": [solution for solution, *_ in each],
+                "y": (y[1:] + y[:-1]) / 2,
+                "ydot": (v[1:] + v[:-1]) / 2,
+                "y_lower": ("y", y[:-1]),
+                "y_upper": ("y", y[1:]),
+                "ydot_lower": ("ydot", v[:-1]),
+                "ydot_upper": ("ydot", v[1:]),
+            },
+            ("solution", "y", "ydot"),
+            name,
+            {"case": self.name},
+        )
+
+    @property
+    def moments(self) -> xarray.DataArray:
+        """Moments of all solutions with a density: dims ``solution``, ``moment`` (y1, y2, y4, v1, v2, v4)."""
+        own = {each.id: each.moments for each in self.solutions.values() if each.has_density}
+        names = ["y1", "y2", "y4", "v1", "v2", "v4"]
+        return _xarray().DataArray(
+            np.array([[moments[name] for name in names] for moments in own.values()]).reshape(len(own), len(names)),
+            {"solution": list(own), "moment": names},
+            ("solution", "moment"),
+            "moments",
+        )
+
+    def l1(self, one: str, other: str) -> dict[str, float]:
+        """L1 distances of the marginals of two solutions, by "y" and "ydot"; only those that there are.
+
+        Raises
+        ------
+        KeyError
+            When one is no solution of this case.
+        """
+        for name in (one, other):
+            self.solutions[name]
+        return {
+            each["variable"]: _number(each["l1"])
+            for each in self._record["comparisons"]
+            if {each["a"], each["b"]} == {one, other}
+        }
+
+    @property
+    def distances(self) -> xarray.Dataset:
+        """Distances of all pairs: ``l1``, ``l2``, ``sup``, ``hellinger``, ``kl``.
+
+        Dims ``solution``, ``reference``, ``variable``; the reference is the more trusted of a pair, and the rest is
+        NaN. ``kl`` is KL(reference || solution).
+        """
+        pairs = self._record["comparisons"]
+        ids = list(self.solutions)
+        names = ("l1", "l2", "sup", "hellinger", "kl")
+        tables = {name: np.full((len(ids), len(ids), len(VARIABLES)), np.nan) for name in names}
+        for pair in pairs:
+            at = ids.index(pair["a"]), ids.index(pair["b"]), VARIABLES.index(pair["variable"])
+            for name in names:
+                tables[name][at] = _number(pair[name])
+            # The one that may be infinite.
+            if pair["kl"] is None and pair["l1"] is not None:
+                tables["kl"][at] = np.inf
+        dims = ("solution", "reference", "variable")
+        return _xarray().Dataset(
+            {name: (dims, table) for name, table in tables.items()},
+            {"solution": ids, "reference": ids, "variable": list(VARIABLES)},
+            {"case": self.name},
+        )
+
+    @property
+    def budget(self) -> xarray.Dataset:
+        """The error budget of the closures (docs/budget.md).
+
+        ``total(solution, variable)``, the L1 distance to the end of the chain; ``l1(solution, variable, part)``, its
+        parts by their names ("closure", "impact", "truncation", ..), which sum to no less than the total;
+        ``total_tail`` and ``tail`` likewise in decades of the density. NaN where a chain has no such part.
+        """
+        rows = self._record["budget"]
+        closures = list(dict.fromkeys(row["solution"] for row in rows))
+        parts: list[str] = []
+        for row in rows:
+            known = [part["name"] for part in row["parts"]]
+            # One that is new stands before the one that follows it here: the chain's order.
+            for place, name in reversed(list(enumerate(known))):
+                if name not in parts:
+                    later = [parts.index(each) for each in known[place + 1 :] if each in parts]
+                    parts.insert(min(later, default=len(parts)), name)
+        shape = (len(closures), len(VARIABLES))
+        totals = {name: np.full(shape, np.nan) for name in ("total", "total_tail")}
+        tables = {name: np.full((*shape, len(parts)), np.nan) for name in ("l1", "tail")}
+        ends = np.full(shape, "", dtype=object)
+        for row in rows:
+            at = closures.index(row["solution"]), VARIABLES.index(row["variable"])
+            for name, table in totals.items():
+                table[at] = _number(row[name])
+            ends[at] = row["reference"]
+            for part in row["parts"]:
+                for name, table in tables.items():
+                    table[at[0], at[1], parts.index(part["name"])] = _number(part[name])
+        dims = ("solution", "variable")
+        data: dict[str, Any] = {name: (dims, table) for name, table in totals.items()}
+        data.update({name: ((*dims, "part"), table) for name, table in tables.items()})
+        return _xarray().Dataset(
+            {**data, "reference": (dims, ends)},
+            {"solution": closures, "variable": list(VARIABLES), "part": parts},
+            {"case": self.name},
+        )
+
+    def __repr__(self) -> str:
+        each = ", ".join(f"{solution.id} {solution.status}" for solution in self.solutions.values())
+        return f"<fpkcheck.Case {self.name}: {each}>"
+
+
+class Run(Mapping[str, Case]):
+    """A run: its cases by name. What a `Case` has, a run of one case has too.
+
+    ``print(run)`` shows the table of ``fpkcheck run``.
+    """
+
+    def __init__(self, native: _fpkcheck.Run) -> None:
+        self._native = native
+
+    @cached_property
+    def summary(self) -> Mapping[str, Any]:
+        """Everything but densities, as summary.json has it."""
+        return MappingProxyType(json.loads(self._native.summary()))
+
+    @cached_property
+    def cases(self) -> Mapping[str, Case]:
+        """By name, in their order."""
+        records = self.summary["cases"]
+        return MappingProxyType({each["name"]: Case(self._native, k, each) for k, each in enumerate(records)})
+
+    @property
+    def stopped(self) -> str:
+        """That the run was told to stop, and what is missing for it; empty when it came to its end."""
+        return self.summary.get("stopped", "")
+
+    @property
+    def case(self) -> Case:
+        """The only one.
+
+        Raises
+        ------
+        ValueError
+            When there are several.
+        """
+        if len(self.cases) != 1:
+            raise ValueError(f"a run of {len(self.cases)} cases (say which: run['{next(iter(self.cases), 'case1')}'])")
+        return next(iter(self.cases.values()))
+
+    # What a case has.
+
+    @property
+    def problem(self) -> Problem:
+        """`Case.problem` of the only case."""
+        return self.case.problem
+
+    @property
+    def solutions(self) -> Mapping[str, Solution]:
+        """`Case.solutions` of the only case."""
+        return self.case.solutions
+
+    @property
+    def reference(self) -> str | None:
+        """`Case.reference` of the only case."""
+        return self.case.reference
+
+    @property
+    def limits(self) -> str:
+        """`Case.limits` of the only case."""
+        return self.case.limits
+
+    @property
+    def bounds(self) -> dict[str, tuple[float, float]]:
+        """`Case.bounds` of the only case."""
+        return self.case.bounds
+
+    @property
+    def marginals(self) -> xarray.Dataset:
+        """`Case.marginals` of the only case."""
+        return self.case.marginals
+
+    @property
+    def smooth(self) -> xarray.Dataset:
+        """`Case.smooth` of the only case."""
+        return self.case.smooth
+
+    @property
+    def joint(self) -> xarray.DataArray:
+        """`Case.joint` of the only case."""
+        return self.case.joint
+
+    @property
+    def error_sources(self) -> dict[str, xarray.DataArray]:
+        """`Case.error_sources` of the only case."""
+        return self.case.error_sources
+
+    @property
+    def moments(self) -> xarray.DataArray:
+        """`Case.moments` of the only case."""
+        return self.case.moments
+
+    @property
+    def distances(self) -> xarray.Dataset:
+        """`Case.distances` of the only case."""
+        return self.case.distances
+
+    @property
+    def budget(self) -> xarray.Dataset:
+        """`Case.budget` of the only case."""
+        return self.case.budget
+
+    def curve(self, solution: str, variable: str = "y", *, smooth: bool = False) -> Curve:
+        """`Case.curve` of the only case."""
+        return self.case.curve(solution, variable, smooth=smooth)
+
+    def l1(self, one: str, other: str) -> dict[str, float]:
+        """`Case.l1` of the only case."""
+        return self.case.l1(one, other)
+
+    def table(self, width: int = 100) -> str:
+        """The tables that ``fpkcheck run`` prints, for so many characters a line."""
+        return self._native.table(width)
+
+    def save(self, directory: str | os.PathLike[str]) -> None:
+        """Write what ``fpkcheck run --out`` writes: report.html, summary.json, marginals.csv, joint.nc, figures/.
+
+        Files of an earlier run there are replaced together, or not at all. A picture that cannot be drawn (no
+        gnuplot) is a warning.
+
+        Raises
+        ------
+        ValueError
+            When the directory cannot be used.
+        RuntimeError
+            When a file cannot be written.
+        """
+        for warning in self._native.save(os.fspath(directory)):
+            warnings.warn(warning, stacklevel=2)
+
+    def __getitem__(self, name: str) -> Case:
+        return self.cases[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.cases)
+
+    def __len__(self) -> int:
+        return len(self.cases)
+
+    def __str__(self) -> str:
+        return self.table()
+
+    def __repr__(self) -> str:
+        return f"<fpkcheck.Run of {', '.join(map(repr, self.cases.values())) or 'nothing'}>"
+
+
+def load(directory: str | os.PathLike[str]) -> Run:
+    """Read what `Run.save` or ``fpkcheck run --out`` left in a directory.
+
+    Raises
+    ------
+    ValueError
+        When there is no run, or a file of it is broken or of another run; in one line.
+    """
+    return Run(_fpkcheck.load(os.fspath(directory)))

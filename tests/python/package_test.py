@@ -1,0 +1,418 @@
+"""The package for Python: what it gives is what the program gives.
+
+    package_test.py FPKCHECK        with the package on PYTHONPATH; exit code 77 (skipped) without xarray
+"""
+
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+try:
+    import numpy as np
+    import xarray
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
+
+import fpkcheck as fpk
+
+PROGRAM = sys.argv.pop(1)
+METHODS = "epc-gaussian-n4,epc-gaussian-n6,fd-km4,fd-kf,mcs"
+
+
+def refusal(call, *arguments, **keywords):
+    """The text of the ValueError that a call raises."""
+    try:
+        call(*arguments, **keywords)
+    except ValueError as error:
+        return str(error)
+    return "accepted"
+
+
+class TheProgramsRun(unittest.TestCase):
+    """A run of the program, and the same from Python."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.directory = pathlib.Path(cls.folder.name, "run")
+        subprocess.run(
+            [PROGRAM, "run", "case1", "--set", "system.restitution=0.95", "--methods", METHODS, "--seed", "3"]
+            + ["--time", "2e4", "--quiet", "--out", str(cls.directory)]
+        )  # epc-gaussian-n4 is no density: exit code 1
+        cls.summary = json.loads((cls.directory / "summary.json").read_text())
+        cls.run_ = fpk.solve(
+            "case1", METHODS.split(","), restitution=0.95, options={"mcs.seed": 3, "mcs.time": 20_000}
+        )
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def assert_same(self, one, other, at=""):
+        """Numbers to 1e-7 of their size and of 1: iterations may end one step apart."""
+        timed = ("seconds", "_seconds", "milliseconds")
+        if isinstance(one, dict):
+            self.assertEqual(set(one), set(other), at)
+            for key in one:
+                if not key.endswith(timed):
+                    self.assert_same(one[key], other[key], f"{at}.{key}")
+        elif isinstance(one, list):
+            self.assertEqual(len(one), len(other), at)
+            for k, (a, b) in enumerate(zip(one, other)):
+                self.assert_same(a, b, f"{at}[{k}]")
+        elif isinstance(one, float) and isinstance(other, float):
+            self.assertTrue(math.isclose(one, other, rel_tol=1e-7, abs_tol=1e-9), (at, one, other))
+        else:
+            self.assertEqual(one, other, at)
+
+    def test_is_the_same_from_python(self):
+        # Bounds are as narrow as a second allows.
+        for key in ("system", "impulse", "comparisons", "budget", "reference", "limits"):
+            self.assert_same(self.summary["cases"][0][key], self.run_.case.record[key], key)
+        for one, other in zip(self.summary["cases"][0]["solutions"], self.run_.solutions.values()):
+            for key in ("id", "status", "reason", "moments", "mass", "options", "equation", "impact"):
+                self.assert_same(one[key], other.record[key], f"{one['id']}.{key}")
+
+    def test_solutions_say_what_the_summary_says(self):
+        kf = self.run_.solutions["fd-kf"]
+        self.assertEqual((kf.status, kf.reason, kf.is_ok), ("ok", "", True))
+        self.assertEqual(list(kf.moments), ["y1", "y2", "y4", "v1", "v2", "v4"])
+        self.assertLess(kf.error.y_l1, 1e-3)
+        self.assertAlmostEqual(kf.mass, 1, 6)
+        n4 = self.run_.solutions["epc-gaussian-n4"]
+        self.assertEqual(n4.status, "inadmissible")
+        self.assertIn("peak", n4.reason)
+        self.assertEqual(self.run_.reference, self.summary["cases"][0]["reference"])
+        self.assertGreater(self.run_.solutions["mcs"].standard_errors["y2"], 0)
+        lower, upper = self.run_.bounds["E[y^2]"]
+        self.assertTrue(lower < kf.moments["y2"] < upper)
+
+    def test_loading_gives_what_was_saved(self):
+        loaded = fpk.load(self.directory)
+        self.assertEqual(loaded.summary["cases"], self.summary["cases"])
+        self.assertEqual(loaded.problem, self.run_.problem)
+        with tempfile.TemporaryDirectory() as folder:
+            self.run_.save(pathlib.Path(folder, "again"))
+            again = fpk.load(pathlib.Path(folder, "again"))
+            for file in ("report.html", "summary.json", "marginals.csv", "smooth.csv", "joint.nc", "figures"):
+                self.assertTrue(pathlib.Path(folder, "again", file).exists(), file)
+            xarray.testing.assert_equal(again.marginals, self.run_.marginals)
+            xarray.testing.assert_equal(again.smooth, self.run_.smooth)
+            xarray.testing.assert_equal(again.joint, self.run_.joint)
+            xarray.testing.assert_equal(again.distances, self.run_.distances)
+            xarray.testing.assert_equal(again.budget, self.run_.budget)
+            self.assertEqual(again.solutions, self.run_.solutions)
+            self.assertEqual(again.table(), self.run_.table())
+            check = subprocess.run([PROGRAM, "report", str(pathlib.Path(folder, "again"))], capture_output=True)
+            self.assertEqual(check.returncode, 0, check.stderr)
+
+    def test_tables_have_the_named_axes(self):
+        marginals, joint = self.run_.marginals, self.run_.joint
+        ids = METHODS.split(",")
+        self.assertEqual(list(marginals.solution.values), ids)
+        self.assertEqual(marginals.p_y.dims, ("solution", "y"))
+        self.assertEqual(marginals.p_y.shape, (5, 140))
+        self.assertTrue(np.isfinite(marginals.p_y_lower.sel(solution="mcs")).all())
+        self.assertTrue(np.isnan(marginals.p_y_lower.sel(solution="fd-kf")).all())
+        edges = self.run_.problem.bins()[0]
+        self.assertAlmostEqual(float(marginals.p_y.sel(solution="fd-kf").values @ np.diff(edges)), 1, 6)
+        self.assertEqual(joint.dims, ("solution", "y", "ydot"))
+        area = (joint.y_upper - joint.y_lower) * (joint.ydot_upper - joint.ydot_lower)
+        self.assertAlmostEqual(float((joint.sel(solution="fd-kf") * area).sum()), 1, 5)
+        curve = self.run_.curve("fd-kf", "ydot")
+        np.testing.assert_array_equal(curve.density, marginals.p_ydot.sel(solution="fd-kf"))
+        self.assertIsNone(curve.lower)
+        self.assertEqual(set(self.run_.error_sources), {"y2", "v2"})
+        self.assertIn("mcs", self.run_.smooth.solution)
+
+    def test_distances_and_budget_are_those_of_the_summary(self):
+        case = self.summary["cases"][0]
+        distances, budget = self.run_.distances, self.run_.budget
+        for pair in case["comparisons"]:
+            at = dict(solution=pair["a"], reference=pair["b"], variable=pair["variable"])
+            self.assertAlmostEqual(float(distances.l1.sel(at)), pair["l1"], 8)
+        self.assertEqual(set(self.run_.l1("fd-kf", "mcs")), {"y", "ydot"})
+        self.assertEqual(list(budget.part.values)[:2], ["closure + impact", "truncation"])
+        for row in case["budget"]:
+            own = budget.sel(solution=row["solution"], variable=row["variable"])
+            self.assertAlmostEqual(float(own.total), row["total"], 8)
+            self.assertLessEqual(float(own.total), float(own.l1.sum()) + 1e-12)
+
+    def test_the_table_is_the_programs(self):
+        saved = subprocess.run([PROGRAM, "report", str(self.directory)], capture_output=True, text=True).stdout
+        self.assertEqual(fpk.load(self.directory).table(100).splitlines()[0], saved.splitlines()[0])
+        self.assertIn("error budget", str(self.run_))
+
+
+class Input(unittest.TestCase):
+    one_line = dict(damping=0.1, stiffness=1, cubic=0, restitution=1, rate=1, law="gaussian", intensity=1)
+
+    def test_is_refused_in_the_programs_line(self):
+        solve, case = fpk.solve, fpk.Problem.case
+        for got, expected in (
+            (refusal(case, "case1", damping=-1), "case case1: system.damping = -1 (must be"),
+            (refusal(case, "case9"), "no case 'case9'"),
+            (refusal(case, "case1", dampin=1), "unknown key 'dampin' (known keys: system.damping"),
+            (refusal(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
+            (refusal(solve, "case1", "fd-nonsense"), "--methods: 'fd-nonsense' is no method"),
+            (refusal(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "'mcs.sed' is no option (known: mcs."),
+            (refusal(solve, "case1", "mcs", options={"mcs.time": "x"}), "options: mcs.time = 'x'"),
+            (refusal(solve, "case1", "mcs", options={"mcs.time": -1}), "must be"),
+            (refusal(solve, "case1", "epc-gaussian-n6", options={"epc.order": 4}), "epc-gaussian-n4"),
+            (refusal(solve, ["case1", "case2"], "fd-kf", against={"a": "b.csv"}), "2 cases"),
+            (refusal(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is a method's"),
+            (refusal(solve, "case1", "fd-kf", against={"lab": "nowhere.csv"}), "nowhere.csv"),
+            (refusal(fpk.Problem.case, "case1", law="cauchy"), "impulse.law = 'cauchy' (must be one of gaussian"),
+            (refusal(fpk.Problem, self.one_line, name="a\nb"), "the case's name, that of its file, holds control"),
+            (refusal(fpk.Problem, self.one_line, name="a" * 101), "has 101 bytes"),
+            (refusal(fpk.load, "/nowhere"), "/nowhere"),
+            (refusal(fpk.solve("case1", "fd-white", bounds=False).save, "/proc/nowhere"), "/proc/nowhere"),
+        ):
+            self.assertIn(expected, got)
+            self.assertNotIn("\n", got)
+        with self.assertRaises(TypeError):
+            fpk.Problem(damping=[1])
+        with self.assertRaises(TypeError):
+            solve("case1", "fd-kf", options={"fd.order": object()})
+
+    def test_problems_are_what_was_given(self):
+        keywords = dict(damping=0.2, stiffness=1, cubic=0.3, restitution=0.9, rate=2, law="laplace", intensity=0.1)
+        one = fpk.Problem(**keywords)
+        nested = {"system": {k: keywords[k] for k in ("damping", "stiffness", "cubic", "restitution")}}
+        nested["impulse"] = {k: keywords[k] for k in ("rate", "law", "intensity")}
+        self.assertEqual(one, fpk.Problem(nested))
+        rest = {name: value for name, value in keywords.items() if name != "damping"}
+        self.assertEqual(one, fpk.Problem({"system.damping": np.float64(0.2)}, **rest))
+        self.assertIn("given twice", refusal(fpk.Problem, {"system.damping": 0.2}, **keywords))
+        self.assertEqual(one["impulse.law"], "laplace")
+        self.assertEqual(one["mean"], 0)
+        self.assertEqual(fpk.Problem.case("case1", restitution=1 / 3)["restitution"], 1 / 3)
+        with tempfile.NamedTemporaryFile("w", suffix=".ini") as file:
+            file.write("".join(f"[{s}]\n" + "".join(f"{k} = {v}\n" for k, v in p.items()) for s, p in nested.items()))
+            file.flush()
+            self.assertEqual(fpk.load_case(file.name).settings, one.settings)
+
+    def test_methods_and_options_are_listed(self):
+        self.assertIn("epc-moment", fpk.methods())
+        self.assertIn("seed", fpk.options("mcs")["mcs"])
+
+
+def half_normal_l1(one, other):
+    """L1 of two centred normal densities, and of their halves, by erf at where they cross."""
+    at = one * other * math.sqrt(2 * math.log(other / one) / (other**2 - one**2))
+    return 2 * (math.erf(at / one / math.sqrt(2)) - math.erf(at / other / math.sqrt(2)))
+
+
+class OwnDensities(unittest.TestCase):
+    """At r = 1 white noise has the density exp(-(c/D2) (v^2/2 + U(y))), here with c/D2 = 2, U = y^2/2."""
+
+    problem = fpk.Problem.case("case1", restitution=1, cubic=0)
+    exact = math.sqrt(0.5)
+
+    def normal(self, factor):
+        return lambda y, v: np.exp(-(y**2 + v**2) / 2 / (factor * self.exact) ** 2)
+
+    def test_functions_are_as_far_as_is_known_exactly(self):
+        far = half_normal_l1(self.exact, 1.1 * self.exact)
+        run = fpk.solve(
+            self.problem,
+            "fd-white,fd-kf",
+            against={
+                "exact": fpk.Density(self.normal(1), equation="white", accuracy=1),
+                "wide": fpk.Density(self.normal(1.1), equation="white"),
+                "nobody": self.normal(1.1),
+            },
+        )
+        for variable in ("y", "ydot"):
+            self.assertLess(run.l1("exact", "fd-white")[variable], 1e-4)
+            # Of averages over bins: the one in which they cross counts less.
+            self.assertAlmostEqual(run.l1("exact", "wide")[variable], far, delta=3e-4)
+            self.assertAlmostEqual(run.l1("nobody", "fd-white")[variable], far, 3)
+            budget = run.budget.sel(variable=variable)
+            self.assertAlmostEqual(float(budget.l1.sel(solution="wide", part="closure")), far, 3)
+            self.assertLess(float(budget.l1.sel(solution="exact", part="closure")), 1e-4)
+            self.assertGreater(float(budget.l1.sel(solution="exact", part="white noise")), 0.005)
+        exact = run.solutions["exact"]
+        self.assertEqual((exact.status, exact.equation, exact.impact), ("ok", "white", "map"))
+        self.assertAlmostEqual(exact.moments["y2"], 0.5, 8)
+        self.assertAlmostEqual(exact.moments["v4"], 0.75, 7)
+        self.assertAlmostEqual(exact.mass, 1, 9)
+        self.assertAlmostEqual(exact.record["normalised_by"], math.pi / 2, 8)
+        self.assertLess(abs(exact.energy_residual), 1e-8)
+        # Its own error is that of white noise in place of jumps.
+        distance = run.l1("exact", "fd-kf")["y"]
+        self.assertTrue(distance < exact.error.y_l1 < 1.7 * distance)
+        wide, nobody = run.solutions["wide"], run.solutions["nobody"]
+        self.assertEqual(wide.status, "inaccurate")
+        self.assertIn("0.02 is asked for", wide.reason)
+        self.assertEqual((nobody.status, nobody.equation, nobody.impact), ("ok", "given", "-"))
+        self.assertNotIn("nobody", run.budget.solution)
+        with tempfile.TemporaryDirectory() as folder:
+            run.save(folder)
+            self.assertEqual(fpk.load(folder).solutions, run.solutions)
+            # What users bring along cannot be solved again.
+            check = subprocess.run(
+                [PROGRAM, "check", str(pathlib.Path(folder, "summary.json"))], capture_output=True, text=True
+            )
+            self.assertEqual(check.returncode, 0, check.stdout + check.stderr)
+            self.assertIn("wide", check.stdout + check.stderr)
+
+    def test_scalar_functions_do_too(self):
+        def scalar(y, v):
+            return math.exp(-(y**2) - v**2) if y >= 0 else 0.0
+
+        run = fpk.solve(self.problem, "fd-white", against={"a": scalar, "b": self.normal(1)}, bounds=False)
+        self.assertLess(max(run.l1("a", "b").values()), 1e-14)
+
+    def test_what_is_no_density_is_said(self):
+        def solved(function, **how):
+            density = fpk.Density(function, equation="white", **how)
+            run = fpk.solve(self.problem, "fd-white", against={"own": density}, bounds=False)
+            return run.solutions["own"]
+
+        self.assertIn("negative", solved(lambda y, v: (1 - y) * np.exp(-(y**2) - v**2)).reason)
+        self.assertIn("cut off", solved(lambda y, v: 1 + 0 * y).reason)
+        off = solved(self.normal(1), normalise=False)
+        self.assertEqual(off.status, "inadmissible")
+        self.assertIn("its integral is 1.5708", off.reason)
+        for function, expected in (
+            (lambda y, v: np.log(y), "must be a finite number"),
+            (lambda y, v: -np.exp(-(y**2) - v**2), "its integral is"),
+            (lambda y, v: np.ones(7), "shape (7,)"),
+        ):
+            with np.errstate(divide="ignore"):
+                self.assertIn(expected, refusal(solved, function))
+        self.assertIn("equation 'km5'", refusal(fpk.solve, "case1", "fd-kf", against={
+            "own": fpk.Density(self.normal(1), equation="km5")}))
+        self.assertIn("impact 'exact' (must be one of map, delta)", refusal(fpk.solve, "case1", "fd-kf", against={
+            "own": fpk.Density(self.normal(1), equation="kf", impact="exact")}))
+        with self.assertRaises(ZeroDivisionError):
+            solved(lambda y, v: 1 / 0)
+
+    def test_samplers_are_as_far_as_chance_takes_them(self):
+        def sampler(rng, n):
+            return np.abs(rng.normal(0, self.exact, (n, 2))) * np.stack([np.ones(n), rng.choice([-1, 1], n)], axis=1)
+
+        run = fpk.solve(
+            self.problem,
+            "fd-white",
+            against={
+                "drawn": fpk.Samples(sampler, equation="white", n=40_000),
+                "few": sampler(np.random.default_rng(2), 4000),
+                "worth_less": fpk.Samples(sampler, equation="white", n=40_000, independent=4000),
+            },
+            bounds=False,
+        )
+        for id, number in (("drawn", 40_000), ("few", 4000)):
+            solution, distance = run.solutions[id], run.l1(id, "fd-white")
+            for variable in ("y", "ydot"):
+                expected = solution.sampling_l1[variable]
+                self.assertLess(expected, distance[variable] * 1.35)
+                self.assertGreater(expected, distance[variable] / 1.35)
+            self.assertLess(abs(solution.moments["y2"] - 0.5), 4 * solution.standard_errors["y2"])
+            self.assertAlmostEqual(solution.standard_errors["y2"], 0.5 * math.sqrt(2 / number), delta=0.001)
+        ratio = run.solutions["worth_less"].sampling_l1["y"] / run.solutions["drawn"].sampling_l1["y"]
+        self.assertAlmostEqual(ratio, math.sqrt(10), 6)
+        inside = run.marginals.p_y.sel(solution="fd-white")
+        own = run.marginals.sel(solution="drawn")
+        within = ((own.p_y_lower <= inside) & (inside <= own.p_y_upper))[:50]
+        self.assertGreater(float(within.mean()), 0.85)
+        for samples, expected in ((np.zeros((5, 2)), "must be 100"), (np.zeros(300), "shape (300,)"),
+                                  (-np.ones((200, 2)), "y >= 0"), (np.full((200, 2), np.nan), "finite")):
+            self.assertIn(expected, refusal(fpk.solve, self.problem, "fd-white", against={"own": samples}))
+
+    def test_files_join_as_well(self):
+        run = fpk.solve(self.problem, "fd-white", bounds=False)
+        curve = run.curve("fd-white")
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "lab.csv")
+            np.savetxt(file, np.stack([curve.abscissa, curve.density], axis=1), header="y p(y)")
+            again = fpk.solve(self.problem, "fd-white", against={"lab": file}, bounds=False)
+        self.assertLess(again.l1("lab", "fd-white")["y"], 1e-3)
+        self.assertEqual(set(again.l1("lab", "fd-white")), {"y"})
+        self.assertTrue(np.isnan(again.marginals.p_ydot.sel(solution="fd-white")).sum() == 0)
+
+
+class Solving(unittest.TestCase):
+    def test_needs_no_xarray_but_for_named_axes(self):
+        program = """if True:
+            import sys
+            sys.modules["xarray"] = None
+            import fpkcheck
+            run = fpkcheck.solve("case1", "fd-white", bounds=False)
+            print(run.curve("fd-white").density.shape, run.solutions["fd-white"].status)
+            try:
+                run.marginals
+            except ImportError as error:
+                print("need xarray" in str(error))
+            """
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+        self.assertEqual(done.stdout, "(140,) ok\nTrue\n", done.stderr)
+
+    def test_leaves_the_interpreter_free(self):
+        count, stop = 0, threading.Event()
+
+        def counting():
+            nonlocal count
+            while not stop.is_set():
+                count += 1
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=counting)
+        thread.start()
+        begin = time.monotonic()
+        fpk.solve("case1", "mcs", options={"mcs.time": 2e5, "mcs.controlled": False}, threads=1, bounds=False)
+        elapsed = time.monotonic() - begin
+        stop.set()
+        thread.join()
+        self.assertGreater(elapsed, 0.2)
+        self.assertGreater(count, 50 * elapsed)
+
+    def test_tells_where_it_stands_and_ends_in_time(self):
+        told = []
+        fpk.solve("case1", "fd-white,fd-kf", progress=told.append, bounds=False)
+        self.assertTrue(told)
+        self.assertEqual(told[-1]["total"], 2)
+        self.assertEqual(told[-1]["case"], "case1")
+        begin = time.monotonic()
+        with self.assertRaisesRegex(TimeoutError, "not solved in 0.5 s: 0 of 1 solutions, last mcs"):
+            fpk.solve("case1", "mcs", options={"mcs.time": 1e9}, max_seconds=0.5)
+        self.assertLess(time.monotonic() - begin, 3)
+
+        def refuse(at):
+            raise LookupError(at["method"])
+
+        with self.assertRaisesRegex(LookupError, "fd-kf"):
+            fpk.solve("case1", "fd-kf", progress=refuse)
+
+    def test_several_cases_are_asked_for_by_name(self):
+        run = fpk.solve(["case1", fpk.Problem.case("case4")], "epc-moment-n4", bounds=False)
+        self.assertEqual(list(run), ["case1", "case4"])
+        self.assertNotEqual(run["case1"].problem, run["case4"].problem)
+        self.assertIn("say which", refusal(lambda: run.solutions))
+        self.assertEqual(run["case4"].joint.attrs["case"], "case4")
+
+    def test_threads_may_solve_at_once(self):
+        found = {}
+
+        def solving(name):
+            found[name] = fpk.solve(name, "fd-white", bounds=False)
+
+        threads = [threading.Thread(target=solving, args=(f"case{k}",)) for k in (1, 2, 3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual({name: run.solutions["fd-white"].status for name, run in found.items()},
+                         {"case1": "ok", "case2": "ok", "case3": "ok"})
+
+
+if __name__ == "__main__":
+    unittest.main()
