@@ -8,6 +8,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -173,8 +174,13 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
   } catch (const InputError& error) {
     complain(error.what());
     return kBadInput;
+  } catch (const std::bad_alloc&) {
+    complain(
+        "stopped: out of memory (this machine's, or what this process may have); coarser grids and "
+        "fewer --threads need less");
+    return kNotReached;
   } catch (const std::exception& error) {
-    // A broken environment: no memory, a full disk.
+    // A broken environment: a full disk, or a library that fails.
     complain(fmt::format("stopped: {}", error.what()));
     return kNotReached;
   }

@@ -76,10 +76,13 @@ class Solver {
     if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
     if (along && need_characteristics(problem_)) return by(Transport::characteristics);
     // The first choice may take half of the time, lest there is none for the other.
-    Result first = by(along ? Transport::characteristics : Transport::upwind,
-                      Deadline(options_.max_seconds / 2));
+    Result first =
+        by(along ? Transport::characteristics : Transport::upwind,
+           Deadline(options_.tolerance ? options_.max_seconds : options_.max_seconds / 2));
     // Where they are not the first choice differences do not know what they err.
     if (first.solution.is_ok() && (along || good(first))) return first;
+    // A tolerance that one has missed the other will not meet in less time.
+    if (options_.tolerance && first.solution.density) return first;
     // Impulses shorter than cells are lost in them, and a box that was given is the same for both.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && problem::impulses_per_decay_time(problem_) > kMostFrequent))
@@ -104,7 +107,7 @@ class Solver {
       return transport == Transport::characteristics ? solve_along_characteristics(problem_, grid)
                                                      : solve_on_one_grid(problem_, grid, deadline);
     };
-    if (options.tolerance) return solve_to_tolerance(on_one_grid, options);
+    if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
     if (grid_is_free(options)) return solve_within(on_one_grid, options, deadline);
     if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options);
     return on_one_grid(options);

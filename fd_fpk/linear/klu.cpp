@@ -49,6 +49,8 @@ std::vector<SuiteSparse_long> nested_dissection(const SparseColumns& matrix) {
   cholmod_common common;
   cholmod_l_start(&common);
   common.print = 0;
+  // Without memory METIS ends the program: CHOLMOD looks first whether there is twice what it needs.
+  common.metis_memory = 2;
   std::vector<SuiteSparse_long> order(n), parents(n), components(n);
   const std::lock_guard alone(dissection_mutex);
   const SuiteSparse_long found = cholmod_l_nested_dissection(

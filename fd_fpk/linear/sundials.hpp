@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <sundials/sundials_context.hpp>
 
@@ -45,6 +46,19 @@ inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, sundials::Contex
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
   view(v.get()) = values;
   return v;
+}
+
+/// GMRES, preconditioned from the right, with a basis of so many vectors before it begins anew.
+/// @throws std::bad_alloc when there is no memory for them
+inline Owned<SUNLinearSolver> gmres_with_basis(int basis, N_Vector like,
+                                               sundials::Context& context) {
+  // SUNDIALS 6 does not look whether there was memory for the vectors that it makes by cloning one,
+  // here and in CVODE, whose own are fewer than these.
+  constexpr int kOthers = 24;
+  const auto numbers =
+      static_cast<std::size_t>(basis + kOthers) * static_cast<std::size_t>(N_VGetLength(like));
+  ::operator delete(::operator new(numbers * sizeof(double)));
+  return owned(SUNLinSol_SPGMR(like, SUN_PREC_RIGHT, basis, context), "a GMRES solver");
 }
 
 }  // namespace fpkcheck::fd_fpk::sundials_owned

@@ -109,6 +109,9 @@ Result given_up(Result best, const Options& options, const std::string& reason) 
   return best;
 }
 
+// A level takes at least as many times as long as the one before, more where the last did.
+constexpr double kSlower = 2.5;
+
 }  // namespace
 
 bool better(const Result& one, const Result& other) {
@@ -148,8 +151,6 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 }
 
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline) {
-  // A level takes at least as many times as long as the one before, more where the last did.
-  constexpr double kSlower = 2.5;
   double slower = kSlower;
   constexpr double kSoon = 8;  // of the time that is left, its inverse
   const Stopwatch stopwatch;
@@ -192,20 +193,30 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
   return best;
 }
 
-Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options) {
+Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
+                          const Deadline& deadline) {
   constexpr double kFirst = 0.5;          // refinement of the coarsest grid
   constexpr double kOrdersMissing = 1.5;  // when the origin is held to limit the order
   Options level = refined(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
   std::array<std::optional<Result>, 3> last;  // coarse, middle, fine
   std::optional<Result> estimated;            // the finest before the cells were graded
+  const auto stop = [&](const std::string& reason) {
+    // Graded grids that have no estimate yet do not replace uniform ones that have.
+    const bool newer = last[2] && (last[2]->summary.error || !estimated);
+    return given_up(newer ? *last[2] : *estimated, options, reason);
+  };
+  double seconds = 0, slower = kSlower;  // of the last level; how much longer the next one takes
   while (true) {
+    if ((last[2] || estimated) && !deadline.allows(slower * seconds)) {
+      return stop(fmt::format("about {:.2g} s, more than max_seconds leaves", slower * seconds));
+    }
+    const Stopwatch of_level;
     Result result = solve(direct(level));
+    slower = std::max(kSlower, seconds > 0 ? of_level.seconds() / seconds : 0);
+    seconds = of_level.seconds();
     if (!result.solution.density) {
-      if (!last[2] && !estimated) return result;
-      // Graded grids that have no estimate yet do not replace uniform ones that have.
-      const bool newer = last[2] && (last[2]->summary.error || !estimated);
-      return given_up(newer ? *last[2] : *estimated, options, result.solution.reason);
+      return last[2] || estimated ? stop(result.solution.reason) : result;
     }
     std::rotate(last.begin(), last.begin() + 1, last.end());
     last[2] = std::move(result);

@@ -18,6 +18,8 @@ namespace {
 using transform::Status;
 using transform::Variable;
 
+const Deadline kNoHurry(60);
+
 // A density that is uniform but for a wave in y of the given amplitude.
 transform::Solution wave(double amplitude) {
   transform::Solution solution;
@@ -113,8 +115,8 @@ SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& asked
 TEST(ErrorEstimate, SlowConvergenceTurnsOnTheGrading) {
   for (const double order : {1.5, 4.5}) {
     std::vector<Options> asked;
-    const auto result = solve_to_tolerance(solver_of_order(order, asked),
-                                           {.stepper = Stepper::direct, .tolerance = 5e-3});
+    const auto result = solve_to_tolerance(
+        solver_of_order(order, asked), {.stepper = Stepper::direct, .tolerance = 5e-3}, kNoHurry);
     EXPECT_EQ(result.solution.status, Status::ok) << result.solution.reason;
     EXPECT_EQ(result.summary.origin_refinement > 1, order < 2) << order;
     EXPECT_LE(result.summary.error->y_l1, 5e-3);
@@ -131,7 +133,7 @@ TEST(ErrorEstimate, TheLimitOfAManufacturedSequenceIsWhatItTendsTo) {
       const Options options{
           .stepper = stepper, .error_estimate = !tolerance, .tolerance = tolerance};
       const auto solve_one = solver_of_order(4, asked);
-      const auto solution = tolerance ? solve_to_tolerance(solve_one, options).solution
+      const auto solution = tolerance ? solve_to_tolerance(solve_one, options, kNoHurry).solution
                                       : solve_with_error_estimate(solve_one, options).solution;
       const auto fine = transform::marginal(solution, Variable::y, edges);
       const auto limit = transform::limit_marginal(solution, Variable::y, edges);
@@ -186,10 +188,21 @@ TEST(ErrorEstimate, WhatWasReachedBeforeTheGradingIsNotLost) {
     return result;
   };
   const auto result =
-      solve_to_tolerance(solve_one, {.stepper = Stepper::direct, .tolerance = 1e-4});
+      solve_to_tolerance(solve_one, {.stepper = Stepper::direct, .tolerance = 1e-4}, kNoHurry);
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());
   EXPECT_NE(result.solution.reason.find("the error estimate is 8"), std::string::npos)
+      << result.solution.reason;
+}
+
+TEST(ErrorEstimate, ATimeThatIsUpEndsTheSearchForATolerance) {
+  std::vector<Options> asked;
+  const auto result = solve_to_tolerance(
+      solver_of_order(4, asked), {.stepper = Stepper::direct, .tolerance = 1e-9}, Deadline(0));
+  EXPECT_EQ(asked.size(), 1u);  // one answer in any time
+  EXPECT_EQ(result.solution.status, Status::not_converged);
+  EXPECT_TRUE(result.solution.density.has_value());
+  EXPECT_NE(result.solution.reason.find("max_seconds"), std::string::npos)
       << result.solution.reason;
 }
 
@@ -204,7 +217,7 @@ TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
 TEST(ErrorEstimate, AToleranceOutOfReachIsNotConvergedAndSaysHowFarItGot) {
   std::vector<Options> asked;
   const auto [solution, summary] = solve_to_tolerance(
-      solver_of_order(5, asked), {.stepper = Stepper::direct, .tolerance = 1e-12});
+      solver_of_order(5, asked), {.stepper = Stepper::direct, .tolerance = 1e-12}, kNoHurry);
   EXPECT_EQ(solution.status, Status::not_converged);
   EXPECT_NE(solution.reason.find("1.0e-12 was asked for"), std::string::npos) << solution.reason;
   EXPECT_NE(solution.reason.find("too many cells"), std::string::npos) << solution.reason;

@@ -1,0 +1,135 @@
+// Preloaded, it makes one function of the libraries that the solvers call, or the allocation of
+// memory, fail: FAULT_FUNCTION is its name, FAULT_AT the number of the first call that fails.
+// FAULT_COUNT is a file for how many calls there were.
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <klu.h>
+
+static atomic_long count;
+static long fault_at;
+static const char* function = "";
+
+__attribute__((constructor)) static void begin(void) {
+  const char* at = getenv("FAULT_AT");
+  fault_at = at ? atol(at) : 0;
+  if (getenv("FAULT_FUNCTION")) function = getenv("FAULT_FUNCTION");
+  unsetenv("LD_PRELOAD");  // the programs that it starts are left alone
+}
+
+__attribute__((destructor)) static void end(void) {
+  const char* to = getenv("FAULT_COUNT");
+  const long calls = atomic_load(&count);
+  function = "";
+  FILE* const out = to ? fopen(to, "w") : NULL;
+  if (!out) return;
+  fprintf(out, "%ld", calls);
+  fclose(out);
+}
+
+static int fails(const char* name) {
+  if (strcmp(name, function) != 0) return 0;
+  const long number = atomic_fetch_add(&count, 1) + 1;
+  return fault_at > 0 && number >= fault_at;
+}
+
+#define REAL(name) dlsym(RTLD_NEXT, #name)
+
+// KLU: what it returns without memory.
+#define KLU_FAULT(type, name, failure, parameters, arguments)   \
+  type name parameters {                                        \
+    if (fails(#name)) {                                         \
+      common->status = KLU_OUT_OF_MEMORY;                       \
+      return failure;                                           \
+    }                                                           \
+    return ((type(*) parameters)REAL(name))arguments;           \
+  }
+typedef SuiteSparse_long Long;
+KLU_FAULT(klu_l_symbolic*, klu_l_analyze, NULL, (Long n, Long* p, Long* i, klu_l_common* common),
+          (n, p, i, common))
+KLU_FAULT(klu_l_symbolic*, klu_l_analyze_given, NULL,
+          (Long n, Long* p, Long* i, Long* rows, Long* columns, klu_l_common* common),
+          (n, p, i, rows, columns, common))
+KLU_FAULT(klu_l_numeric*, klu_l_factor, NULL,
+          (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_common* common),
+          (p, i, x, symbolic, common))
+KLU_FAULT(Long, klu_l_refactor, 0,
+          (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_numeric* numeric,
+           klu_l_common* common),
+          (p, i, x, symbolic, numeric, common))
+KLU_FAULT(Long, klu_l_solve, 0,
+          (klu_l_symbolic* symbolic, klu_l_numeric* numeric, Long n, Long columns, double* b,
+           klu_l_common* common),
+          (symbolic, numeric, n, columns, b, common))
+KLU_FAULT(Long, klu_l_rgrowth, 0,
+          (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_numeric* numeric,
+           klu_l_common* common),
+          (p, i, x, symbolic, numeric, common))
+
+// Others: five arguments hold what any of them is called with.
+#define FAULT(type, name, failure)                                                   \
+  type name(void* a, void* b, void* c, void* d, void* e, void* f) {                  \
+    if (fails(#name)) return (type)failure;                                          \
+    return ((type(*)(void*, void*, void*, void*, void*, void*))REAL(name))(a, b, c, d, e, f); \
+  }
+FAULT(long, cholmod_l_start, 0)
+FAULT(long, cholmod_l_nested_dissection, -1)
+FAULT(int, CVodeInit, -20)
+FAULT(int, CVodeSetLinearSolver, -20)
+FAULT(int, CVodeSetJacTimes, -30)
+FAULT(int, CVodeSetPreconditioner, -30)
+FAULT(int, SUNLinSolInitialize, -808)
+FAULT(int, SUNLinSolSetup, -806)
+
+// With numbers among their arguments.
+void* CVodeCreate(int method, void* context) {
+  return fails("CVodeCreate") ? NULL : ((void* (*)(int, void*))REAL(CVodeCreate))(method, context);
+}
+int CVode(void* memory, double to, void* y, double* reached, int task) {
+  if (fails("CVode")) return -3;  // CV_ERR_FAILURE
+  return ((int (*)(void*, double, void*, double*, int))REAL(CVode))(memory, to, y, reached, task);
+}
+void* SUNLinSol_SPGMR(void* y, int side, int size, void* context) {
+  if (fails("SUNLinSol_SPGMR")) return NULL;
+  return ((void* (*)(void*, int, int, void*))REAL(SUNLinSol_SPGMR))(y, side, size, context);
+}
+int SUNLinSolSolve(void* solver, void* matrix, void* x, void* b, double tolerance) {
+  if (fails("SUNLinSolSolve")) return -807;
+  return ((int (*)(void*, void*, void*, void*, double))REAL(SUNLinSolSolve))(solver, matrix, x, b,
+                                                                             tolerance);
+}
+
+// What is small is there.
+static int no_memory(size_t size) { return size >= 32768 && fails("malloc"); }
+void* malloc(size_t size) {
+  static void* (*real)(size_t);
+  if (!real) real = (void* (*)(size_t))REAL(malloc);
+  if (no_memory(size)) {
+    errno = ENOMEM;
+    return NULL;
+  }
+  return real(size);
+}
+void* realloc(void* old, size_t size) {
+  static void* (*real)(void*, size_t);
+  if (!real) real = (void* (*)(void*, size_t))REAL(realloc);
+  if (no_memory(size)) {
+    errno = ENOMEM;
+    return NULL;
+  }
+  return real(old, size);
+}
+void* aligned_alloc(size_t alignment, size_t size) {
+  static void* (*real)(size_t, size_t);
+  if (!real) real = (void* (*)(size_t, size_t))REAL(aligned_alloc);
+  if (no_memory(size)) {
+    errno = ENOMEM;
+    return NULL;
+  }
+  return real(alignment, size);
+}

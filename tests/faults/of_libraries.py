@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Functions of SUNDIALS, KLU and CHOLMOD, and the allocation of memory, made to fail: the program
+says so by a status or one line. It never crashes, hangs, or calls an answer ok that is another.
+
+    of_libraries.py PROGRAM LIBRARY [--all] [--verbose]
+
+Without --all, some commands with few places at which memory ends.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+COMMANDS = {
+    "fd": ["fd", "case1", "--max-seconds", "3"],
+    "direct": ["fd", "case1", "--stepper", "direct"],
+    "characteristics": ["fd", "case1", "--set", "system.restitution=0.3", "--set",
+                        "impulse.rate=0.05"],
+    "transient": ["fd", "case1", "--until", "3", "--snapshots", "3"],
+    "epc": ["epc", "case1", "--formulation", "moment", "--order", "4"],
+    "bounds": ["bounds", "case1", "--max-seconds", "1"],
+    "mcs": ["mcs", "case1", "--time", "2e4"],
+    "controlled": ["mcs", "case1", "--controlled", "--time", "2e4"],
+    "run": ["run", "case1", "--methods", "epc-moment-n4,fd-kf,mcs", "--time", "2e4"],
+}
+KLU = ["klu_l_analyze", "klu_l_analyze_given", "klu_l_factor", "klu_l_refactor", "klu_l_solve",
+       "klu_l_rgrowth", "cholmod_l_start", "cholmod_l_nested_dissection"]
+CVODE = ["CVodeCreate", "CVodeInit", "CVodeSetLinearSolver", "CVodeSetJacTimes",
+         "CVodeSetPreconditioner", "CVode"]
+GMRES = ["SUNLinSol_SPGMR", "SUNLinSolInitialize", "SUNLinSolSetup", "SUNLinSolSolve"]
+FUNCTIONS = {"fd": KLU + CVODE + GMRES, "direct": KLU + GMRES, "characteristics": GMRES,
+             "transient": KLU + CVODE + GMRES, "bounds": KLU, "controlled": KLU, "run": KLU + CVODE + GMRES}
+FEW = ["fd", "characteristics"]
+LONGEST = 90  # seconds of a run; none hangs
+
+
+def run(program, command, **environment):
+    # Small pieces of large blocks would come from the threads' arenas.
+    return subprocess.run([program, *command, "--json"], capture_output=True, text=True,
+                          timeout=LONGEST, env=os.environ | {"MALLOC_ARENA_MAX": "1"} | environment)
+
+
+def answers(done):
+    """By id what is ok: its moments."""
+    try:
+        summary = json.loads(done.stdout)
+    except json.JSONDecodeError:
+        return {}
+    return {s["id"]: s["moments"] for case in summary.get("cases", [])
+            for s in case["solutions"] if s["status"] == "ok"}
+
+
+def reasons(done):
+    """What solutions say that are not ok."""
+    try:
+        summary = json.loads(done.stdout)
+    except json.JSONDecodeError:
+        return []
+    return [s["reason"] for case in summary.get("cases", []) for s in case["solutions"]
+            if s["status"] != "ok" and s["reason"]] or summary.get("reason", [])
+
+
+def wrong(done, true):
+    """What is wrong with it, or nothing."""
+    # METIS ends the program when memory ends within it, after CHOLMOD looked whether there is
+    # enough: it says so, and nothing is there to catch it.
+    if done.returncode == -6 and "***Memory" in done.stderr:
+        return ""
+    if done.returncode < 0 or done.returncode > 128:
+        return f"ended by signal {-done.returncode}"
+    lines = done.stderr.splitlines()
+    if done.returncode != 0 and not lines and not reasons(done):
+        return "no word of it"
+    if len(lines) > 6 or any(len(line) > 600 for line in lines):
+        return f"{len(lines)} lines"
+    for solution, moments in answers(done).items():
+        for name, value in moments.items():
+            was = true.get(solution, moments)[name]
+            # Less time, or one grid less: within what an answer that is ok may state.
+            if value is not None and abs(value - was) > 2e-2 * abs(was) + 1e-3:
+                return f"{solution} is ok with {name} = {value}, which is {was}"
+    return ""
+
+
+def main(program, library, every, verbose):
+    directory = tempfile.mkdtemp(prefix="fpkcheck-faults-")
+    count = os.path.join(directory, "count")
+    findings, tried = [], 0
+    for name, command in COMMANDS.items():
+        if not every and name not in FEW:
+            continue
+        true = answers(run(program, command))
+        for function in [*FUNCTIONS.get(name, []), "malloc"]:
+            faulty = {"LD_PRELOAD": library, "FAULT_FUNCTION": function}
+            numbers, calls = [1, 30, 300] if function == "malloc" else [1], "?"
+            if every:
+                run(program, command, FAULT_COUNT=count, **faulty)
+                with open(count) as file:
+                    calls = int(file.read())
+                parts = 24 if function == "malloc" else 3
+                numbers = sorted({1 + (calls - 1) * k // (parts - 1)
+                                  for k in range(parts)}) if calls else []
+            for number in numbers:
+                done = run(program, command, FAULT_AT=str(number), **faulty)
+                found = wrong(done, true)
+                tried += 1
+                if verbose or found:
+                    print(f"{name}: {function} from call {number} of {calls}: "
+                          f"{done.returncode} {found} {done.stderr.strip()[:300]}", flush=True)
+                if found:
+                    findings.append((name, function, number))
+    print(f"{tried} faults, {len(findings)} findings")
+    sys.exit(1 if findings else 0)
+
+
+main(sys.argv[1], sys.argv[2], "--all" in sys.argv, "--verbose" in sys.argv)
