@@ -48,9 +48,17 @@ Json& place(Json& object, std::string_view path) {
   return *at;
 }
 
+// What a path is taken apart by does not stand in a name: place() would not find back.
+void require_name(const std::string& key) {
+  if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
+  throw InputError(fmt::format("{} names a result (must be without dots and brackets; run again)",
+                               parameters::in_quotes(key)));
+}
+
 void collect(const std::string& path, const Json& json, Observations& observations) {
   if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
+      require_name(key);
       collect(path.empty() ? key : path + '.' + key, value, observations);
     }
   } else if (json.is_array()) {

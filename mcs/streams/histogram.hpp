@@ -36,10 +36,10 @@ class BinFinder {
   const std::vector<double>& edges() const { return edges_; }
 
  private:
-  /// Which of the evenly spaced cells x is in, roughly.
+  /// Which of the evenly spaced cells x is in, roughly. Of what is no number it is the first.
   double cell(double x) const {
     const double from_first = (x - first_edge_) * 2 * bins_per_length_;
-    return std::clamp(from_first, 0.0, last_cell_);
+    return from_first > 0 ? std::min(from_first, last_cell_) : 0;
   }
 
   std::vector<double> edges_;

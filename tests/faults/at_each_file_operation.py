@@ -20,12 +20,17 @@ FILES = ["summary.json", "marginals.csv", "joint.nc", "report.html"]
 STRIDES = {("kill", True): 2, ("kill", False): 8, ("full", True): 5, ("full", False): 10}
 
 
+# Without gnuplot: pictures come after the run and are drawn again from it. What is said to sanitizers
+# goes on to them.
+BARE = {"PATH": "/nowhere",
+        **{name: value for name, value in os.environ.items() if name.endswith("SAN_OPTIONS")}}
+
+
 def run(program, directory, restitution, **environment):
     return subprocess.run(
         [program, "run", "case1", "--methods", "epc-gaussian-n2,epc-moment-n2", "--quiet",
          "--accuracy", "1", "--out", str(directory), "--set", f"system.restitution={restitution}"],
-        # Without gnuplot: pictures come after the run and are drawn again from it.
-        env={"PATH": "/nowhere", **environment}, capture_output=True, text=True, timeout=60)
+        env={**BARE, **environment}, capture_output=True, text=True, timeout=60)
 
 
 def names(directory):
@@ -34,8 +39,8 @@ def names(directory):
 
 def state(program, directory):
     """'old', 'new' or 'none', by what the program itself reads there."""
-    report = subprocess.run([program, "report", str(directory)], env={"PATH": "/nowhere"},
-                            capture_output=True, text=True, timeout=60)
+    report = subprocess.run([program, "report", str(directory)], env=BARE, capture_output=True,
+                            text=True, timeout=60)
     if report.returncode != 0:
         if "no run in" in report.stderr and not any(name in FILES for name in names(directory)):
             return "none"

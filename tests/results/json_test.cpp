@@ -37,6 +37,16 @@ TEST(Json, IsReadWithinBounds) {
   EXPECT_LT(refusal_of("[1" + std::string(1'000'000, '0') + "e999]").size(), 200u);
 }
 
+// The path made of "a[" was followed without end as it was written again.
+TEST(Json, NamesOfResultsHaveNothingThatAPathIsTakenApartBy) {
+  for (const char* key : {"", ".", "a.b", "a[", "a[1000000000]", "[]", "]", "a[]"}) {
+    const Json json{{"nested", {{key, 1}}}};
+    EXPECT_THROW(observations_in(json), InputError) << key;
+    EXPECT_THROW(observations_in(json.at("nested")), InputError) << key;
+  }
+  EXPECT_EQ(observations_in(json_of(R"({"a": {"b": [1, 2]}})")).at(1).path, "a.b[1]");
+}
+
 TEST(Json, HoldsNothingThatATerminalWouldObey) {
   const std::string red = "{\"a\": \"\\u001b[31m\\n\"}", greek = "{\"a\": \"p(y′), σ\"}";
   EXPECT_EQ(json_of(red).at("a"), "\\x1b[31m\\x0a");

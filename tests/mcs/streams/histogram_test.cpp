@@ -37,6 +37,9 @@ TEST(BinFinder, PutsWhatIsFarAwayIntoTheOuterBins) {
   EXPECT_EQ(bin(std::numeric_limits<double>::infinity()), 3u);
   EXPECT_EQ(bin(-std::numeric_limits<double>::infinity()), 0u);
   EXPECT_LE(bin(std::numeric_limits<double>::quiet_NaN()), 3u);
+  const BinFinder uneven({0, 1, 1e300});
+  EXPECT_EQ(uneven(std::numeric_limits<double>::infinity()), 3u);
+  EXPECT_LE(uneven(std::numeric_limits<double>::quiet_NaN()), 3u);
 }
 
 TEST(BinFinder, KnowsEvenEdges) {
