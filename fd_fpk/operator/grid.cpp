@@ -30,12 +30,12 @@ transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& ave
 
 WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference) {
   WallDensity wall{0, 0};
-  for (int j = 0; j < grid.nv(); ++j) {
-    wall.x1 = std::max(wall.x1, std::abs(averages((grid.nx() - 1) * grid.nv() + j)));
+  const Eigen::Index nx = grid.nx(), nv = grid.nv();
+  for (Eigen::Index j = 0; j < nv; ++j) {
+    wall.x1 = std::max(wall.x1, std::abs(averages((nx - 1) * nv + j)));
   }
-  for (int i = 0; i < grid.nx(); ++i) {
-    wall.x2 = std::max(
-        {wall.x2, std::abs(averages(i * grid.nv())), std::abs(averages((i + 1) * grid.nv() - 1))});
+  for (Eigen::Index i = 0; i < nx; ++i) {
+    wall.x2 = std::max({wall.x2, std::abs(averages(i * nv)), std::abs(averages((i + 1) * nv - 1))});
   }
   return {wall.x1 / reference, wall.x2 / reference};
 }
