@@ -39,14 +39,14 @@ inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
-/// A vector whose clones are there or an exception is thrown, and whose inner products, a tenth of a
-/// solution's time, are Eigen's: they use the vector registers, where N_VDotProd_Serial adds one
+/// A vector whose clones are there or an exception is thrown, and whose inner products, a tenth of
+/// a solution's time, are Eigen's: they use the vector registers, where N_VDotProd_Serial adds one
 /// product at a time.
 inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, sundials::Context& context) {
   auto v = owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
-  // SUNDIALS 6 does not look whether a clone was made. Where there is no memory for one, what it has
-  // made until then is lost: it does not know of exceptions.
+  // SUNDIALS 6 does not look whether a clone was made. Where there is no memory for one, what it
+  // has made until then is lost: it does not know of exceptions.
   v->ops->nvclone = [](N_Vector like) {
     const N_Vector clone = N_VClone_Serial(like);
     return clone != nullptr ? clone : throw std::bad_alloc();
