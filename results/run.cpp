@@ -1,6 +1,8 @@
 #include "results/run.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "results/joint_density.hpp"
@@ -30,19 +32,17 @@ const Curve* curve_among(const std::vector<Curve>& curves, std::string_view solu
 std::vector<double> bin_widths(const Curve& curve) {
   const auto& centres = curve.abscissa;
   std::vector<double> widths(centres.size());
-  const auto first_above = std::ranges::upper_bound(centres, 0.0);
-  double edge = 0;
-  for (auto k = first_above - centres.begin(); k < std::ssize(centres); ++k) {
-    const double half = centres[static_cast<std::size_t>(k)] - edge;
-    widths[static_cast<std::size_t>(k)] = 2 * half;
-    edge += 2 * half;
-  }
-  edge = 0;
-  for (auto k = first_above - centres.begin() - 1; k >= 0; --k) {
-    const double half = edge - centres[static_cast<std::size_t>(k)];
-    widths[static_cast<std::size_t>(k)] = 2 * half;
-    edge -= 2 * half;
-  }
+  // From the edge at 0 outwards, on either side.
+  const auto outwards = [](auto centre, auto end, auto width) {
+    for (double edge = 0; centre != end; ++centre, ++width) {
+      *width = 2 * (std::abs(*centre) - edge);
+      edge += *width;
+    }
+  };
+  const auto above = std::ranges::upper_bound(centres, 0.0);
+  const auto width = widths.begin() + (above - centres.begin());
+  outwards(above, centres.end(), width);
+  outwards(std::make_reverse_iterator(above), centres.rend(), std::make_reverse_iterator(width));
   return widths;
 }
 

@@ -44,7 +44,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
   const auto x = vector_of(Eigen::VectorXd::Zero(b.size()), context);
   const auto right = vector_of(b, context);
   const auto scale = vector_of(weights, context);
-  const auto solver = gmres_with_basis(kBasis, x.get(), context);
+  const auto solver =
+      owned(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context), "a GMRES solver");
   check(SUNLinSol_SPGMRSetMaxRestarts(solver.get(), kRestarts), "SUNLinSol_SPGMRSetMaxRestarts");
   check(SUNLinSolSetATimes(solver.get(), &callbacks, times), "SUNLinSolSetATimes");
   check(SUNLinSolSetPreconditioner(solver.get(), &callbacks, nullptr, precondition),

@@ -80,7 +80,8 @@ struct LinearCvode::Handles {
   Handles(LinearSystem system, const Eigen::VectorXd& start)
       : callbacks{std::move(system)},
         averages(vector_of(start, context)),
-        gmres(gmres_with_basis(100, averages.get(), context)),
+        gmres(
+            owned(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context), "a GMRES solver")),
         cvode(owned(CVodeCreate(CV_BDF, context), "CVODE")) {}
 
   using Count = int(void* cvode, long* count);

@@ -55,10 +55,4 @@ inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, sundials::Contex
   return v;
 }
 
-/// GMRES, preconditioned from the right, with a basis of so many vectors before it begins anew.
-inline Owned<SUNLinearSolver> gmres_with_basis(int basis, N_Vector like,
-                                               sundials::Context& context) {
-  return owned(SUNLinSol_SPGMR(like, SUN_PREC_RIGHT, basis, context), "a GMRES solver");
-}
-
 }  // namespace fpkcheck::fd_fpk::sundials_owned

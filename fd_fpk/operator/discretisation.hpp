@@ -27,7 +27,7 @@ struct Discretisation {
   std::string refusal = {};
 };
 
-/// The density at rest is (problem::impulses_per_decay_time).
+/// True where the joint density is unbounded at rest (problem::impulses_per_decay_time).
 bool unbounded_at_origin(const problem::Problem& problem);
 
 /// The mean of the impulses holds the oscillator so far off the wall that it hardly meets it.

@@ -38,8 +38,9 @@ bool better(const Result& one, const Result& other);
 /// The solution on the first of a sequence of grids, each with cells narrower by
 /// transform::kLevelRatio, whose error estimate meets options.tolerance: L1 of both marginals, and
 /// the second moments relative. When the differences fall more slowly than with the order of the
-/// scheme, cells are graded towards the origin. Status `not_converged` when the largest grid that the
-/// deadline or the number of cells allows does not meet it. The solution carries its extrapolation as above.
+/// scheme, cells are graded towards the origin. Status `not_converged` when the largest grid that
+/// the deadline or the number of cells allows does not meet it. The solution carries its
+/// extrapolation as above.
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                           const Deadline& deadline);
 

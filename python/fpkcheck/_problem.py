@@ -129,7 +129,10 @@ class Problem:
             raise KeyError(key) from None
 
     def bins(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Edges of the bins of y and of y' on which all solutions are compared: shapes (141,), (141,)."""
+        """Edges of the bins of y and of y', as those of `Run.marginals`: shapes (141,), (141,).
+
+        Where impulses are rarer than one per decay time the bins at 0 are divided: (144,), (147,).
+        """
         return _fpkcheck.axes_of(self._native)
 
     def __eq__(self, other: object) -> bool:

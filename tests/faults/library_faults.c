@@ -71,7 +71,7 @@ KLU_FAULT(Long, klu_l_rgrowth, 0,
            klu_l_common* common),
           (p, i, x, symbolic, numeric, common))
 
-// Others: five arguments hold what any of them is called with.
+// Others: six arguments hold what any of them is called with.
 #define FAULT(type, name, failure)                                                   \
   type name(void* a, void* b, void* c, void* d, void* e, void* f) {                  \
     if (fails(#name)) return (type)failure;                                          \
