@@ -77,4 +77,13 @@ po::options_description options_for(const parameters::Descriptions& description,
   return options;
 }
 
+po::options_description options_of_a_run(const methods::Registry& registry,
+                                         parameters::Values& given) {
+  po::options_description shared;
+  for (const auto& solver : registry.solvers()) {
+    shared.add(options_for(*solver.parameters, solver.set_by_a_run, given));
+  }
+  return shared;
+}
+
 }  // namespace fpkcheck::cli

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/registry.hpp"
 #include "parameters/description.hpp"
 
 namespace fpkcheck::cli {
@@ -19,5 +20,10 @@ boost::program_options::options_description options_for(const parameters::Descri
 boost::program_options::options_description options_for(const parameters::Descriptions& description,
                                                         const std::vector<std::string>& names,
                                                         parameters::Values& given);
+
+/// The options that the solvers let a command set which solves by many methods
+/// (methods::Solver::set_by_a_run).
+boost::program_options::options_description options_of_a_run(const methods::Registry& registry,
+                                                             parameters::Values& given);
 
 }  // namespace fpkcheck::cli

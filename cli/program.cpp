@@ -55,6 +55,8 @@ std::vector<Command> commands(const methods::Registry& registry) {
       {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});
   all.push_back({"study", "what order, step and regularisation do: convergence, cost, growth",
                  study_command});
+  all.push_back({"sweep", "many points of a case whose keys are varied: where which method holds",
+                 sweep_command});
   all.push_back({"reference", "reference values, agreed on by two discretisations and a simulation",
                  reference_command});
   all.push_back({"check", "a saved run again, compared with what it was: the regression test",

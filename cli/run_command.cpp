@@ -51,16 +51,6 @@ std::string all_methods(const methods::Registry& registry) {
   return list;
 }
 
-// The options that solvers let a run set, and what is given of them.
-boost::program_options::options_description shared_options(const methods::Registry& registry,
-                                                           parameters::Values& given) {
-  boost::program_options::options_description shared;
-  for (const auto& solver : registry.solvers()) {
-    shared.add(options_for(*solver.parameters, solver.set_by_a_run, given));
-  }
-  return shared;
-}
-
 int threads_in(const parameters::Values& given) {
   for (const auto& [name, value] : given) {
     if (name == "threads") return static_cast<int>(std::get<std::int64_t>(value));
@@ -85,7 +75,7 @@ int run_command(const Call& call) {
       "against", po::value(&against)->value_name("FILE[:LABEL]")->composing(),
       "compare a marginal density from a file as well; of one case; may be repeated: y and y' of "
       "the same LABEL (default: the file's name) are one solution");
-  own.add(shared_options(call.registry, given));
+  own.add(options_of_a_run(call.registry, given));
   if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
     return kDone;
 

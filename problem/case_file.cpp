@@ -13,35 +13,32 @@
 #include <set>
 #include <sstream>
 
+#include "parameters/ini_file.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/input_file.hpp"
 #include "parameters/shown.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::problem {
-namespace {
 
 using parameters::in_quotes;
 using parameters::shown;
 
-// "system.damping", ..
-std::vector<std::string> known_keys() {
-  std::vector<std::string> keys;
-  const auto add = [&](const parameters::Descriptions& section) {
-    for (const auto& parameter : section.all()) keys.push_back(section.prefix() + parameter.name);
-  };
-  add(system_description());
-  add(impulse_description());
-  return keys;
+const parameters::Parameter& case_parameter(std::string_view key, const std::string& where) {
+  std::vector<std::string> known;
+  for (const parameters::Descriptions* section :
+       {static_cast<const parameters::Descriptions*>(&system_description()),
+        static_cast<const parameters::Descriptions*>(&impulse_description())}) {
+    for (const auto& parameter : section->all()) {
+      known.push_back(section->prefix() + parameter.name);
+      if (known.back() == key) return parameter;
+    }
+  }
+  throw InputError(fmt::format("{}: unknown key {} (known keys: {})", where, in_quotes(key),
+                               fmt::join(known, ", ")));
 }
 
-void require_known(const std::string& key, const std::string& where) {
-  const auto keys = known_keys();
-  if (std::ranges::find(keys, key) == keys.end()) {
-    throw InputError(fmt::format("{}: unknown key {} (known keys: {})", where, in_quotes(key),
-                                 fmt::join(keys, ", ")));
-  }
-}
+namespace {
 
 /// What a key is set to, and where.
 struct Setting {
@@ -49,36 +46,13 @@ struct Setting {
 };
 using Settings = std::map<std::string, Setting>;  // of keys
 
-// Ini files know comments by '#' and by ';', and may begin with a byte-order mark.
-std::string without_comment(std::string line, int line_number) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
-  return boost::algorithm::trim_copy(line.substr(0, line.find_first_of("#;")));
-}
-
-Settings parse_file(std::istream& ini, const std::string& where) {
+Settings known_settings(const std::vector<parameters::IniSetting>& lines) {
   Settings settings;
-  std::string section;
-  int line_number = 0;
-  for (std::string line; std::getline(ini, line);) {
-    ++line_number;
-    const std::string said = without_comment(line, line_number);
-    if (said.empty()) continue;
-    const std::string at = fmt::format("{}:{}", where, line_number);
-    if (said.front() == '[' && said.back() == ']') {
-      section = boost::algorithm::trim_copy(said.substr(1, said.size() - 2)) + '.';
-      continue;
-    }
-    const auto equals = said.find('=');
-    if (equals == std::string::npos) {
-      throw InputError(fmt::format("{}: {} (a case file has [sections] and key = value lines)", at,
-                                   in_quotes(said)));
-    }
-    const std::string key = section + boost::algorithm::trim_copy(said.substr(0, equals));
-    require_known(key, at);
-    const Setting setting{boost::algorithm::trim_copy(said.substr(equals + 1)), at};
-    if (!settings.emplace(key, setting).second) {
-      throw InputError(fmt::format("{}: key '{}' is given twice (keep one)", at, key));
+  for (const auto& line : lines) {
+    case_parameter(line.path(), line.where);
+    if (!settings.emplace(line.path(), Setting{line.text, line.where}).second) {
+      throw InputError(
+          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
     }
   }
   return settings;
@@ -94,7 +68,7 @@ void apply(const std::vector<std::string>& overrides, const std::string& where,
           fmt::format("--set {} (not key=value; write e.g. --set system.cubic=1.0)", shown(pair)));
     }
     const std::string key = boost::algorithm::trim_copy(pair.substr(0, equals));
-    require_known(key, "--set");
+    case_parameter(key, "--set");
     if (!set.insert(key).second) {
       throw InputError(fmt::format("--set {} is given twice (keep one)", key));
     }
@@ -157,9 +131,14 @@ void require_presentable(const std::string& name) {
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides) {
-  require_presentable(name);
   const std::string where = fmt::format("case {}", shown(source));
-  Settings settings = parse_file(ini, where);
+  return case_from(parameters::ini_settings(ini, where), name, where, overrides);
+}
+
+Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
+                  const std::string& where, const std::vector<std::string>& overrides) {
+  require_presentable(name);
+  Settings settings = known_settings(lines);
   apply(overrides, where, settings);
   try {
     return {name, System(section(system_description(), settings)),

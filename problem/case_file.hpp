@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "parameters/ini_file.hpp"
+#include "parameters/parameter.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
@@ -19,5 +21,15 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
 /// @param source how messages name the stream
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides = {});
+
+/// As load_case, from lines that were read already.
+/// @param where how messages name what is set by no line: "case mine.ini"
+Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
+                  const std::string& where, const std::vector<std::string>& overrides = {});
+
+/// What the key of a case file, "system.damping", sets.
+/// @param where how the message begins
+/// @throws InputError WHERE: unknown key, with those that are known
+const parameters::Parameter& case_parameter(std::string_view key, const std::string& where);
 
 }  // namespace fpkcheck::problem

@@ -27,6 +27,12 @@ int define(int file, const std::string& name, nc_type type, const std::vector<in
   return variable;
 }
 
+void deflate(int file, int variable, const std::string& name) {
+  constexpr int kLevel = 4;
+  check_written(nc_def_var_deflate(file, variable, NC_SHUFFLE, 1, kLevel),
+                fmt::format("compression of {}", name));
+}
+
 }  // namespace
 
 NetCdfWriter::NetCdfWriter() {
@@ -74,7 +80,6 @@ int NetCdfWriter::cells(const std::string& name, const std::string& long_name, i
 
 int NetCdfWriter::compressed(const std::string& name, const std::vector<int>& dimensions,
                              const std::string& long_name, std::span<const float> values) {
-  constexpr int kLevel = 4;
   const int variable = define(id_, name, NC_FLOAT, dimensions);
   std::vector<std::size_t> chunk;
   for (const int dimension : dimensions) {
@@ -84,14 +89,26 @@ int NetCdfWriter::compressed(const std::string& name, const std::vector<int>& di
   chunk.front() = 1;
   check_written(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
                 fmt::format("chunks of {}", name));
-  check_written(nc_def_var_deflate(id_, variable, NC_SHUFFLE, 1, kLevel),
-                fmt::format("compression of {}", name));
+  deflate(id_, variable, name);
   const float fill = std::nanf("");
   check_written(nc_def_var_fill(id_, variable, NC_FILL, &fill),
                 fmt::format("fill value of {}", name));
   attribute("long_name", long_name, variable);
   attribute("units", "1", variable);
   check_written(nc_put_var_float(id_, variable, values.data()), fmt::format("values of {}", name));
+  return variable;
+}
+
+int NetCdfWriter::packed(const std::string& name, const std::vector<int>& dimensions,
+                         const std::string& long_name, std::span<const double> values) {
+  const int variable = define(id_, name, NC_DOUBLE, dimensions);
+  deflate(id_, variable, name);
+  const double fill = std::nan("");
+  check_written(nc_def_var_fill(id_, variable, NC_FILL, &fill),
+                fmt::format("fill value of {}", name));
+  attribute("long_name", long_name, variable);
+  attribute("units", "1", variable);
+  check_written(nc_put_var_double(id_, variable, values.data()), fmt::format("values of {}", name));
   return variable;
 }
 

@@ -40,6 +40,11 @@ class NetCdfWriter {
   int compressed(const std::string& name, const std::vector<int>& dimensions,
                  const std::string& long_name, std::span<const float> values);
 
+  /// A variable of double precision, compressed; NaN is its fill value, its units are "1".
+  /// @return its id
+  int packed(const std::string& name, const std::vector<int>& dimensions,
+             const std::string& long_name, std::span<const double> values);
+
   /// Texts along a dimension as UTF-8 characters, padded with zeros: what every reader understands.
   void labels(const std::string& name, int dimension, std::span<const std::string> texts);
 

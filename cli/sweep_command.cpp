@@ -1,0 +1,274 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/ending.hpp"
+#include "cli/interruption.hpp"
+#include "cli/parameter_options.hpp"
+#include "cli/program.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/solve_and_report.hpp"
+#include "cli/standard_streams.hpp"
+#include "files/pending_files.hpp"
+#include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
+#include "process/files_in_hand.hpp"
+#include "process/processors.hpp"
+#include "process/stop.hpp"
+#include "sweep/execution/forecast.hpp"
+#include "sweep/execution/merged.hpp"
+#include "sweep/execution/solve_plan.hpp"
+#include "sweep/plan/plan_file.hpp"
+#include "sweep/report/forecast_text.hpp"
+#include "sweep/report/table.hpp"
+#include "sweep/result/sweep_results.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kSweepUsage = R"(usage: fpkcheck sweep CASE --vary KEY=VALUES [...] [options]
+       fpkcheck sweep PLAN.ini [options]
+       fpkcheck sweep --merge DIR [DIR ...] --out DIR
+
+Solves a case at every point of a plan, which varies keys of its case file, by each method, and
+tells how they end, how far they are from the best known solution of each point, and how long they
+take: sweep.csv (a row for each point and method) and sweep.nc. VALUES are
+  FROM:TO:N        N values, evenly spaced           system.restitution=0.5:0.99:50
+  log:FROM:TO:N    the same by their logarithms      impulse.rate=log:0.2:20:9
+  A,B,..           a list, of words too              impulse.law=gaussian,laplace
+A PLAN.ini is a case file with two sections more, [sweep] (case, methods, design, points) and
+[vary] (KEY = VALUES); see cases/sweeps/.
+A point that cannot be solved is a row with its status and reason. Each finished point goes into
+DIR/journal: stopped in any way, the same command goes on where it was. Points are solved one by a
+thread; --shard parts a plan for batch systems, and with mpirun ranks share one.
+Exit code 0 when every point was solved, however its methods ended.
+
+examples:
+  fpkcheck sweep case1 --vary system.restitution=0.8:1:11 --methods epc-moment-n8,fd-kf
+  fpkcheck sweep case1 --vary system.restitution=0.5:1 --vary impulse.rate=log:0.1:10 \
+                 --design sobol --points 200 --out map
+  fpkcheck sweep mine.ini --dry-run --ranks 64
+  fpkcheck sweep mine.ini --shard 3/16 --out map      then: fpkcheck sweep --merge map --out map
+)";
+constexpr const char* kDefaultSweepDirectory = "fpkcheck-sweep";
+constexpr const char* kDefaultMethods = "epc,fd";
+
+struct SweepArguments {
+  CommonArguments common;
+  std::vector<std::string> vary;
+  std::optional<std::string> design, methods, shard;
+  std::optional<std::size_t> points;
+  int threads = 0;
+  std::size_t ranks = 1;
+  bool marginals = false, dry_run = false, merge = false;
+  parameters::Values given;  // for the methods
+};
+
+boost::program_options::options_description sweep_options(SweepArguments& arguments,
+                                                          const methods::Registry& registry) {
+  namespace po = boost::program_options;
+  const auto text = [](std::optional<std::string>& to, const char* placeholder) {
+    return po::value<std::string>()
+        ->value_name(placeholder)
+        ->notifier([&to](const std::string& value) { to = value; });
+  };
+  po::options_description own;
+  own.add_options()  //
+      ("vary", po::value(&arguments.vary)->value_name("KEY=VALUES")->composing(),
+       "what is varied; may be repeated")  //
+      ("design", text(arguments.design, "NAME"),
+       "product (default): every value with every other; list: the k-th values together; sobol: "
+       "points of a Sobol sequence in the box of the ranges FROM:TO or log:FROM:TO")  //
+      ("points", po::value<std::size_t>()->value_name("N")->notifier([&](std::size_t count) {
+        arguments.points = count;
+      }),
+       "of the design sobol: how many")  //
+      ("methods", text(arguments.methods, "LIST"),
+       "solvers, families or ids separated by commas (default: epc,fd); finite differences find "
+       "the null vector without stepping")  //
+      ("marginals", po::bool_switch(&arguments.marginals),
+       "keep p(y) and p(y') of every point, in marginals/NUMBER.csv")  //
+      ("shard", text(arguments.shard, "i/N"),
+       "solve every N-th point, from the i-th on; --merge puts the journals together")  //
+      ("merge", po::bool_switch(&arguments.merge),
+       "the arguments are directories of shards: write the tables of all together")  //
+      ("dry-run", po::bool_switch(&arguments.dry_run),
+       "solve a sample of the points, write nothing, and say what the plan will take")  //
+      ("ranks", po::value<std::size_t>(&arguments.ranks)->value_name("N")->default_value(1),
+       "of --dry-run: processes of one thread each, beside what this machine would take");
+  // Threads are the sweep's own here: a point has one.
+  own.add(options_of_a_run(registry, arguments.given));
+  return own;
+}
+
+int threads_given(parameters::Values& given) {
+  const auto found = std::ranges::find(given, "threads", &parameters::NamedValue::name);
+  if (found == given.end()) return 0;
+  const int threads = static_cast<int>(std::get<std::int64_t>(found->value));
+  given.erase(found);
+  return threads;
+}
+
+sweep::Axis axis_of(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) {
+    throw InputError(
+        fmt::format("--vary {} (not KEY=VALUES; write e.g. --vary "
+                    "system.restitution=0.5:1:11)",
+                    parameters::shown(text)));
+  }
+  return sweep::axis_from(text.substr(0, equals), text.substr(equals + 1), "--vary");
+}
+
+// The plan that the file and the command line make together.
+sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& registry) {
+  if (arguments.common.cases.size() != 1) {
+    throw InputError("a sweep takes one case or plan (name it)");
+  }
+  const auto text = sweep::read_plan(arguments.common.cases.front(), arguments.common.overrides);
+  sweep::Plan plan{.base = text.base, .axes = text.axes};
+  for (const auto& one : arguments.vary) {
+    auto axis = axis_of(one);
+    const auto same = std::ranges::find(plan.axes, axis.key, &sweep::Axis::key);
+    if (same != plan.axes.end() &&
+        same - plan.axes.begin() < static_cast<std::ptrdiff_t>(text.axes.size())) {
+      *same = std::move(axis);
+    } else {
+      plan.axes.push_back(std::move(axis));
+    }
+  }
+  plan.design = text.design.value_or(sweep::Design::product);
+  if (arguments.design) {
+    const auto design = parameters::value_named<sweep::Design>(*arguments.design);
+    if (!design) {
+      throw InputError(fmt::format("--design {} (must be one of product, list, sobol)",
+                                   parameters::in_quotes(*arguments.design)));
+    }
+    plan.design = *design;
+  }
+  plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
+  plan.marginals = arguments.marginals;
+  plan.points = sweep::points_of(plan.axes, plan.design, plan.sobol_points);
+
+  parameters::Values given = arguments.given;
+  given.push_back({"threads", std::int64_t{1}});
+  given.push_back({"stepper", std::string("direct")});
+  plan.methods =
+      registry.select(arguments.methods.value_or(text.methods.value_or(kDefaultMethods)), given);
+  return plan;
+}
+
+void put_results(const SweepArguments& arguments, const sweep::SweepResults& results,
+                 const Call& call, double seconds) {
+  const std::filesystem::path directory = *arguments.common.out;
+  {
+    const process::FilesInHand in_hand;
+    files::PendingFiles files;
+    files.add(directory / "sweep.csv", sweep::csv(results));
+    files.add(directory / "sweep.nc", sweep::netcdf(results, call.command_line));
+    files.commit();
+  }
+  if (arguments.common.json) {
+    put_out(sweep::json(results, call.command_line) + '\n');
+  } else if (!arguments.common.quiet) {
+    put_out(sweep::table(results, terminal_format()));
+    put_out(fmt::format("\nWrote sweep.csv and sweep.nc to {} in {:.1f} s.\n",
+                        *arguments.common.out, seconds));
+  }
+}
+
+int merge(const SweepArguments& arguments, const Call& call,
+          std::chrono::steady_clock::time_point begin) {
+  if (arguments.common.cases.empty()) {
+    throw InputError("--merge without a directory (name those that the shards wrote into)");
+  }
+  std::vector<std::filesystem::path> directories(arguments.common.cases.begin(),
+                                                 arguments.common.cases.end());
+  auto merged = sweep::merged(directories, call.registry);
+  const OutputDirectory directory(arguments.common.out);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  for (const auto& remark : merged.remarks) complain(remark);
+  put_results(arguments, merged.results, call, elapsed.count());
+  return merged.results.is_whole() ? kDone : kNotReached;
+}
+
+int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int threads) {
+  const auto found = sweep::forecast(plan, threads);
+  throw_if_interrupted();
+  put_out(sweep::forecast_text(
+      plan, found, static_cast<std::size_t>(threads > 0 ? threads : process::processors()),
+      arguments.ranks, terminal_format().width));
+  return kDone;
+}
+
+}  // namespace
+
+int sweep_command(const Call& call) {
+  const auto begin = std::chrono::steady_clock::now();
+  SweepArguments arguments;
+  CommonArguments& common = arguments.common;
+  const auto own = sweep_options(arguments, call.registry);
+  if (!parse(call.arguments, kSweepUsage,
+             with_common_options(own, common,
+                                 "write journal, sweep.csv and sweep.nc there (default: "
+                                 "fpkcheck-sweep)"),
+             common.cases)) {
+    return kDone;
+  }
+  if (!common.out) common.out = kDefaultSweepDirectory;
+  if (arguments.merge) return merge(arguments, call, begin);
+  const int threads = threads_given(arguments.given);
+  const auto shard = arguments.shard ? sweep::shard_from(*arguments.shard) : sweep::Shard{};
+  const auto plan = plan_of(arguments, call.registry);
+  if (arguments.dry_run) return dry_run(arguments, plan, threads);
+
+  const OutputDirectory directory(common.out);
+  ProgressLine line(common.quiet);
+  const auto kept_in = [&](std::size_t done, std::size_t total) {
+    return fmt::format("{} of {} points are in {}/{} (the same command goes on)", done, total,
+                       *common.out, shard.journal_name());
+  };
+  sweep::Progress progress(plan, *common.out, shard, [&](const sweep::Queue::Standing& at) {
+    note_kept(kept_in(at.done, at.total));
+    line.show({.done = at.done,
+               .total = at.total,
+               .case_name = plan.base.name,
+               .method = "points",
+               .fraction = 0,
+               .note = at.left ? sweep::time_text(*at.left /
+                                                  (threads > 0 ? threads : process::processors())) +
+                                     " left"
+                               : ""});
+  });
+  const auto at = progress.standing();
+  note_kept(kept_in(at.done, at.total));
+  if (progress.damaged() > 0) {
+    complain(fmt::format("{} line{} of the journal {} damaged: solved again", progress.damaged(),
+                         progress.damaged() == 1 ? "" : "s",
+                         progress.damaged() == 1 ? "was" : "were"));
+  }
+  sweep::solve_left(plan, progress, threads);
+  line.clear();
+  if (process::stop_requested()) return kNotReached;  // the caller says by what
+
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  if (shard.of > 1) {
+    if (!common.quiet) {
+      put_out(
+          fmt::format("Shard {} of {}: {} points in {}/{}, {:.1f} s. When all are there: "
+                      "fpkcheck sweep --merge {} --out {}\n",
+                      shard.number, shard.of, progress.standing().done, *common.out,
+                      shard.journal_name(), elapsed.count(), *common.out, *common.out));
+    }
+    return kDone;
+  }
+  put_results(arguments, sweep::sweep_results(plan, progress.points()), call, elapsed.count());
+  return kDone;
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,73 @@
+#include "sweep/execution/solve_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <utility>
+
+#include "files/pending_files.hpp"
+#include "methods/side_by_side.hpp"
+#include "process/files_in_hand.hpp"
+#include "process/processors.hpp"
+#include "process/stop.hpp"
+#include "results/marginals_csv.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+// Before the journal says that the point is solved.
+void write_marginals(const Plan& plan, const std::filesystem::path& directory,
+                     SolvedPoint&& solved) {
+  const process::FilesInHand in_hand;
+  std::filesystem::create_directories(directory / "marginals");
+  const std::vector<results::Case> cases{{.problem = plan.problem_at(solved.result.point),
+                                          .solutions = {},
+                                          .pairs = {},
+                                          .budget = {},
+                                          .limits = {},
+                                          .curves = std::move(solved.curves),
+                                          .joints = {}}};
+  std::ostringstream text;
+  results::write_marginals_csv(text, cases);
+  files::write_file(directory / "marginals" / fmt::format("{:06}.csv", solved.result.point),
+                    text.str());
+}
+
+}  // namespace
+
+Progress::Progress(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
+                   StandingListener listener)
+    : plan_(plan),
+      directory_(directory),
+      journal_(directory / shard.journal_name(), plan),
+      queue_(plan, shard.points(plan.points.size()), journal_.found().points),
+      listener_(std::move(listener)),
+      points_(journal_.found().points) {}
+
+std::optional<std::size_t> Progress::next() {
+  if (process::stop_requested()) return std::nullopt;
+  return queue_.next();
+}
+
+void Progress::keep(SolvedPoint&& solved) {
+  queue_.finished(solved.result.point, solved.result.seconds());
+  const std::lock_guard lock(mutex_);
+  if (!solved.curves.empty()) {
+    SolvedPoint with_curves{{.point = solved.result.point}, std::move(solved.curves)};
+    write_marginals(plan_, directory_, std::move(with_curves));
+  }
+  journal_.append(solved.result);
+  points_.push_back(std::move(solved.result));
+  if (listener_) listener_(queue_.standing());
+}
+
+void solve_left(const Plan& plan, Progress& progress, int threads) {
+  const int wanted = threads > 0 ? threads : process::processors();
+  methods::side_by_side(static_cast<std::size_t>(wanted), wanted, [&](std::size_t) {
+    for (auto point = progress.next(); point; point = progress.next()) {
+      progress.keep(solve_point(plan, *point));
+    }
+  });
+}
+
+}  // namespace fpkcheck::sweep

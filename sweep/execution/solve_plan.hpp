@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "sweep/execution/queue.hpp"
+#include "sweep/execution/shard.hpp"
+#include "sweep/execution/solve_point.hpp"
+#include "sweep/plan/plan.hpp"
+#include "sweep/result/journal.hpp"
+
+namespace fpkcheck::sweep {
+
+/// Told where a sweep stands; called from several threads, never two at once. What it throws ends the
+/// sweep.
+using StandingListener = std::function<void(const Queue::Standing&)>;
+
+/// The journal of a sweep and the points that it lacks: what is solved goes into the first and out of
+/// the second. May be asked from several threads.
+class Progress {
+ public:
+  /// Opens the journal in the directory, or begins one.
+  /// @throws what Journal's constructor throws
+  Progress(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
+           StandingListener listener);
+
+  /// The next point to solve; nothing when there is none, or when the program was told to stop.
+  std::optional<std::size_t> next();
+  /// Keeps what became of it.
+  void keep(SolvedPoint&& solved);
+
+  /// How many lines of the journal were damaged, and how many points it had.
+  std::size_t damaged() const { return journal_.found().damaged; }
+  std::size_t found() const { return journal_.found().points.size(); }
+  Queue::Standing standing() const { return queue_.standing(); }
+  /// All that is there, those of before first.
+  std::vector<PointResult> points() const { return points_; }
+
+ private:
+  const Plan& plan_;
+  std::filesystem::path directory_;
+  Journal journal_;
+  Queue queue_;
+  StandingListener listener_;
+  std::mutex mutex_;
+  std::vector<PointResult> points_;
+};
+
+/// Solves what is left by so many threads, one point each at a time.
+/// @param threads 0 for one per processor
+void solve_left(const Plan& plan, Progress& progress, int threads);
+
+}  // namespace fpkcheck::sweep

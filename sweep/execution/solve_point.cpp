@@ -1,0 +1,115 @@
+#include "sweep/execution/solve_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+
+#include "compare/comparison.hpp"
+#include "compare/reference.hpp"
+#include "methods/problem_residuals.hpp"
+#include "methods/run_cases.hpp"
+#include "parameters/input_error.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using transform::Solution;
+using transform::Status;
+using transform::Variable;
+
+Solution failed(const methods::Method& method, const std::string& reason) {
+  Solution solution{.identity = method.identity, .options = method.options};
+  solution.status = Status::failed;
+  solution.reason = reason;
+  return solution;
+}
+
+Solution solved(const methods::Method& method, const problem::Problem& problem,
+                const methods::Setting& setting) {
+  try {
+    return methods::solve_by(method, problem, setting);
+  } catch (const InputError& error) {
+    return failed(method, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(method, "out of memory");
+  }
+}
+
+std::optional<MarginalPair> own_error_of(const Solution& solution) {
+  if (!solution.has_density()) return std::nullopt;
+  const MarginalPair error{compare::own_error(solution, Variable::y),
+                           compare::own_error(solution, Variable::ydot)};
+  if (!std::isfinite(error.y) || !std::isfinite(error.ydot)) return std::nullopt;
+  return error;
+}
+
+std::vector<BudgetShare> budget_of(const Solution& solution,
+                                   const std::vector<compare::BudgetRow>& budget) {
+  std::vector<BudgetShare> shares;
+  for (const auto& closure : compare::closure_budgets(budget, {&solution, 1})) {
+    if (closure.solution != solution.id() || closure.y == nullptr || closure.ydot == nullptr) {
+      continue;
+    }
+    for (const auto& part : closure.y->parts) {
+      const auto* same = closure.ydot->find(part.name());
+      if (same != nullptr) shares.push_back({part.name(), {part.l1, same->l1}});
+    }
+  }
+  return shares;
+}
+
+MethodResult kept_of(const Solution& solution) {
+  MethodResult result{.status = solution.status,
+                      .reason = solution.reason,
+                      .seconds = solution.seconds,
+                      .error = own_error_of(solution)};
+  if (solution.has_density()) result.moments = solution.moments;
+  return result;
+}
+
+std::vector<results::Curve> curves_of(const problem::Problem& problem,
+                                      const compare::ComparisonAxes& axes,
+                                      const std::vector<Solution>& solutions) {
+  return results::make_case(problem, axes, solutions).curves;
+}
+
+}  // namespace
+
+SolvedPoint solve_point(const Plan& plan, std::size_t point) {
+  SolvedPoint solved_point{{.point = point}, {}};
+  PointResult& result = solved_point.result;
+  std::optional<problem::Problem> problem;
+  try {
+    problem = plan.problem_at(point);
+  } catch (const InputError& error) {
+    for (const auto& method : plan.methods) {
+      result.methods.push_back(kept_of(failed(method, error.what())));
+    }
+    return solved_point;
+  }
+  const auto axes = compare::comparison_axes(*problem);
+  const methods::ProblemResiduals residuals(*problem);
+  std::vector<Solution> solutions;
+  for (const auto& method : plan.methods) {
+    solutions.push_back(solved(method, *problem, {axes, {}, &residuals}));
+    result.methods.push_back(kept_of(solutions.back()));
+  }
+  if (plan.marginals) solved_point.curves = curves_of(*problem, axes, solutions);
+
+  const Solution* reference = compare::reference(solutions);
+  if (reference == nullptr) return solved_point;
+  result.reference = reference->id();
+  const auto comparison = compare::compare_solutions(axes, solutions);
+  for (std::size_t m = 0; m < solutions.size(); ++m) {
+    const auto l1 = [&](Variable variable) {
+      return compare::l1_between(comparison.pairs, solutions[m].id(), reference->id(), variable);
+    };
+    const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
+    if (y && ydot) result.methods[m].l1 = MarginalPair{*y, *ydot};
+    result.methods[m].budget = budget_of(solutions[m], comparison.budget);
+  }
+  return solved_point;
+}
+
+}  // namespace fpkcheck::sweep

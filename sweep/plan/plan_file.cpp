@@ -1,0 +1,106 @@
+#include "sweep/plan/plan_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "parameters/ini_file.hpp"
+#include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
+#include "parameters/shown.hpp"
+#include "problem/case_file.hpp"
+#include "problem/named_cases.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using parameters::in_quotes;
+using parameters::IniSetting;
+
+constexpr const char* kSweep = "sweep";
+constexpr const char* kVary = "vary";
+
+Design design_in(const IniSetting& line) {
+  const auto design = parameters::value_named<Design>(line.text);
+  if (design) return *design;
+  throw InputError(fmt::format("{}: design {} (must be one of product, list, sobol)", line.where,
+                               in_quotes(line.text)));
+}
+
+std::size_t points_in(const IniSetting& line) {
+  std::size_t count = 0;
+  const char *const begin = line.text.data(), *const end = begin + line.text.size();
+  if (std::from_chars(begin, end, count).ptr == end && count > 0 && count <= kMostPoints) {
+    return count;
+  }
+  throw InputError(fmt::format("{}: points {} (must be an integer, 1 .. {})", line.where,
+                               in_quotes(line.text), kMostPoints));
+}
+
+/// The lines of [sweep], by their keys.
+using SweepLines = std::map<std::string, IniSetting>;
+
+SweepLines sweep_lines(const std::vector<IniSetting>& all) {
+  SweepLines lines;
+  for (const auto& line : all) {
+    if (line.section != kSweep) continue;
+    if (line.key != "case" && line.key != "methods" && line.key != "design" &&
+        line.key != "points") {
+      throw InputError(
+          fmt::format("{}: unknown key {} (known keys: sweep.case, sweep.methods, sweep.design, "
+                      "sweep.points)",
+                      line.where, in_quotes(line.path())));
+    }
+    if (!lines.emplace(line.key, line).second) {
+      throw InputError(
+          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+PlanText read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+  constexpr std::size_t kMostBytes = 1 << 20;
+  const bool named = std::ranges::find(problem::named_cases(), name_or_path,
+                                       &problem::NamedCase::name) != problem::named_cases().end();
+  const auto text = named ? std::nullopt : parameters::read_input_file(name_or_path, kMostBytes);
+  if (!text) return {problem::load_case(name_or_path, overrides)};
+
+  std::istringstream ini(*text);
+  const std::string where = fmt::format("plan {}", parameters::shown(name_or_path));
+  const auto all = parameters::ini_settings(ini, where);
+  std::vector<IniSetting> of_case;
+  std::ranges::copy_if(all, std::back_inserter(of_case), [](const IniSetting& line) {
+    return line.section != kSweep && line.section != kVary;
+  });
+  if (of_case.size() == all.size()) return {problem::load_case(name_or_path, overrides)};
+
+  const SweepLines lines = sweep_lines(all);
+  const auto base_case = lines.find("case");
+  if (base_case != lines.end() && !of_case.empty()) {
+    throw InputError(fmt::format("{}: a case beside [{}] (keep one)", base_case->second.where,
+                                 of_case.front().section));
+  }
+  PlanText plan{base_case != lines.end()
+                    ? problem::load_case(base_case->second.text, overrides)
+                    : problem::case_from(of_case,
+                                         std::filesystem::path(name_or_path).stem().string(), where,
+                                         overrides)};
+  for (const auto& line : all) {
+    if (line.section == kVary) plan.axes.push_back(axis_from(line.key, line.text, line.where));
+  }
+  for (const auto& [key, line] : lines) {
+    if (key == "design") plan.design = design_in(line);
+    if (key == "points") plan.points = points_in(line);
+    if (key == "methods") plan.methods = line.text;
+  }
+  return plan;
+}
+
+}  // namespace fpkcheck::sweep
