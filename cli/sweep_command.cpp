@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -125,6 +126,35 @@ sweep::Axis axis_of(const std::string& text) {
   return sweep::axis_from(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
+bool contains(const parameters::Values& values, const std::string& name) {
+  return std::ranges::find(values, name, &parameters::NamedValue::name) != values.end();
+}
+
+// What a plan says of the methods' options, where the command line says nothing.
+void add_options_of_plan(const std::vector<parameters::IniSetting>& lines,
+                         const methods::Registry& registry, parameters::Values& given) {
+  std::vector<std::string> known{"case", "methods", "design", "points"};
+  std::vector<const parameters::Parameter*> options;
+  for (const auto& solver : registry.solvers()) {
+    for (const auto& name : solver.set_by_a_run) {
+      if (name == "threads") continue;
+      known.push_back(name);
+      options.push_back(solver.parameters->find(name));
+    }
+  }
+  for (const auto& line : lines) {
+    const auto option = std::ranges::find(options, line.key, &parameters::Parameter::name);
+    if (option == options.end()) {
+      throw InputError(fmt::format("{}: unknown key {} (known keys of [sweep]: {})", line.where,
+                                   parameters::in_quotes(line.path()), fmt::join(known, ", ")));
+    }
+    if (contains(given, line.key)) continue;
+    given.push_back(
+        {line.key, parameters::value_from(**option, line.text,
+                                          fmt::format("{}: {} =", line.where, line.key))});
+  }
+}
+
 // The plan that the file and the command line make together.
 sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& registry) {
   if (arguments.common.cases.size() != 1) {
@@ -156,6 +186,7 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
   plan.points = sweep::points_of(plan.axes, plan.design, plan.sobol_points);
 
   parameters::Values given = arguments.given;
+  add_options_of_plan(text.options, registry, given);
   given.push_back({"threads", std::int64_t{1}});
   given.push_back({"stepper", std::string("direct")});
   plan.methods =

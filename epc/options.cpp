@@ -91,6 +91,10 @@ const Description<Options>& description() {
                "0.01 of fd)"},
               positive().because("no closure is exact"))
           .with_fallback({})
+          .add("max_seconds", &O::max_seconds,
+               {"S", "of moment and polar: after so long no further way to a root is begun"},
+               positive())
+          .with_fallback(Options{}.max_seconds)
           .add("max_iterations", &O::max_iterations, {"N", "most steps of Newton's method"},
                positive().because("no step would be taken otherwise"))
           .without_flag();

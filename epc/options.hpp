@@ -71,6 +71,8 @@ struct Options {
   /// Of Newton's method: gaussian: plain steps from equivalent linearisation; moment, polar: at
   /// each order.
   int max_iterations = 30;
+  /// Of moment and polar: after so long no further way to a root is begun.
+  double max_seconds = 20;
 };
 
 /// The options as the command line and files name them.

@@ -69,7 +69,8 @@ roots::NewtonResult newton(const Galerkin& equations, const VectorXd& start, dou
   return roots::newton(NewtonEquations{equations, unit}, start, options);
 }
 
-roots::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start) {
+roots::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start,
+                             const std::function<bool()>& give_up) {
   const auto residual = [&](const VectorXd& a) -> VectorXd {
     const Galerkin::Density density = equations.density(a);
     if (density.finite) return equations.residual(density);
@@ -91,7 +92,8 @@ roots::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start) {
                         .greatest_norm = std::numeric_limits<double>::infinity(),
                         .least_t = -1,
                         .locate_folds = false,
-                        .correct_end = false});
+                        .correct_end = false,
+                        .give_up = give_up});
 }
 
 }  // namespace fpkcheck::epc::half_plane

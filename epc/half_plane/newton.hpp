@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "epc/half_plane/galerkin.hpp"
 #include "epc/roots/arclength.hpp"
 #include "epc/roots/newton.hpp"
@@ -15,6 +17,8 @@ roots::NewtonResult newton(const Galerkin& equations, const Eigen::VectorXd& sta
 
 /// Newton's homotopy from the start, past folds. It rescues starts from which damped Newton steps
 /// end at a point where the Jacobian is singular. The end is to be refined by Newton's method.
-roots::Curve follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start);
+/// @param give_up asked before each step: whether it took too long already
+roots::Curve follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start,
+                             const std::function<bool()>& give_up = {});
 
 }  // namespace fpkcheck::epc::half_plane

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,7 @@ using roots::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMostRefinements = 4;
+constexpr double kEver = 1e9;  // seconds that a clock can count
 
 // More than twice as many in all.
 QuadratureSize refined(const QuadratureSize& size) {
@@ -30,7 +32,12 @@ QuadratureSize refined(const QuadratureSize& size) {
 class Search {
  public:
   Search(const problem::Problem& problem, const Setting& setting, const Options& options)
-      : setting_(setting), options_(options), unit_(rate_unit(problem)) {}
+      : setting_(setting),
+        options_(options),
+        unit_(rate_unit(problem)),
+        end_(std::chrono::steady_clock::now() +
+             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                 std::chrono::duration<double>(std::min(options.max_seconds, kEver)))) {}
 
   Root run() {
     climb();
@@ -57,6 +64,15 @@ class Search {
     finish(guess);
   }
 
+  // Whether it is too late to try another way.
+  bool late() {
+    if (std::chrono::steady_clock::now() < end_) return false;
+    if (std::exchange(late_, true)) return true;
+    root_.failure = fmt::format("no root was found in {:g} s (max_seconds){}", options_.max_seconds,
+                                root_.failure.empty() ? "" : "; before: " + root_.failure);
+    return true;
+  }
+
   // Last of all that of the guess, where it is a start that no fit has spoilt: between two levels
   // a Q_n that rises beyond its own may put all its mass on the edge of the other.
   std::vector<double> levels(const Shape& guess, Stage stage) const {
@@ -68,6 +84,7 @@ class Search {
   // Order n from the guess, well enough to start the next, in its place.
   bool advance(Shape& guess, int n) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Shape, double>> {
+      if (late()) return std::nullopt;
       const Start start = start_of(guess, n, level, first_size(guess, n, level, Stage::rough));
       const NewtonResult result = solve(start, Stage::rough);
       if (!result.converged) return std::nullopt;
@@ -83,7 +100,7 @@ class Search {
   // The order asked for, to the tolerance.
   void finish(const Shape& guess) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Root, double>> {
-      if (!refine(guess, level)) return std::nullopt;
+      if (late() || !refine(guess, level)) return std::nullopt;
       // What the rough guess still hid.
       const Root rooted = root_;
       const auto further = setting_.further(guess, rooted.shape);
@@ -167,7 +184,8 @@ class Search {
     NewtonResult result = newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
     if (result.converged) return result;
-    const roots::Curve rescue = follow_homotopy(start.equations, start.a);
+    const roots::Curve rescue = follow_homotopy(
+        start.equations, start.a, [this] { return std::chrono::steady_clock::now() >= end_; });
     const bool arrived = rescue.end == roots::CurveEnd::arrived;
     ++homotopies_;
     iterations_ += rescue.iterations;
@@ -232,8 +250,10 @@ class Search {
   const Setting& setting_;
   const Options& options_;
   double unit_;
+  std::chrono::steady_clock::time_point end_;
   Root root_;
   int iterations_ = 0, homotopies_ = 0;
+  bool late_ = false;
 };
 
 }  // namespace

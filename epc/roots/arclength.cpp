@@ -138,6 +138,7 @@ Curve Follower::from(const VectorXd& start) {
   record(at);
   double step = options_.first_step;
   for (int left = options_.max_points; left > 0; --left) {
+    if (options_.give_up && options_.give_up()) break;
     const auto next = corrected(predicted(at, direction, step), direction, step);
     const bool beyond = next && (next->t >= 1 || next->t <= options_.least_t);
     const auto last = beyond ? landed(at, *next) : next;

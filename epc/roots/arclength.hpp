@@ -36,6 +36,8 @@ struct ArclengthOptions {
   double least_t = 0;          ///< nor one that falls back behind this
   bool locate_folds = true;    ///< to rounding, and record them
   bool correct_end = true;     ///< else the end is interpolated, for the caller to refine
+  /// Asked before each step: whether it took too long already; may be empty.
+  std::function<bool()> give_up = {};
 };
 
 /// A point of the curve.
@@ -50,7 +52,7 @@ enum class CurveEnd {
   returned,  ///< to the least t
   far,       ///< the unknowns grew beyond all measure
   stuck,     ///< the steps shrank to nothing
-  long_way   ///< the allowed number of points was spent
+  long_way   ///< the allowed number of points was spent, or the time
 };
 
 struct Curve {

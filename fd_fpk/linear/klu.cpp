@@ -1,11 +1,10 @@
 #include "fd_fpk/linear/klu.hpp"
 
-#include <cholmod.h>
 #include <klu.h>
 
-#include <mutex>
 #include <stdexcept>
-#include <vector>
+
+#include "fd_fpk/linear/orderings.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -26,39 +25,6 @@ struct Arrays {
             const_cast<SparseColumns::StorageIndex*>(matrix.innerIndexPtr()))),
         values(const_cast<double*>(matrix.valuePtr())) {}
 };
-
-// METIS draws from the C library's random numbers, one sequence for the whole process: it seeds them
-// for each dissection, but two dissections at once would draw from one another's, and their orders
-// (and the last digits of all that is solved by them) would depend on who came when.
-std::mutex dissection_mutex;
-
-// Order of unknowns by nested dissection of the graph of A + A^T; empty when it cannot be found.
-std::vector<SuiteSparse_long> nested_dissection(const SparseColumns& matrix) {
-  const SparseColumns symmetric = SparseColumns(matrix.transpose()) + matrix;
-  const Arrays arrays(symmetric);
-  const auto n = static_cast<std::size_t>(matrix.cols());
-  cholmod_sparse graph{};
-  graph.nrow = graph.ncol = n;
-  graph.nzmax = static_cast<std::size_t>(symmetric.nonZeros());
-  graph.p = arrays.columns;
-  graph.i = arrays.rows;
-  graph.stype = 1;  // symmetric, the upper triangle counts
-  graph.itype = CHOLMOD_LONG;
-  graph.xtype = CHOLMOD_PATTERN;
-  graph.sorted = graph.packed = 1;
-  cholmod_common common;
-  cholmod_l_start(&common);
-  common.print = 0;
-  // Without memory METIS ends the program: CHOLMOD looks first whether there is twice what it needs.
-  common.metis_memory = 2;
-  std::vector<SuiteSparse_long> order(n), parents(n), components(n);
-  const std::lock_guard alone(dissection_mutex);
-  const SuiteSparse_long found = cholmod_l_nested_dissection(
-      &graph, nullptr, 0, order.data(), parents.data(), components.data(), &common);
-  cholmod_l_finish(&common);
-  if (found < 0) order.clear();
-  return order;
-}
 
 }  // namespace
 
@@ -90,10 +56,11 @@ bool KluFactorisation::factor(const SparseColumns& matrix) {
   auto& [common, symbolic, numeric] = *handles_;
   klu_l_free_numeric(&numeric, &common);
   if (symbolic == nullptr) {
-    auto order = nested_dissection(matrix);
-    symbolic = order.empty() ? klu_l_analyze(matrix.cols(), arrays.columns, arrays.rows, &common)
+    auto found = ordering(matrix);
+    auto* const order = reinterpret_cast<SuiteSparse_long*>(found.data());
+    symbolic = found.empty() ? klu_l_analyze(matrix.cols(), arrays.columns, arrays.rows, &common)
                              : klu_l_analyze_given(matrix.cols(), arrays.columns, arrays.rows,
-                                                   order.data(), order.data(), &common);
+                                                   order, order, &common);
   }
   if (symbolic != nullptr) {
     numeric = klu_l_factor(arrays.columns, arrays.rows, arrays.values, symbolic, &common);

@@ -48,13 +48,6 @@ SweepLines sweep_lines(const std::vector<IniSetting>& all) {
   SweepLines lines;
   for (const auto& line : all) {
     if (line.section != kSweep) continue;
-    if (line.key != "case" && line.key != "methods" && line.key != "design" &&
-        line.key != "points") {
-      throw InputError(
-          fmt::format("{}: unknown key {} (known keys: sweep.case, sweep.methods, sweep.design, "
-                      "sweep.points)",
-                      line.where, in_quotes(line.path())));
-    }
     if (!lines.emplace(line.key, line).second) {
       throw InputError(
           fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
@@ -96,9 +89,16 @@ PlanText read_plan(const std::string& name_or_path, const std::vector<std::strin
     if (line.section == kVary) plan.axes.push_back(axis_from(line.key, line.text, line.where));
   }
   for (const auto& [key, line] : lines) {
-    if (key == "design") plan.design = design_in(line);
-    if (key == "points") plan.points = points_in(line);
-    if (key == "methods") plan.methods = line.text;
+    if (key == "case") continue;
+    if (key == "design") {
+      plan.design = design_in(line);
+    } else if (key == "points") {
+      plan.points = points_in(line);
+    } else if (key == "methods") {
+      plan.methods = line.text;
+    } else {
+      plan.options.push_back(line);
+    }
   }
   return plan;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "parameters/ini_file.hpp"
 #include "problem/problem.hpp"
 #include "sweep/plan/points.hpp"
 
@@ -17,6 +18,7 @@ struct PlanText {
   std::optional<Design> design{};
   std::optional<std::size_t> points{};
   std::optional<std::string> methods{};
+  std::vector<parameters::IniSetting> options{};  ///< of the methods: the other lines of [sweep]
 };
 
 /// Reads a case (as problem::load_case) or a plan, which is a case file with two sections more:
@@ -26,6 +28,7 @@ struct PlanText {
 ///     methods = epc,fd-kf
 ///     design = product        ; or list, sobol
 ///     points = 1000           ; of the design sobol
+///     max_seconds = 5         ; an option of the methods
 ///     [vary]
 ///     system.restitution = 0.5:0.99:50
 ///     impulse.rate = log:0.2:20:9

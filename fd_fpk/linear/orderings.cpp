@@ -1,0 +1,108 @@
+#include "fd_fpk/linear/orderings.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <boost/container_hash/hash.hpp>
+#include <cstddef>
+#include <list>
+#include <mutex>
+#include <utility>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// CHOLMOD takes SuiteSparse_long indices; SparseColumns stores std::int64_t.
+static_assert(sizeof(SuiteSparse_long) == sizeof(SparseColumns::StorageIndex));
+
+// METIS draws from the C library's random numbers, one sequence for the whole process: it seeds them
+// for each dissection, but two dissections at once would draw from one another's, and their orders
+// (and the last digits of all that is solved by them) would depend on who came when.
+std::mutex dissection_mutex;
+
+std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
+  const SparseColumns symmetric = SparseColumns(matrix.transpose()) + matrix;
+  const auto n = static_cast<std::size_t>(matrix.cols());
+  cholmod_sparse graph{};
+  graph.nrow = graph.ncol = n;
+  graph.nzmax = static_cast<std::size_t>(symmetric.nonZeros());
+  // It only reads them.
+  graph.p = const_cast<SparseColumns::StorageIndex*>(symmetric.outerIndexPtr());
+  graph.i = const_cast<SparseColumns::StorageIndex*>(symmetric.innerIndexPtr());
+  graph.stype = 1;  // symmetric, the upper triangle counts
+  graph.itype = CHOLMOD_LONG;
+  graph.xtype = CHOLMOD_PATTERN;
+  graph.sorted = graph.packed = 1;
+  cholmod_common common;
+  cholmod_l_start(&common);
+  common.print = 0;
+  // Without memory METIS ends the program: CHOLMOD looks first whether there is twice what it needs.
+  common.metis_memory = 2;
+  std::vector<std::int64_t> order(n), parents(n), components(n);
+  const auto as_longs = [](std::vector<std::int64_t>& list) {
+    return reinterpret_cast<SuiteSparse_long*>(list.data());
+  };
+  const std::lock_guard alone(dissection_mutex);
+  const SuiteSparse_long found = cholmod_l_nested_dissection(
+      &graph, nullptr, 0, as_longs(order), as_longs(parents), as_longs(components), &common);
+  cholmod_l_finish(&common);
+  if (found < 0) order.clear();
+  return order;
+}
+
+/// By what a pattern is known again: were two patterns of as many unknowns taken for one another, the
+/// order would be a poorer one, and nothing else.
+struct Pattern {
+  std::int64_t unknowns, entries;
+  std::size_t hash;
+
+  explicit Pattern(const SparseColumns& matrix)
+      : unknowns(matrix.cols()), entries(matrix.nonZeros()), hash(0) {
+    boost::hash_range(hash, matrix.outerIndexPtr(), matrix.outerIndexPtr() + unknowns + 1);
+    boost::hash_range(hash, matrix.innerIndexPtr(), matrix.innerIndexPtr() + entries);
+  }
+  bool operator==(const Pattern&) const = default;
+};
+
+/// The orders that were asked for last.
+class Kept {
+ public:
+  std::vector<std::int64_t> find(const Pattern& pattern) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(orders_, pattern, &Entry::first);
+    if (found == orders_.end()) return {};
+    orders_.splice(orders_.begin(), orders_, found);
+    return found->second;
+  }
+  void put(const Pattern& pattern, const std::vector<std::int64_t>& order) {
+    const std::lock_guard lock(mutex_);
+    orders_.emplace_front(pattern, order);
+    unknowns_ += order.size();
+    while (unknowns_ > kMostUnknowns && orders_.size() > 1) {
+      unknowns_ -= orders_.back().second.size();
+      orders_.pop_back();
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMostUnknowns = 4'000'000;  // 32 MB
+
+  using Entry = std::pair<Pattern, std::vector<std::int64_t>>;
+  std::mutex mutex_;
+  std::list<Entry> orders_;  // the last one first
+  std::size_t unknowns_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::int64_t> ordering(const SparseColumns& matrix) {
+  static Kept& kept = *new Kept;  // never destroyed: a thread may still ask at the end
+  const Pattern pattern(matrix);
+  auto order = kept.find(pattern);
+  if (!order.empty()) return order;
+  order = nested_dissection(matrix);
+  if (!order.empty()) kept.put(pattern, order);
+  return order;
+}
+
+}  // namespace fpkcheck::fd_fpk
