@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -23,8 +24,10 @@
 #include "process/stop.hpp"
 #include "sweep/execution/forecast.hpp"
 #include "sweep/execution/merged.hpp"
+#include "sweep/execution/solve_on_ranks.hpp"
 #include "sweep/execution/solve_plan.hpp"
 #include "sweep/plan/plan_file.hpp"
+#include "sweep/ranks/ranks.hpp"
 #include "sweep/report/forecast_text.hpp"
 #include "sweep/report/table.hpp"
 #include "sweep/result/sweep_results.hpp"
@@ -237,6 +240,61 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
   return kDone;
 }
 
+// Of the process that has the journal, which is the only one but under mpirun.
+int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
+               int threads, sweep::Ranks* ranks, const Call& call,
+               std::chrono::steady_clock::time_point begin) {
+  const CommonArguments& common = arguments.common;
+  ProgressLine line(common.quiet);
+  const int workers =
+      (threads > 0 ? threads : process::processors()) * (ranks == nullptr ? 1 : ranks->size());
+  const auto tell = [&](const sweep::Queue::Standing& at) {
+    note_kept(fmt::format("{} of {} points are in {}/{} (the same command goes on)", at.done,
+                          at.total, *common.out, shard.journal_name()));
+    line.show({.done = at.done,
+               .total = at.total,
+               .case_name = plan.base.name,
+               .method = "points",
+               .fraction = 0,
+               .note = at.left ? sweep::time_text(*at.left / workers) + " left" : ""});
+  };
+  std::optional<OutputDirectory> directory;
+  std::optional<sweep::Progress> progress;
+  try {
+    directory.emplace(common.out);
+    progress.emplace(plan, *common.out, shard, tell);
+  } catch (...) {
+    if (ranks != nullptr) sweep::dismiss(*ranks);
+    throw;
+  }
+  tell(progress->standing());
+  if (progress->damaged() > 0) {
+    complain(fmt::format("{} damaged line{} of the journal: solved again", progress->damaged(),
+                         progress->damaged() == 1 ? "" : "s"));
+  }
+  if (ranks != nullptr) {
+    sweep::lead(plan, *progress, *ranks, threads);
+  } else {
+    sweep::solve_left(plan, *progress, threads);
+  }
+  line.clear();
+  if (process::stop_requested()) return kNotReached;  // the caller says by what
+
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  if (shard.of > 1) {
+    if (!common.quiet) {
+      put_out(fmt::format(
+          "Shard {} of {}: {} points in {}/{}, {:.1f} s. When all are there: fpkcheck sweep --merge "
+          "{} --out {}\n",
+          shard.number, shard.of, progress->standing().done, *common.out, shard.journal_name(),
+          elapsed.count(), *common.out, *common.out));
+    }
+    return kDone;
+  }
+  put_results(arguments, sweep::sweep_results(plan, progress->points()), call, elapsed.count());
+  return kDone;
+}
+
 }  // namespace
 
 int sweep_command(const Call& call) {
@@ -258,48 +316,13 @@ int sweep_command(const Call& call) {
   const auto plan = plan_of(arguments, call.registry);
   if (arguments.dry_run) return dry_run(arguments, plan, threads);
 
-  const OutputDirectory directory(common.out);
-  ProgressLine line(common.quiet);
-  const auto kept_in = [&](std::size_t done, std::size_t total) {
-    return fmt::format("{} of {} points are in {}/{} (the same command goes on)", done, total,
-                       *common.out, shard.journal_name());
-  };
-  sweep::Progress progress(plan, *common.out, shard, [&](const sweep::Queue::Standing& at) {
-    note_kept(kept_in(at.done, at.total));
-    line.show({.done = at.done,
-               .total = at.total,
-               .case_name = plan.base.name,
-               .method = "points",
-               .fraction = 0,
-               .note = at.left ? sweep::time_text(*at.left /
-                                                  (threads > 0 ? threads : process::processors())) +
-                                     " left"
-                               : ""});
-  });
-  const auto at = progress.standing();
-  note_kept(kept_in(at.done, at.total));
-  if (progress.damaged() > 0) {
-    complain(fmt::format("{} line{} of the journal {} damaged: solved again", progress.damaged(),
-                         progress.damaged() == 1 ? "" : "s",
-                         progress.damaged() == 1 ? "was" : "were"));
-  }
-  sweep::solve_left(plan, progress, threads);
-  line.clear();
-  if (process::stop_requested()) return kNotReached;  // the caller says by what
-
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  if (shard.of > 1) {
-    if (!common.quiet) {
-      put_out(
-          fmt::format("Shard {} of {}: {} points in {}/{}, {:.1f} s. When all are there: "
-                      "fpkcheck sweep --merge {} --out {}\n",
-                      shard.number, shard.of, progress.standing().done, *common.out,
-                      shard.journal_name(), elapsed.count(), *common.out, *common.out));
-    }
+  const auto ranks =
+      sweep::Ranks::started_together() ? sweep::Ranks::join() : std::unique_ptr<sweep::Ranks>();
+  if (ranks && !ranks->is_first()) {
+    sweep::follow(plan, *common.out, *ranks, threads);
     return kDone;
   }
-  put_results(arguments, sweep::sweep_results(plan, progress.points()), call, elapsed.count());
-  return kDone;
+  return lead_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);
 }
 
 }  // namespace fpkcheck::cli

@@ -13,11 +13,9 @@
 #include "results/marginals_csv.hpp"
 
 namespace fpkcheck::sweep {
-namespace {
-
-// Before the journal says that the point is solved.
-void write_marginals(const Plan& plan, const std::filesystem::path& directory,
-                     SolvedPoint&& solved) {
+void keep_marginals(const Plan& plan, const std::filesystem::path& directory,
+                    const SolvedPoint& solved) {
+  if (solved.curves.empty()) return;
   const process::FilesInHand in_hand;
   std::filesystem::create_directories(directory / "marginals");
   const std::vector<results::Case> cases{{.problem = plan.problem_at(solved.result.point),
@@ -25,15 +23,13 @@ void write_marginals(const Plan& plan, const std::filesystem::path& directory,
                                           .pairs = {},
                                           .budget = {},
                                           .limits = {},
-                                          .curves = std::move(solved.curves),
+                                          .curves = solved.curves,
                                           .joints = {}}};
   std::ostringstream text;
   results::write_marginals_csv(text, cases);
   files::write_file(directory / "marginals" / fmt::format("{:06}.csv", solved.result.point),
                     text.str());
 }
-
-}  // namespace
 
 Progress::Progress(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
                    StandingListener listener)
@@ -52,10 +48,8 @@ std::optional<std::size_t> Progress::next() {
 void Progress::keep(SolvedPoint&& solved) {
   queue_.finished(solved.result.point, solved.result.seconds());
   const std::lock_guard lock(mutex_);
-  if (!solved.curves.empty()) {
-    SolvedPoint with_curves{{.point = solved.result.point}, std::move(solved.curves)};
-    write_marginals(plan_, directory_, std::move(with_curves));
-  }
+  // Before the journal says that the point is solved.
+  keep_marginals(plan_, directory_, solved);
   journal_.append(solved.result);
   points_.push_back(std::move(solved.result));
   if (listener_) listener_(queue_.standing());

@@ -47,6 +47,11 @@ class Progress {
   std::vector<PointResult> points_;
 };
 
+/// Writes the marginals of a point, where there are any, to marginals/NUMBER.csv.
+/// @throws std::runtime_error on one line
+void keep_marginals(const Plan& plan, const std::filesystem::path& directory,
+                    const SolvedPoint& solved);
+
 /// Solves what is left by so many threads, one point each at a time.
 /// @param threads 0 for one per processor
 void solve_left(const Plan& plan, Progress& progress, int threads);

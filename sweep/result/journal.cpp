@@ -133,8 +133,7 @@ Journal::Journal(const std::filesystem::path& file, const Plan& plan) : log_(fil
 void Journal::append(const PointResult& result) {
   constexpr std::chrono::seconds kBetweenFlushes(1);
   const process::FilesInHand in_hand;
-  log_.append(checked(results::with_null_for_non_finite(point_json(result))
-                          .dump(-1, ' ', false, Json::error_handler_t::replace)));
+  log_.append(checked(journal_text(result)));
   const auto now = std::chrono::steady_clock::now();
   if (now - flushed_ < kBetweenFlushes) return;
   log_.flush();

@@ -77,6 +77,11 @@ Json point_json(const PointResult& result) {
   return json;
 }
 
+std::string journal_text(const PointResult& result) {
+  return results::with_null_for_non_finite(point_json(result))
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 PointResult point_in(const Json& json) {
   PointResult result{.point = json.at("point").get<std::size_t>(),
                      .reference = json.at("reference")};

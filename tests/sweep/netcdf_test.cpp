@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "made_up_sweep.hpp"
+#include "results/netcdf/reader.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+class SweepNetCdf : public testing::Test {
+ protected:
+  results::NetCdfReader reader_of(const SweepResults& results) {
+    const auto file = directory_.path() / "sweep.nc";
+    std::ofstream(file, std::ios::binary) << netcdf(results, "fpkcheck sweep");
+    return results::NetCdfReader(file);
+  }
+  tests::TemporaryDirectory directory_;
+};
+
+TEST_F(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
+  auto results = tests::results_of(tests::small_plan());
+  results.points.erase(results.points.begin() + 1);
+  auto file = reader_of(results);
+  EXPECT_EQ(file.dimensions("y2"),
+            (std::vector<std::string>{"impulse.rate", "system.restitution", "solution"}));
+  EXPECT_EQ(file.shape("y2"), (std::vector<std::size_t>{2, 3, 2}));
+  EXPECT_EQ(file.values("system.restitution"), (std::vector<double>{0.8, 0.9, 1}));
+  EXPECT_EQ(file.labels("solution"), (std::vector<std::string>{"epc-gaussian-n2", "fd-kf"}));
+  const auto y2 = file.values("y2");
+  EXPECT_EQ(y2[1 * 6 + 2 * 2 + 1], 5.1);  // rate 2, restitution 1, fd-kf: point 5
+  EXPECT_TRUE(std::isnan(y2[2]));         // point 1 is not there
+  const auto status = file.values("status");
+  EXPECT_EQ(status[2], -1);
+  EXPECT_EQ(status[0], 0);
+  EXPECT_EQ(file.values("l1_y")[0], 0.01);
+  EXPECT_EQ(file.values("reference")[0], 1);
+  EXPECT_EQ(file.values("budget_closure___impact_ydot")[0], 0.4);
+}
+
+TEST_F(SweepNetCdf, OfAListHasItsPointsAndWords) {
+  const Plan plan = tests::plan_of(
+      {axis_from("impulse.law", "gaussian,laplace", "x"), axis_from("system.cubic", "1,2", "x")},
+      Design::list);
+  auto file = reader_of(tests::results_of(plan));
+  EXPECT_EQ(file.dimensions("v2"), (std::vector<std::string>{"point", "solution"}));
+  EXPECT_EQ(file.labels("impulse.law"), (std::vector<std::string>{"gaussian", "laplace"}));
+  EXPECT_EQ(file.values("system.cubic"), (std::vector<double>{1, 2}));
+}
+
+}  // namespace
+}  // namespace fpkcheck::sweep
