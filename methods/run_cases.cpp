@@ -100,6 +100,14 @@ Solution solve_by(const Method& method, const problem::Problem& problem, const S
   return solution;
 }
 
+void require_solvable(const std::vector<problem::Problem>& problems,
+                      const std::vector<Method>& methods) {
+  for (const auto& method : methods) {
+    if (!method.check) continue;
+    for (const auto& problem : problems) method.check(problem);
+  }
+}
+
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener) {
@@ -111,6 +119,7 @@ std::vector<results::Case> run_cases(const std::vector<problem::Problem>& proble
                                      const ProgressListener& listener,
                                      const std::vector<ProblemResiduals>& residuals,
                                      const CaseListener& case_listener) {
+  require_solvable(problems, methods);
   Run run(problems, methods, listener, residuals, case_listener);
   std::vector<Task> several;
   std::vector<Task> alone;

@@ -29,7 +29,11 @@ using ProgressListener = std::function<void(const RunProgress&)>;
 transform::Solution solve_by(const Method& method, const problem::Problem& problem,
                              const Setting& setting);
 
-/// Solves every problem by every method and compares. Methods that use one processor run side by
+/// @throws InputError when a method cannot be asked to solve one of the problems (Method::check)
+void require_solvable(const std::vector<problem::Problem>& problems,
+                      const std::vector<Method>& methods);
+
+/// Solves every problem by every method and compares, if all can be asked to (require_solvable). Methods that use one processor run side by
 /// side; those that use all of them run alone.
 /// @param methods by increasing trust
 /// @param threads processors to use; 0 for all

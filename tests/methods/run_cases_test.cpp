@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "methods/builtin.hpp"
 #include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -71,6 +73,26 @@ TEST(RunCases, TellsOfEverySolutionUntilAllAreDone) {
   EXPECT_EQ(last.done, 4u);
   EXPECT_EQ(last.total, 4u);
   EXPECT_EQ(last.method, "two");
+}
+
+TEST(RunCases, AsksAllMethodsBeforeAnythingIsSolved) {
+  Probe probe;
+  auto choosy = probe.method("two", true);
+  choosy.check = [](const problem::Problem& problem) {
+    if (problem.name == "b") throw InputError("not with b");
+  };
+  std::size_t begun = 0;
+  EXPECT_THROW(
+      run_cases(two_problems(), {probe.method("one"), choosy}, 2, [&](auto&&) { ++begun; }),
+      InputError);
+  EXPECT_EQ(begun, 0u);
+  EXPECT_EQ(run_cases({two_problems().front()}, {choosy}, 2, {}).size(), 1u);
+}
+
+TEST(RunCases, AsksTheSimulationWhetherItsTimeCanBeSimulated) {
+  const auto simulation = builtin().select("mcs", {{"time", 1e300}});
+  EXPECT_THROW(require_solvable(two_problems(), simulation), InputError);
+  EXPECT_NO_THROW(require_solvable(two_problems(), builtin().select("epc,fd,mcs", {})));
 }
 
 TEST(RunCases, PassesOnWhatASolverThrows) {
