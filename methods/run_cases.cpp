@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "methods/out_of_memory.hpp"
 #include "methods/side_by_side.hpp"
 #include "process/stop.hpp"
 
@@ -94,7 +95,11 @@ class Run {
 }  // namespace
 
 Solution solve_by(const Method& method, const problem::Problem& problem, const Setting& setting) {
-  Solution solution = method.solve(problem, setting);
+  Solution solution;
+  if (!unless_out_of_memory([&] { solution = method.solve(problem, setting); })) {
+    solution.status = transform::Status::failed;
+    solution.reason = kOutOfMemory;
+  }
   solution.identity = method.identity;
   solution.options = method.options;
   return solution;

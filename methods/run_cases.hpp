@@ -25,7 +25,7 @@ struct RunProgress {
 using ProgressListener = std::function<void(const RunProgress&)>;
 
 /// Solves a problem by a method on the axes of its case; the solution knows who it is and what was
-/// asked for.
+/// asked for. Where memory does not suffice it has failed for that reason.
 transform::Solution solve_by(const Method& method, const problem::Problem& problem,
                              const Setting& setting);
 
