@@ -62,7 +62,14 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
   auto csv = open_saved(file);
   require_same_run(file, csv.view(), run);
-  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string())) {
+  // The trajectories of a simulation may leave the range of numbers: it has failed then, with a
+  // density of what they were. A density that is ok is finite everywhere.
+  const auto may_break_down = [&run](const std::string& case_name, const std::string& solution) {
+    const Case* one = find_case(run, case_name);
+    const auto* found = one == nullptr ? nullptr : one->find(solution);
+    return found != nullptr && !found->is_ok();
+  };
+  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), may_break_down)) {
     Case* one = find_case(run, case_name);
     if (one == nullptr || one->find(curve.solution) == nullptr) refuse_other_run(file);
     (one->*curves).push_back(std::move(curve));
