@@ -25,7 +25,7 @@ using parameters::in_quotes;
 using parameters::shown;
 
 // Of hundreds of cases.
-constexpr std::size_t kMostBytesOfText = 64 << 20, kMostBytesOfDensities = 256 << 20;
+constexpr std::size_t kMostBytesOfText = 64 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
   auto text = parameters::read_input_file(file, kMostBytesOfText);
@@ -125,16 +125,14 @@ void add_curves(SavedFiles& saved, const Run& run) {
 }
 
 void load_joints(const fs::path& file, Run& run) {
-  if (const auto bytes = parameters::read_input_file(file, kMostBytesOfDensities)) {
-    require_same_run(file, *bytes, run);
-  }
   const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
     Case* one = find_case(run, case_name);
     const auto* found = one == nullptr ? nullptr : one->find(solution);
     if (found == nullptr || !found->has_density()) refuse_other_run(file);
     return *one;
   };
-  auto [joints, sources] = read_joint_netcdf(file);
+  auto [joints, sources] =
+      read_joint_netcdf(file, [&](std::string_view bytes) { require_same_run(file, bytes, run); });
   for (auto& [case_name, joint] : joints) {
     Case& one = owner(case_name, joint.solution);
     one.joints.push_back(std::move(joint));
