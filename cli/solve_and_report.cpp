@@ -162,8 +162,8 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
          .with_dual = control.with_dual,
          .progress =
              [&](const methods::RunProgress& at) {
-               // Before that there is nothing to finish early with.
-               if (at.fraction > 0) on_interruption(control.on_interruption);
+               // Before that a method has nothing to finish early with.
+               on_interruption(at.fraction > 0 ? control.on_interruption : OnInterruption::give_up);
                progress.show(at);
              },
          .case_listener = [&](const results::Case& one) { finished.put(one); },
