@@ -110,7 +110,7 @@ std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::R
   for (const auto& command : all) {
     add(command, "");
     if (command.name != "study") continue;
-    for (const auto& subject : study_subjects()) add(command, subject);
+    for (const auto& subject : study_subjects()) add(command, subject.name);
   }
   return result;
 }
