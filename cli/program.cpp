@@ -21,6 +21,7 @@
 #include "cli/studies.hpp"
 #include "cli/version.hpp"
 #include "methods/builtin.hpp"
+#include "methods/out_of_memory.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "process/stop.hpp"
@@ -111,7 +112,7 @@ std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::R
   for (const auto& command : all) {
     add(command, "");
     if (command.name != "study") continue;
-    for (const auto& subject : study_subjects()) add(command, subject);
+    for (const auto& subject : study_subjects()) add(command, subject.name);
   }
   return result;
 }
@@ -177,9 +178,7 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     complain(error.what());
     return kBadInput;
   } catch (const std::bad_alloc&) {
-    complain(
-        "stopped: out of memory (this machine's, or what this process may have); coarser grids and "
-        "fewer --threads need less");
+    complain(fmt::format("stopped: {}", methods::kOutOfMemory));
     return kNotReached;
   } catch (const std::exception& error) {
     // A broken environment: a full disk, or a library that fails.

@@ -19,9 +19,7 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/standard_streams.hpp"
-#include "methods/bounds.hpp"
-#include "methods/own_errors.hpp"
-#include "methods/run_cases.hpp"
+#include "methods/complete_run.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
 #include "report/report.hpp"
@@ -142,7 +140,6 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
-  const auto residuals = methods::residuals_of(problems);
   results::Run run{results::this_program(command_line), {}};
   FinishedCases finished;
   std::atomic<bool> solved = false;
@@ -159,21 +156,18 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     });
   }
   try {
-    run.cases = methods::run_cases(
-        problems, methods, control.threads,
-        [&](const methods::RunProgress& at) {
-          // Before that there is nothing to finish early with.
-          if (at.fraction > 0) on_interruption(control.on_interruption);
-          progress.show(at);
-        },
-        residuals, [&](const results::Case& one) { finished.put(one); });
-    for (std::size_t k = 0; control.with_dual && k < run.cases.size(); ++k) {
-      throw_if_interrupted();
-      methods::add_bounds(run.cases[k], control.threads);
-      methods::add_own_errors(run.cases[k], residuals[k], control.threads);
-      finished.put(run.cases[k]);
-    }
-    throw_if_interrupted();
+    run.cases = methods::complete_run(
+        problems, methods,
+        {.threads = control.threads,
+         .with_dual = control.with_dual,
+         .progress =
+             [&](const methods::RunProgress& at) {
+               // Before that a method has nothing to finish early with.
+               on_interruption(at.fraction > 0 ? control.on_interruption : OnInterruption::give_up);
+               progress.show(at);
+             },
+         .case_listener = [&](const results::Case& one) { finished.put(one); },
+         .look = throw_if_interrupted});
     solved = !process::stop_requested();
   } catch (const Interrupted&) {
   }

@@ -8,9 +8,14 @@
 namespace fpkcheck::cli {
 
 /// What may follow `fpkcheck study`.
-const std::vector<std::string>& study_subjects();
+struct StudySubject {
+  std::string name;
+  std::string summary;  ///< what `fpkcheck study --help` says of it
+  int (*run)(const Call&);
+};
+const std::vector<StudySubject>& study_subjects();
 
-/// One function per subject of `fpkcheck study`, each in a file of its name.
+/// One function per subject, each in a file of its name.
 /// @param call with what follows the subject
 /// @return an ExitCode
 /// @throws InputError for bad input or usage, before anything is solved or written

@@ -8,47 +8,73 @@
 #include "cli/studies.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
+#include "report/text/wrapped.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kStudyUsage = R"(usage: fpkcheck study SUBJECT CASE [options]
+constexpr const char* kHead = R"(usage: fpkcheck study SUBJECT CASE [options]
 
 subjects (fpkcheck study SUBJECT --help explains each):
-  grid            finite differences over the grid: observed orders, limits, and the error of all
-                  methods against their cost
-  order           closures over the order of their polynomial: which converge, to what, at what cost
-  regularisation  the series cut after the fourth derivative on finer and finer velocity steps
 )";
-constexpr const char* kSubjects = "grid, order or regularisation";
+
+std::string study_usage() {
+  constexpr std::size_t kWidth = 100, kColumn = 18;
+  std::string text = kHead;
+  for (const auto& [name, summary, run] : study_subjects()) {
+    auto lines = report::wrapped(std::string(kColumn, ' ') + summary, kWidth, kColumn);
+    text += lines.replace(2, name.size(), name);
+  }
+  return text;
+}
+
+// "grid, order or regularisation"
+std::string names_of_subjects() {
+  std::string text;
+  const auto& all = study_subjects();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    text += (k == 0 ? "" : k + 1 < all.size() ? ", " : " or ") + all[k].name;
+  }
+  return text;
+}
 
 bool asks_for_help(const std::string& argument) { return argument == "--help" || argument == "-h"; }
 
 }  // namespace
 
-const std::vector<std::string>& study_subjects() {
-  static const std::vector<std::string> subjects{"grid", "order", "regularisation"};
+const std::vector<StudySubject>& study_subjects() {
+  static const std::vector<StudySubject> subjects{
+      {"grid",
+       "finite differences over the grid: observed orders, limits, and the error of all methods "
+       "against their cost",
+       study_grid},
+      {"order",
+       "closures over the order of their polynomial: which converge, to what, at what cost",
+       study_order},
+      {"regularisation",
+       "the series cut after the fourth derivative on finer and finer velocity steps",
+       study_regularisation}};
   return subjects;
 }
 
 int study_command(const Call& call) {
   const auto& arguments = call.arguments;
   if (!arguments.empty() && asks_for_help(arguments.front())) {
-    answer_help(kStudyUsage, {});
+    answer_help(study_usage(), {});
     return kDone;
   }
-  const auto subject =
+  const auto given =
       std::ranges::find_if(arguments, [](const auto& a) { return !a.starts_with('-'); });
-  if (subject == arguments.end() || subject != arguments.begin()) {
-    throw InputError(
-        fmt::format("study of what? (the subject comes first: {}; --help explains)", kSubjects));
+  if (given == arguments.end() || given != arguments.begin()) {
+    throw InputError(fmt::format("study of what? (the subject comes first: {}; --help explains)",
+                                 names_of_subjects()));
   }
-  const Call rest{{subject + 1, arguments.end()}, call.command_line, call.registry};
-  if (*subject == "grid") return study_grid(rest);
-  if (*subject == "order") return study_order(rest);
-  if (*subject == "regularisation") return study_regularisation(rest);
-  throw InputError(fmt::format("{} is no subject of a study (use {}; --help explains)",
-                               parameters::in_quotes(*subject), kSubjects));
+  const auto subject = std::ranges::find(study_subjects(), *given, &StudySubject::name);
+  if (subject == study_subjects().end()) {
+    throw InputError(fmt::format("{} is no subject of a study (use {}; --help explains)",
+                                 parameters::in_quotes(*given), names_of_subjects()));
+  }
+  return subject->run({{given + 1, arguments.end()}, call.command_line, call.registry});
 }
 
 }  // namespace fpkcheck::cli

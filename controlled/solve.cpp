@@ -56,6 +56,14 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   const double interval = mcs::make_plan(problem, simulation).sampling_interval;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
   auto prepared = std::async(policy, [&] { return prepare(problem, where, interval); });
+  // In its only thread the fit comes first, so that the simulation can be ended soon after a round.
+  if (policy == std::launch::deferred) prepared.wait();
+  if (simulation.progress) {
+    simulation.progress = [&](const mcs::Progress& at) {
+      const bool fitted = prepared.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+      options.simulation.progress({.fraction = fitted ? at.fraction : 0, .error = at.error});
+    };
+  }
   mcs::Result simulated = mcs::solve(problem, simulation);
   transform::Solution solution;
   if (!simulated.solution.density) {

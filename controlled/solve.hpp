@@ -13,7 +13,9 @@
 namespace fpkcheck::controlled {
 
 struct Options {
-  /// Its `deposit` is chosen here, and a `step` of 0.5 if it has none.
+  /// Its `deposit` is chosen here, and a `step` of 0.5 if it has none. Its `progress` is told of a
+  /// fraction above 0 only when the control functions are there: before, there is nothing that the
+  /// simulation could soon end with.
   mcs::Options simulation{};
   /// Automatic: 80 x 176, and 40 x 88 where so few samples are asked for that the fit would take
   /// many times as long as the simulation.

@@ -230,6 +230,12 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
 
 }  // namespace
 
+void require_solvable(const problem::Problem& problem, const Options& options) {
+  make_plan(problem, options);
+  if (!problem::collapse_objection(problem, options.equation).empty()) return;  // it fails
+  [[maybe_unused]] const Oscillator oscillator(problem.system);
+}
+
 Result solve(const problem::Problem& problem, const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   Result result;

@@ -31,4 +31,8 @@ struct Result {
 ///         cannot be read, and for one that could never be written
 Result solve(const problem::Problem& problem, const Options& options);
 
+/// What solve() asks of options and problem before it begins, but for the files of a checkpoint.
+/// @throws InputError as solve()
+void require_solvable(const problem::Problem& problem, const Options& options);
+
 }  // namespace fpkcheck::mcs

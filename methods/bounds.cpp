@@ -2,21 +2,23 @@
 
 #include <chrono>
 
+#include "methods/out_of_memory.hpp"
+
 namespace fpkcheck::methods {
 
 compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::Options& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const dual::Bounds found = dual::bounds(problem, options);
-  compare::Bounds bounds{.reason = found.reason, .seconds = 0, .each = {}};
-  for (const auto& [functional, value] : found.each) {
-    bounds.each.push_back({dual::name(functional), value.lower, value.upper});
-  }
+  compare::Bounds bounds{.reason = {}, .seconds = 0, .each = {}};
+  const bool remembered = unless_out_of_memory([&] {
+    const dual::Bounds found = dual::bounds(problem, options);
+    bounds.reason = found.reason;
+    for (const auto& [functional, value] : found.each) {
+      bounds.each.push_back({dual::name(functional), value.lower, value.upper});
+    }
+  });
+  if (!remembered) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
   bounds.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return bounds;
-}
-
-void add_bounds(std::vector<results::Case>& cases, int threads) {
-  for (auto& one : cases) add_bounds(one, threads);
 }
 
 void add_bounds(results::Case& one, int threads) {

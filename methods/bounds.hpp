@@ -1,19 +1,17 @@
 #pragma once
 
-#include <vector>
-
 #include "compare/bounds.hpp"
 #include "dual/bounds/bounds.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::methods {
 
-/// dual::bounds() as comparisons and files know them.
+/// dual::bounds() as comparisons and files know them; without memory for them there are none, for
+/// that reason.
 compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::Options& options);
 
-/// Gives every case its bounds, as narrow as about a second allows.
+/// Gives a case its bounds, as narrow as about a second allows.
 /// @param threads 0 for all processors
-void add_bounds(std::vector<results::Case>& cases, int threads);
 void add_bounds(results::Case& one, int threads);
 
 }  // namespace fpkcheck::methods

@@ -93,7 +93,8 @@ Solver mcs_solver() {
                                                      .validate = mcs::validate,
                                                      .identity = mcs::identity,
                                                      .options_of = without_noise,
-                                                     .solve = solve});
+                                                     .solve = solve,
+                                                     .check = mcs::require_solvable});
 }
 
 }  // namespace fpkcheck::methods

@@ -32,6 +32,10 @@ struct Method {
   bool parallel = false;
   /// The solution's identity and options are filled in by whoever calls it (run_cases).
   std::function<transform::Solution(const problem::Problem&, const Setting&)> solve;
+  /// Whether the method can be asked to solve a problem at all, told before any method has begun on
+  /// any problem. May be empty: then it can.
+  /// @throws InputError when options and problem do not go together
+  std::function<void(const problem::Problem&)> check = {};
 
   const std::string& id() const { return identity.id; }
 };

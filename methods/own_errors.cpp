@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dual/residual/density_residuals.hpp"
+#include "methods/out_of_memory.hpp"
 #include "methods/side_by_side.hpp"
 #include "parameters/input_error.hpp"
 
@@ -66,22 +67,20 @@ void add_own_errors(Case& one, const ProblemResiduals& of_problem, int threads) 
     }
   }
   if (densities.empty()) return;
-  const auto* residuals = of_problem.get();
-  if (residuals == nullptr) return;
   const auto* cells = one.joints.empty() ? nullptr : &one.joints.front().density;
   std::vector<std::optional<Found>> found(densities.size());
-  side_by_side(densities.size(), threads,
-               [&](std::size_t k) { found[k] = own_error(*residuals, *densities[k], cells); });
+  const bool remembered = unless_out_of_memory([&] {
+    const auto* residuals = of_problem.get();
+    if (residuals == nullptr) return;
+    side_by_side(densities.size(), threads,
+                 [&](std::size_t k) { found[k] = own_error(*residuals, *densities[k], cells); });
+  });
+  if (!remembered) return;
   for (auto& each : found) {
     if (!each) continue;
     one.own_errors.push_back(std::move(each->error));
     std::ranges::move(each->sources, std::back_inserter(one.error_sources));
   }
-}
-
-void add_own_errors(std::vector<Case>& cases, const std::vector<ProblemResiduals>& residuals,
-                    int threads) {
-  for (std::size_t k = 0; k < cases.size(); ++k) add_own_errors(cases[k], residuals[k], threads);
 }
 
 }  // namespace fpkcheck::methods

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "methods/out_of_memory.hpp"
 #include "methods/side_by_side.hpp"
 #include "process/stop.hpp"
 
@@ -94,10 +95,22 @@ class Run {
 }  // namespace
 
 Solution solve_by(const Method& method, const problem::Problem& problem, const Setting& setting) {
-  Solution solution = method.solve(problem, setting);
+  Solution solution;
+  if (!unless_out_of_memory([&] { solution = method.solve(problem, setting); })) {
+    solution.status = transform::Status::failed;
+    solution.reason = kOutOfMemory;
+  }
   solution.identity = method.identity;
   solution.options = method.options;
   return solution;
+}
+
+void require_solvable(const std::vector<problem::Problem>& problems,
+                      const std::vector<Method>& methods) {
+  for (const auto& method : methods) {
+    if (!method.check) continue;
+    for (const auto& problem : problems) method.check(problem);
+  }
 }
 
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
@@ -111,6 +124,7 @@ std::vector<results::Case> run_cases(const std::vector<problem::Problem>& proble
                                      const ProgressListener& listener,
                                      const std::vector<ProblemResiduals>& residuals,
                                      const CaseListener& case_listener) {
+  require_solvable(problems, methods);
   Run run(problems, methods, listener, residuals, case_listener);
   std::vector<Task> several;
   std::vector<Task> alone;

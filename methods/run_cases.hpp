@@ -25,11 +25,15 @@ struct RunProgress {
 using ProgressListener = std::function<void(const RunProgress&)>;
 
 /// Solves a problem by a method on the axes of its case; the solution knows who it is and what was
-/// asked for.
+/// asked for. Where memory does not suffice it has failed for that reason.
 transform::Solution solve_by(const Method& method, const problem::Problem& problem,
                              const Setting& setting);
 
-/// Solves every problem by every method and compares. Methods that use one processor run side by
+/// @throws InputError when a method cannot be asked to solve one of the problems (Method::check)
+void require_solvable(const std::vector<problem::Problem>& problems,
+                      const std::vector<Method>& methods);
+
+/// Solves every problem by every method and compares, if all can be asked to (require_solvable). Methods that use one processor run side by
 /// side; those that use all of them run alone.
 /// @param methods by increasing trust
 /// @param threads processors to use; 0 for all

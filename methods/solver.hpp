@@ -50,6 +50,8 @@ struct Front {
   transform::Identity (*identity)(const Options&);
   std::optional<Options> (*options_of)(std::string_view id);
   std::function<transform::Solution(const problem::Problem&, const Options&, const Setting&)> solve;
+  /// Method::check; may be null.
+  void (*check)(const problem::Problem&, const Options&) = nullptr;
 };
 
 /// Completes an entry by a front: options become values, and values methods.
@@ -65,10 +67,16 @@ Solver with_front(Solver solver, const Front<Options>& front) {
   solver.method = [front, parallel = solver.parallel](const parameters::Values& values) {
     const Options options = front.description.read(values, "options");
     front.validate(options);
-    return Method{front.identity(options), front.description.values(options), parallel,
+    Method method{front.identity(options), front.description.values(options), parallel,
                   [front, options](const problem::Problem& problem, const Setting& setting) {
                     return front.solve(problem, options, setting);
                   }};
+    if (front.check != nullptr) {
+      method.check = [check = front.check, options](const problem::Problem& problem) {
+        check(problem, options);
+      };
+    }
+    return method;
   };
   return solver;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "parameters/input_error.hpp"
+#include "parameters/input_file.hpp"
 #include "parameters/shown.hpp"
 #include "results/directory.hpp"
 #include "results/netcdf/problem_attributes.hpp"
@@ -19,6 +20,9 @@ namespace fpkcheck::results {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Of hundreds of cases.
+constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
 const std::string kSource = "source_";  // begins the names of variables with sources of errors
 
@@ -131,9 +135,13 @@ std::string joint_netcdf(const Run& run) {
   return file.bytes();
 }
 
-JointFile read_joint_netcdf(const fs::path& path) {
+JointFile read_joint_netcdf(const fs::path& path,
+                            const std::function<void(std::string_view bytes)>& look) {
   try {
-    NetCdfReader file(path);
+    auto bytes = parameters::read_input_file(path, kMostBytes);
+    if (!bytes) throw std::runtime_error("no readable file");
+    if (look) look(*bytes);
+    NetCdfReader file(*std::move(bytes));
     const auto solutions = file.labels("solution");
     JointFile found;
     const auto names = file.variables();

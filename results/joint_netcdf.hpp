@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results/run.hpp"
@@ -42,7 +44,9 @@ struct JointFile {
 };
 
 /// Reads what joint_netcdf made.
+/// @param look shown the file's bytes first; what it throws leaves. May be empty
 /// @throws InputError on one line: the file and what is wrong
-JointFile read_joint_netcdf(const std::filesystem::path& file);
+JointFile read_joint_netcdf(const std::filesystem::path& file,
+                            const std::function<void(std::string_view bytes)>& look = {});
 
 }  // namespace fpkcheck::results

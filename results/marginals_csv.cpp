@@ -4,6 +4,7 @@
 #include <fmt/ostream.h>
 
 #include <charconv>
+#include <cmath>
 #include <istream>
 #include <ostream>
 
@@ -59,7 +60,8 @@ bool next_line(std::istream& in, std::string& line) {
 
 class RowReader {
  public:
-  explicit RowReader(std::string_view source) : source_(source) {}
+  RowReader(std::string_view source, const MayBreakDown& may_break_down)
+      : source_(source), may_break_down_(may_break_down) {}
 
   void read(const std::string& line, int line_number, std::vector<CurveOfCase>& curves) {
     line_number_ = line_number;
@@ -76,12 +78,15 @@ class RowReader {
     const bool continues = !curves.empty() && curves.back().case_name == fields[0] &&
                            curves.back().curve.solution == fields[1] &&
                            curves.back().curve.variable == *variable;
-    if (!continues) curves.push_back({fields[0], {fields[1], *variable, {}, {}, {}, {}}});
+    if (!continues) {
+      curves.push_back({fields[0], {fields[1], *variable, {}, {}, {}, {}}});
+      all_finite_ = !(may_break_down_ && may_break_down_(fields[0], fields[1]));
+    }
     Curve& curve = curves.back().curve;
-    curve.abscissa.push_back(number(fields[3]));
-    curve.density.push_back(number(fields[4]));
-    if (!fields[5].empty()) curve.lower.push_back(number(fields[5]));
-    if (!fields[6].empty()) curve.upper.push_back(number(fields[6]));
+    curve.abscissa.push_back(number(fields[3], true));
+    curve.density.push_back(number(fields[4], all_finite_));
+    if (!fields[5].empty()) curve.lower.push_back(number(fields[5], all_finite_));
+    if (!fields[6].empty()) curve.upper.push_back(number(fields[6], all_finite_));
     for (const auto* ends : {&curve.lower, &curve.upper}) {
       if (!ends->empty() && ends->size() != curve.density.size()) {
         fail("intervals on some rows of a curve only");
@@ -95,16 +100,19 @@ class RowReader {
   }
 
  private:
-  double number(const std::string& text) const {
+  double number(const std::string& text, bool finite) const {
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc{} || stop != end)
       fail(fmt::format("{} is not a number", parameters::in_quotes(text)));
+    if (finite && !std::isfinite(value)) fail(fmt::format("{} (numbers must be finite)", text));
     return value;
   }
 
   std::string_view source_;
+  const MayBreakDown& may_break_down_;
+  bool all_finite_ = true;  // of the present curve
   int line_number_ = 1;
 };
 
@@ -125,8 +133,9 @@ void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
   }
 }
 
-std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source) {
-  RowReader row(source);
+std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source,
+                                            const MayBreakDown& may_break_down) {
+  RowReader row(source, may_break_down);
   std::string line;
   if (!next_line(in, line) || line != kHeader) {
     row.fail(fmt::format("not a file of marginals (the header must be {})", kHeader));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -24,9 +25,15 @@ struct CurveOfCase {
   Curve curve;
 };
 
-/// Reads what write_marginals_csv wrote.
+/// Of which solution of which case a density may be infinite or no number.
+using MayBreakDown = std::function<bool(const std::string& case_name, const std::string& solution)>;
+
+/// Reads what write_marginals_csv wrote. Numbers must be finite but for densities and intervals
+/// where a solution broke down.
 /// @param source how messages name the stream
+/// @param may_break_down if empty, none may
 /// @throws InputError on one line: source, line number and what is wrong
-std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source);
+std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source,
+                                            const MayBreakDown& may_break_down = {});
 
 }  // namespace fpkcheck::results

@@ -25,7 +25,7 @@ using parameters::in_quotes;
 using parameters::shown;
 
 // Of hundreds of cases.
-constexpr std::size_t kMostBytesOfText = 64 << 20, kMostBytesOfDensities = 256 << 20;
+constexpr std::size_t kMostBytesOfText = 64 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
   auto text = parameters::read_input_file(file, kMostBytesOfText);
@@ -62,7 +62,14 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
   auto csv = open_saved(file);
   require_same_run(file, csv.view(), run);
-  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string())) {
+  // The trajectories of a simulation may leave the range of numbers: it has failed then, with a
+  // density of what they were. A density that is ok is finite everywhere.
+  const auto may_break_down = [&run](const std::string& case_name, const std::string& solution) {
+    const Case* one = find_case(run, case_name);
+    const auto* found = one == nullptr ? nullptr : one->find(solution);
+    return found != nullptr && !found->is_ok();
+  };
+  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), may_break_down)) {
     Case* one = find_case(run, case_name);
     if (one == nullptr || one->find(curve.solution) == nullptr) refuse_other_run(file);
     (one->*curves).push_back(std::move(curve));
@@ -118,16 +125,14 @@ void add_curves(SavedFiles& saved, const Run& run) {
 }
 
 void load_joints(const fs::path& file, Run& run) {
-  if (const auto bytes = parameters::read_input_file(file, kMostBytesOfDensities)) {
-    require_same_run(file, *bytes, run);
-  }
   const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
     Case* one = find_case(run, case_name);
     const auto* found = one == nullptr ? nullptr : one->find(solution);
     if (found == nullptr || !found->has_density()) refuse_other_run(file);
     return *one;
   };
-  auto [joints, sources] = read_joint_netcdf(file);
+  auto [joints, sources] =
+      read_joint_netcdf(file, [&](std::string_view bytes) { require_same_run(file, bytes, run); });
   for (auto& [case_name, joint] : joints) {
     Case& one = owner(case_name, joint.solution);
     one.joints.push_back(std::move(joint));

@@ -171,6 +171,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
   validate(options);
   const std::set<int> orders(options.orders.begin(), options.orders.end());
   const auto others = other_methods(registry, options.equation, options.impact, options.simulation);
+  methods::require_solvable({problem}, others);
   Solving solving(problem, options,
                   orders.size() * static_cast<std::size_t>(options.levels) + others.size(),
                   listener);

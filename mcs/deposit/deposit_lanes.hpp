@@ -31,7 +31,8 @@ struct Functions {
 };
 
 FPKCHECK_INLINE Functions functions_at(const SplinePieces& pieces, double x) {
-  const double inside = x < pieces.begin() ? pieces.begin() : x > pieces.end() ? pieces.end() : x;
+  // What is no number is at the beginning: it has no cell.
+  const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
   const int last = pieces.cells() - 1;
   // At most one break lies in a cell. (Within rounding of one either polynomial will do.)
@@ -59,7 +60,7 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposi
   const DepositGrid& grid = plan.grid;
   double cells = (v - grid.lattice_begin) / grid.lattice_spacing;
   const double last = grid.lattice_points - 1;
-  cells = cells < 0 ? 0 : cells > last ? last : cells;
+  cells = cells > 0 ? (cells < last ? cells : last) : 0;
   int cell = static_cast<int>(cells);
   cell = cell < 3 ? 3 : cell > grid.lattice_points - 5 ? grid.lattice_points - 5 : cell;
   const Eight stencil = polynomials<7>(plan.lagrange.data(), cells - cell);

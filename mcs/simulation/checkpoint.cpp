@@ -18,6 +18,7 @@
 #include "parameters/input_file.hpp"
 #include "parameters/shown.hpp"
 #include "problem/problem.hpp"
+#include "process/files_in_hand.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -49,6 +50,7 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
   const std::uint64_t sum = checksum(text);
   text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   try {
+    const process::FilesInHand in_hand;
     files::write_file(path, text);
     return "";
   } catch (const std::runtime_error&) {
@@ -102,6 +104,7 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
         unwritten(path_, "something else is there, which would be lost: name another file"));
   }
   try {
+    const process::FilesInHand in_hand;
     const fs::path probe = files::partial_beside(path_);
     files::write_new(probe, kFirstLine);
     fs::remove(probe);

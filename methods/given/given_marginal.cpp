@@ -225,10 +225,8 @@ GivenMarginal read_given_marginal(const std::filesystem::path& file) {
   constexpr std::size_t kMostBytes = 16 << 20;
   const auto text = parameters::read_input_file(file, kMostBytes);
   if (!text) {
-    throw InputError(
-        fmt::format("--against: {} is not a readable file (give one as FILE or "
-                    "FILE:LABEL)",
-                    parameters::in_quotes(file.string())));
+    throw InputError(fmt::format("{} is not a readable file (give one with a marginal density)",
+                                 parameters::in_quotes(file.string())));
   }
   std::istringstream in(*text);
   return GivenMarginal(read_number_table(in, file.string()));

@@ -155,9 +155,9 @@ std::vector<Method> given_methods(std::span<const std::string> arguments,
     if (own == solutions.end()) own = solutions.insert(own, {label, {}});
     if (std::ranges::find(own->marginals, marginal.variable(), &GivenMarginal::variable) !=
         own->marginals.end()) {
-      throw InputError(fmt::format(
-          "--against: two files of '{}' are densities of {} (name another label: FILE:LABEL)",
-          label, marginal.variable() == Variable::y ? "y" : "y'"));
+      throw InputError(
+          fmt::format("two files of '{}' are densities of {} (give one of them another label)",
+                      label, marginal.variable() == Variable::y ? "y" : "y'"));
     }
     own->marginals.push_back(std::move(marginal));
   }

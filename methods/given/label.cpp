@@ -27,15 +27,14 @@ void require_free(const std::string& label, const Registry& registry) {
       !label.empty() && label.size() <= kLongest && results::file_stem(label) == label;
   if (!legal) {
     throw InputError(
-        fmt::format("--against: label {} (must be 1 to {} letters, digits, '-', '_' or '.': "
-                    "FILE:LABEL)",
+        fmt::format("label {} of a density (must be 1 to {} letters, digits, '-', '_' or '.')",
                     parameters::in_quotes(label), kLongest));
   }
   for (const auto& solver : registry.solvers()) {
     const std::string plain = plain_name(label);
     if (plain == solver.name || plain.starts_with(solver.name + '_')) {
-      throw InputError(
-          fmt::format("--against: label '{}' is a method's (choose another: FILE:LABEL)", label));
+      throw InputError(fmt::format(
+          "label '{}' is a method's (choose another for a density of your own)", label));
     }
   }
 }
@@ -43,8 +42,7 @@ void require_free(const std::string& label, const Registry& registry) {
 void require_unlike(const std::string& one, const std::string& other) {
   if (one == other || plain_name(one) != plain_name(other)) return;
   throw InputError(fmt::format(
-      "--against: labels '{}' and '{}' are too alike (they differ in '-', '_' or '.' alone: "
-      "choose another: FILE:LABEL)",
+      "labels '{}' and '{}' are too alike (they differ in '-', '_' or '.' alone: choose another)",
       one, other));
 }
 

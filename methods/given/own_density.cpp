@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -274,16 +275,21 @@ void put_marginal(const std::vector<double>& edges, const std::vector<double>& v
   solution.estimated_marginals.emplace_back(variable, std::move(marginal));
 }
 
-// Mean of a power, and its standard error.
-void put_moment(const std::vector<double>& values, int power, double independent,
-                double Moments::*moment, Solution& solution) {
-  const double n = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += std::pow(value, power);
-  const double mean = sum / n;
-  for (const double value : values) squares += std::pow(std::pow(value, power) - mean, 2);
-  solution.moments.*moment = mean;
-  solution.standard_errors->moments.*moment = std::sqrt(squares / n / independent);
+// Means of powers, and their standard errors.
+void put_moments(const Samples& samples, Solution& solution) {
+  constexpr int kPowers[] = {1, 2, 4, 1, 2, 4};  // of y, then of y'
+  static_assert(std::size(kPowers) == std::size(transform::kMoments));
+  const double n = static_cast<double>(samples.size());
+  for (std::size_t k = 0; k < std::size(kPowers); ++k) {
+    const auto moment = transform::kMoments[k].moment;
+    const auto& values = k < 3 ? samples.y : samples.v;
+    double sum = 0, squares = 0;
+    for (const double value : values) sum += std::pow(value, kPowers[k]);
+    const double mean = sum / n;
+    for (const double value : values) squares += std::pow(std::pow(value, kPowers[k]) - mean, 2);
+    solution.moments.*moment = mean;
+    solution.standard_errors->moments.*moment = std::sqrt(squares / n / samples.independent);
+  }
 }
 
 Solution solution_of(const Samples& samples, const compare::ComparisonAxes& axes) {
@@ -304,12 +310,7 @@ Solution solution_of(const Samples& samples, const compare::ComparisonAxes& axes
   solution.density = std::move(grid);
   put_marginal(axes.y_edges, samples.y, samples.independent, Variable::y, solution);
   put_marginal(axes.v_edges, samples.v, samples.independent, Variable::ydot, solution);
-  put_moment(samples.y, 1, samples.independent, &Moments::y1, solution);
-  put_moment(samples.y, 2, samples.independent, &Moments::y2, solution);
-  put_moment(samples.y, 4, samples.independent, &Moments::y4, solution);
-  put_moment(samples.v, 1, samples.independent, &Moments::v1, solution);
-  put_moment(samples.v, 2, samples.independent, &Moments::v2, solution);
-  put_moment(samples.v, 4, samples.independent, &Moments::v4, solution);
+  put_moments(samples, solution);
   solution.observations = transform::Observer()
                               .work("samples", transform::counted(samples.size()))
                               .work("independent", samples.independent)

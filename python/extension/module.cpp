@@ -239,10 +239,6 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
                       std::optional<double> max_seconds, bool bounds, const py::object& progress,
                       const std::string& command) {
   if (problems.empty()) throw InputError("no case to solve");
-  if (!against.empty() && problems.size() != 1) {
-    throw InputError(
-        fmt::format("--against with {} cases (a file is of one case: name it)", problems.size()));
-  }
   if (threads < 0) throw InputError(fmt::format("threads = {} (must be 0 or more)", threads));
   Task task{problems, {}, threads, bounds, command};
   auto settings = values_in(options);

@@ -12,9 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "methods/bounds.hpp"
-#include "methods/own_errors.hpp"
-#include "methods/problem_residuals.hpp"
+#include "methods/complete_run.hpp"
 
 namespace fpkcheck::python {
 namespace {
@@ -69,21 +67,17 @@ class Work {
 
  private:
   void solve_all() {
-    const auto residuals = methods::residuals_of(task_.problems);
     run_.program = results::this_program(task_.command);
-    run_.cases = methods::run_cases(task_.problems, task_.methods, task_.threads,
-                                    [this](const methods::RunProgress& at) {
-                                      throw_if_given_up();
-                                      const std::lock_guard lock(mutex_);
-                                      news_ = at;
-                                    },
-                                    residuals, {});
-    for (std::size_t k = 0; task_.bounds && k < run_.cases.size(); ++k) {
-      throw_if_given_up();
-      methods::add_bounds(run_.cases[k], task_.threads);
-      throw_if_given_up();
-      methods::add_own_errors(run_.cases[k], residuals[k], task_.threads);
-    }
+    run_.cases = methods::complete_run(task_.problems, task_.methods,
+                                       {.threads = task_.threads,
+                                        .with_dual = task_.bounds,
+                                        .progress =
+                                            [this](const methods::RunProgress& at) {
+                                              throw_if_given_up();
+                                              const std::lock_guard lock(mutex_);
+                                              news_ = at;
+                                            },
+                                        .look = [this] { throw_if_given_up(); }});
   }
 
   void throw_if_given_up() const {

@@ -16,6 +16,7 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "process/stop.hpp"
 
@@ -102,12 +103,27 @@ class UsualSignals {
   posix_spawnattr_t attributes_;
 };
 
-int wait_for(pid_t child) {
+/// @return its exit code, -1 where a signal ended it; nothing as long as it runs
+std::optional<int> look_after(pid_t child, int options) {
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) fail(errno, "waitpid");
-  }
+  pid_t ended = 0;
+  do {
+    ended = waitpid(child, &status, options);
+  } while (ended < 0 && errno == EINTR);
+  if (ended < 0) fail(errno, "waitpid");
+  if (ended == 0) return std::nullopt;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// The same for one that has closed its output, and so is about to end: if it does not before the
+/// deadline, nor before the program is told to stop, nothing.
+std::optional<int> wait_for(pid_t child, Clock::time_point deadline) {
+  constexpr std::chrono::milliseconds kFirstPause(1), kLongestPause(20);
+  for (auto pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
+    if (const auto exit_code = look_after(child, WNOHANG)) return exit_code;
+    if (process::stop_requested() || Clock::now() > deadline) return std::nullopt;
+    std::this_thread::sleep_for(pause);
+  }
 }
 
 // Ended by a null, as C wants them.
@@ -147,15 +163,17 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                                  signals.attributes(), argv.data(), envp.data());
   if (error == ENOENT || error == EACCES) return {false, -1, ""};
   if (error != 0) fail(error, "starting gnuplot");
-  auto message = error_pipe.read_to_the_end(Clock::now() + longest);
-  if (!message) {
+  const auto deadline = Clock::now() + longest;
+  auto message = error_pipe.read_to_the_end(deadline);
+  const auto exit_code = message ? wait_for(child, deadline) : std::nullopt;
+  if (!exit_code) {
     kill(child, SIGKILL);
-    wait_for(child);
+    look_after(child, 0);
     return {
         true, -1,
         fmt::format("it took longer than {} s", std::chrono::duration<double>(longest).count())};
   }
-  return {true, wait_for(child), *std::move(message)};
+  return {true, *exit_code, *std::move(message)};
 }
 
 std::string gnuplot_string(const std::string& text) {

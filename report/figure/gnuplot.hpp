@@ -17,7 +17,7 @@ struct GnuplotOutcome {
 /// Runs a script, with assignments such as "format='svg'" made before it. What its user has set up
 /// for gnuplot (initialisation files, GNUTERM) has no part in it.
 /// @param program name on the PATH, or a path
-/// @param longest time; then it is ended, and the message says so
+/// @param longest time, whatever it does with its output; then it is ended, and the message says so
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script,
                            std::chrono::milliseconds longest = std::chrono::minutes(1));

@@ -8,13 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "parameters/input_file.hpp"
-
 namespace fpkcheck::results {
 namespace {
 
-// Of hundreds of cases.
-constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 // Of one variable: all solutions of a case on their cells are less than a million.
 constexpr std::size_t kMostValues = std::size_t{1} << 24;
 constexpr std::size_t kMostLabels = 10000;
@@ -28,10 +24,7 @@ void check_read(int status, const std::string& what) {
 
 }  // namespace
 
-NetCdfReader::NetCdfReader(const std::filesystem::path& path) {
-  auto bytes = parameters::read_input_file(path, kMostBytes);
-  if (!bytes) throw std::runtime_error("no readable file");
-  bytes_ = *std::move(bytes);
+NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
   // All that this program writes is HDF5; readers of the older forms trust their headers.
   if (!bytes_.starts_with("\x89HDF\r\n\x1a\n")) throw std::runtime_error("no netCDF-4");
   // From memory: libnetcdf takes some paths for addresses in the network, and changes others.

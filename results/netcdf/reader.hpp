@@ -1,16 +1,15 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace fpkcheck::results {
 
-/// A netCDF file being read. Every member throws std::runtime_error on one line where the file is
-/// broken or lacks what is asked for.
+/// A netCDF file being read from memory. Every member throws std::runtime_error on one line where
+/// the file is broken or lacks what is asked for.
 class NetCdfReader {
  public:
-  explicit NetCdfReader(const std::filesystem::path& path);
+  explicit NetCdfReader(std::string bytes);
   NetCdfReader(const NetCdfReader&) = delete;
   NetCdfReader& operator=(const NetCdfReader&) = delete;
   ~NetCdfReader();

@@ -171,6 +171,8 @@ def runs(fpkcheck):
     run("fields", "marginals.csv", with_line(b"case1,fd-kf"))
     run("variable", "marginals.csv", with_line(b"case1,fd-kf,z,1,2,,"))
     run("number", "marginals.csv", with_line(b"case1,fd-kf,y,1e999,2,,"))
+    run("infinite", "marginals.csv", with_line(b"case1,fd-kf,y,1,inf,,"))
+    run("nan", "marginals.csv", with_line(b"case1,fd-kf,y,nan,2,,"))
     run("words", "marginals.csv", with_line(b"case1,fd-kf,y,one,2,,"))
     run("escape", "marginals.csv", with_line(b"case1,fd-kf,y,\x1b[31m,2,,"))
     run("longline", "marginals.csv", with_line(b"x" * 1000000))

@@ -13,6 +13,9 @@
 #include <thread>
 
 #include "files/whole_file.hpp"
+#include "methods/builtin.hpp"
+#include "process/stop.hpp"
+#include "study/toy_methods.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -25,10 +28,11 @@ struct Outcome {
   std::string err;
 };
 
-Outcome program(const std::vector<std::string>& arguments) {
+Outcome program(const std::vector<std::string>& arguments,
+                const methods::Registry& registry = methods::builtin()) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const int exit_code = run_program(arguments);
+  const int exit_code = run_program(arguments, registry);
   std::fflush(stdout);
   return {exit_code, testing::internal::GetCapturedStdout(),
           testing::internal::GetCapturedStderr()};
@@ -292,6 +296,54 @@ TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
                      path("a")})
                 .exit_code,
             kDone);
+}
+
+// Two methods, one after the other; the program is told to stop while the first solves a case.
+methods::Registry stopped_within(const std::string& case_name) {
+  methods::Registry registry;
+  for (const auto& toy : {tests::Toy{"plain", "plain", transform::Role::closure},
+                          tests::Toy{"cells", "cells", transform::Role::equation}}) {
+    auto solver = tests::toy_solver(toy);
+    solver.method = [made = solver.method, case_name](const parameters::Values& values) {
+      methods::Method method = made(values);
+      method.parallel = true;  // each alone, in their order
+      method.solve = [solve = method.solve, case_name, id = method.id()](
+                         const problem::Problem& problem, const methods::Setting& setting) {
+        if (problem.name == case_name && id == "plain") process::request_stop(SIGINT);
+        return solve(problem, setting);
+      };
+      return method;
+    };
+    registry.add(std::move(solver));
+  }
+  return registry;
+}
+
+TEST_F(Program, ARunThatIsStoppedKeepsTheCasesThatItHasAndSaysWhichAreMissing) {
+  std::vector<std::string> run{"run", "--out", path("out")};
+  for (const auto* name : {"a", "b", "c"}) {
+    run.push_back(path(name) + std::string(".ini"));
+    std::ofstream(run.back()) << "[system]\ndamping=0.1\nstiffness=1\ncubic=0\nrestitution=1\n"
+                              << "[impulse]\nrate=1\nlaw=gaussian\nintensity=0.1\n";
+  }
+  const auto stopped = program(run, stopped_within("b"));
+  EXPECT_EQ(stopped.exit_code, kInterrupted);
+  EXPECT_EQ(stopped.err, "fpkcheck: interrupted; 1 case was written to " + path("out") +
+                             " (`fpkcheck report " + path("out") + "` draws the pictures)\n");
+  const auto summary = nlohmann::json::parse(std::ifstream(path("out") + "/summary.json"));
+  ASSERT_EQ(summary.at("cases").size(), 1u);
+  EXPECT_EQ(summary.at("cases").at(0).at("name"), "a");
+  EXPECT_EQ(summary.at("cases").at(0).at("solutions").size(), 2u);
+  EXPECT_EQ(summary.at("stopped"),
+            "This run was stopped by Ctrl-C (SIGINT) before its end. Missing: b, c. Without bounds "
+            "and own errors: a.");
+  const auto report = program({"report", path("out")});
+  EXPECT_EQ(report.exit_code, kDone) << report.err;
+  EXPECT_NE(report.out.find("Missing: b, c."), std::string::npos) << report.out;
+  // Of the first case nothing is there yet.
+  EXPECT_EQ(program({"run", run[3], "--out", path("none")}, stopped_within("a")).err,
+            "fpkcheck: interrupted; nothing was written\n");
+  EXPECT_FALSE(fs::exists(path("none")));
 }
 
 // A path may have any bytes; a case's name, which goes into JSON and netCDF, may not.

@@ -145,6 +145,25 @@ TEST(Controlled, DoesWithoutImpacts) {
   EXPECT_EQ(transform::number(solution.observations, "checks.impacts.restitution"), 0);
 }
 
+// What is told of progress may be ended early: not while the fit would have to be waited for, which
+// here takes a hundred times as long as the simulation.
+TEST(Controlled, HasMadeProgressWhenItsFunctionsAreThere) {
+  const auto furthest = [](int threads) {
+    double fraction = -1;
+    solve(tests::paper_case(1), {.simulation = {.time = 2e3,
+                                                .threads = threads,
+                                                .streams = 8,
+                                                .progress =
+                                                    [&](const mcs::Progress& at) {
+                                                      fraction = std::max(fraction, at.fraction);
+                                                    }},
+                                 .cells = Cells{60, 120}});
+    return fraction;
+  };
+  EXPECT_EQ(furthest(2), 0);
+  EXPECT_EQ(furthest(1), 1);
+}
+
 TEST(Controlled, DoesAllOfItInOneCall) {
   const auto problem = tests::paper_case(1);
   const mcs::Options simulation{.time = 5e4, .streams = 32};

@@ -5,17 +5,18 @@
 
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
+#include "thorough.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 // r from 0.3 to 1, lambda from 0.2 to 20, mu from 0 to 10, intensities from 0.1 to 1.
-TEST(Robustness, FortyRandomProblemsAreResolvedToTheBarsOfMassEnergyAndSign) {
+TEST(Robustness, RandomProblemsAreResolvedToTheBarsOfMassEnergyAndSign) {
   std::mt19937_64 engine(2026);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::generate_canonical<double, 53>(engine);
   };
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < tests::usually(14, 40); ++k) {
     const double restitution = uniform(0.3, 1);
     const double rate = 0.2 * std::pow(100, uniform(0, 1));
     const double cubic = uniform(0, 10);

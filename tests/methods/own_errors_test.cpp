@@ -30,7 +30,7 @@ TEST(OwnErrors, OfEverySolutionCorrectItToTheTruth) {
                 builtin().select("epc-gaussian-n2,epc-gaussian-n6,epc-moment-n8,fd-white,fd-kf,mcs",
                                  {{"time", 2e4}}),
                 0, {});
-  add_own_errors(cases, residuals_of({tests::paper_case(1)}), 0);
+  add_own_errors(cases.front(), ProblemResiduals(tests::paper_case(1)), 0);
   const auto& one = cases.front();
   ASSERT_EQ(one.own_errors.size(), 5u);  // not of the histogram
   ASSERT_EQ(one.error_sources.size(), 10u);
@@ -54,7 +54,7 @@ TEST(OwnErrors, OfEverySolutionCorrectItToTheTruth) {
 
 TEST(OwnErrors, AreNoneWithoutADensity) {
   auto cases = run_cases({tests::paper_case(1)}, builtin().select("mcs", {{"time", 2e3}}), 0, {});
-  add_own_errors(cases, residuals_of({tests::paper_case(1)}), 0);
+  add_own_errors(cases.front(), ProblemResiduals(tests::paper_case(1)), 0);
   EXPECT_TRUE(cases.front().own_errors.empty());
   EXPECT_TRUE(cases.front().error_sources.empty());
 }

@@ -6,6 +6,7 @@
 #include "methods/run_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "random_problem.hpp"
+#include "thorough.hpp"
 
 // What `ok` and a stated error are worth on problems over the whole range that the program accepts:
 // fpkcheck_random has any number of them (docs/limits.md).
@@ -19,10 +20,15 @@ TEST(RandomProblems, AnswersAreWithinTheirStatedErrors) {
   const auto closures_too =
       builtin().select("epc-gaussian-n2,epc-moment-n4,fd-kf", {{"stepper", "direct"}});
   const auto differences = builtin().select("fd-kf", {{"stepper", "direct"}});
+  std::vector<std::uint64_t> numbers{3,  10, 13, 18, 19, 25,  29,  33,  43,  60,  62,  66,
+                                     75, 86, 94, 98, 99, 100, 101, 104, 106, 113, 115, 119};
+  // Every third: each takes a simulation and a fit.
+  std::vector<std::uint64_t> part;
+  for (std::size_t k = 0; k < numbers.size(); k += 3) part.push_back(numbers[k]);
+  if (!tests::thorough()) numbers = part;
   int solved = 0, closures = 0, inaccurate = 0;
   // From a twentieth of an impulse per decay time to thousands, all laws, r from 0.05 to 1.
-  for (const std::uint64_t number : {3,  10, 13, 18, 19, 25,  29,  33,  43,  60,  62,  66,
-                                     75, 86, 94, 98, 99, 100, 101, 104, 106, 113, 115, 119}) {
+  for (const std::uint64_t number : numbers) {
     const auto p = tests::random_problem(number);
     SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
     const auto axes = compare::even_axes(compare::comparison_axes(p));
@@ -56,8 +62,8 @@ TEST(RandomProblems, AnswersAreWithinTheirStatedErrors) {
       }
     }
   }
-  EXPECT_GT(closures, 18);
-  EXPECT_GT(inaccurate, 8);  // or nothing was tested
+  EXPECT_GT(closures, tests::usually(5, 18));
+  EXPECT_GT(inaccurate, tests::usually(1, 8));  // or nothing was tested
 }
 
 }  // namespace

@@ -4,10 +4,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
+#include "methods/builtin.hpp"
 #include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -71,6 +75,58 @@ TEST(RunCases, TellsOfEverySolutionUntilAllAreDone) {
   EXPECT_EQ(last.done, 4u);
   EXPECT_EQ(last.total, 4u);
   EXPECT_EQ(last.method, "two");
+}
+
+TEST(RunCases, AsksAllMethodsBeforeAnythingIsSolved) {
+  Probe probe;
+  auto choosy = probe.method("two", true);
+  choosy.check = [](const problem::Problem& problem) {
+    if (problem.name == "b") throw InputError("not with b");
+  };
+  std::size_t begun = 0;
+  EXPECT_THROW(
+      run_cases(two_problems(), {probe.method("one"), choosy}, 2, [&](auto&&) { ++begun; }),
+      InputError);
+  EXPECT_EQ(begun, 0u);
+  EXPECT_EQ(run_cases({two_problems().front()}, {choosy}, 2, {}).size(), 1u);
+}
+
+TEST(RunCases, AsksTheSimulationWhetherItsTimeCanBeSimulated) {
+  const auto simulation = builtin().select("mcs", {{"time", 1e300}});
+  EXPECT_THROW(require_solvable(two_problems(), simulation), InputError);
+  EXPECT_NO_THROW(require_solvable(two_problems(), builtin().select("epc,fd,mcs", {})));
+}
+
+TEST(RunCases, GoesOnWhereMemoryDoesNotSufficeForOneMethod) {
+  Probe probe;
+  const auto without = [](const std::string& id, auto failure) {
+    return Method{.identity = {.id = id, .method = "probe"},
+                  .solve = [=](const problem::Problem&, const Setting&) -> transform::Solution {
+                    throw failure;
+                  }};
+  };
+  const auto cases = run_cases(
+      two_problems(),
+      {without("memory", std::bad_alloc()), probe.method("one"),
+       without("threads",
+               std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)))},
+      2, {});
+  ASSERT_EQ(cases.size(), 2u);
+  for (const auto& one : cases) {
+    EXPECT_EQ(one.solutions[1].reason, one.name());
+    for (const auto* id : {"memory", "threads"}) {
+      const auto* failed = one.find(id);
+      ASSERT_NE(failed, nullptr);
+      EXPECT_EQ(failed->status, transform::Status::failed);
+      EXPECT_TRUE(failed->reason.starts_with("out of memory")) << failed->reason;
+    }
+  }
+  // Only memory: another failure of the system is none of one method.
+  EXPECT_THROW(
+      run_cases(two_problems(),
+                {without("disk", std::system_error(std::make_error_code(std::errc::io_error)))}, 2,
+                {}),
+      std::system_error);
 }
 
 TEST(RunCases, PassesOnWhatASolverThrows) {

@@ -116,11 +116,17 @@ bool contains(const std::string& text, const std::string& part) {
 
 class ToyClosure : public testing::Test {
  protected:
+  // Once for all tests of a process.
+  static const results::Run& solved_run() {
+    static const results::Run run{
+        results::this_program("fpkcheck run"),
+        methods::run_cases({tests::paper_case(1)},
+                           with_toy().select("toy,epc-gaussian-n2,fd-kf", {}), 1, {})};
+    return run;
+  }
+
   const methods::Registry registry_ = with_toy();
-  const results::Run run_{
-      results::this_program("fpkcheck run"),
-      methods::run_cases({tests::paper_case(1)}, registry_.select("toy,epc-gaussian-n2,fd-kf", {}),
-                         1, {})};
+  const results::Run& run_ = solved_run();
   const results::Case& case_ = run_.cases.front();
 };
 

@@ -77,6 +77,27 @@ TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
             "c,t,y,0.5,0.25,0.125,1\n");
 }
 
+// A simulation whose trajectories left the range of numbers has a density of what they were.
+TEST(MarginalsCsv, HasNumbersThatAreNotFiniteOnlyOfWhatBrokeDown) {
+  const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
+  const auto read = [&](const std::string& row) -> std::string {
+    std::istringstream csv(header + "c,fd-kf,y,0.5,1,,\n" + row);
+    try {
+      const auto curves = read_marginals_csv(
+          csv, "m.csv",
+          [](const std::string& one, const std::string& id) { return one == "c" && id == "mcs"; });
+      return std::to_string(curves.size());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(read("c,mcs,y,0.5,nan,-inf,inf\n"), "2");
+  EXPECT_EQ(read("c,mcs,y,nan,1,0,2\n"), "m.csv:3: nan (numbers must be finite)");
+  EXPECT_EQ(read("c,fd-kf,y,1.5,-inf,,\n"), "m.csv:3: -inf (numbers must be finite)");
+  EXPECT_EQ(read("c,fd-kf,ydot,0.5,1,nan,2\n"), "m.csv:3: nan (numbers must be finite)");
+  EXPECT_EQ(read("c,fd-kf,ydot,0.5,1,0,inf\n"), "m.csv:3: inf (numbers must be finite)");
+}
+
 TEST(MarginalsCsv, NamesTheLineThatIsWrong) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto message = [](const std::string& text) -> std::string {

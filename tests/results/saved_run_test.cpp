@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "results/run_json.hpp"
@@ -105,6 +108,20 @@ TEST(SavedRun, OfWhichAFileWasChangedIsRefused) {
   for (const char c : text) other_ends += c == '\n' ? std::string("\r\n") : std::string(1, c);
   files::write_file(file, other_ends);
   EXPECT_EQ(refusal_to_load(directory.path()), "accepted");
+}
+
+TEST(SavedRun, WithInfiniteDensitiesIsReadBackWhereASolutionFailed) {
+  const tests::TemporaryDirectory directory;
+  results::Run run = tests::made_up_run();
+  auto& solution = run.cases[0].solutions.back();
+  const auto curve = std::ranges::find(run.cases[0].curves, solution.id(), &Curve::solution);
+  curve->density.front() = std::numeric_limits<double>::infinity();
+  solution.status = transform::Status::failed;
+  save(directory.path(), run);
+  EXPECT_EQ(refusal_to_load(directory.path()), "accepted");
+  solution.status = transform::Status::ok;
+  save(directory.path(), run);
+  EXPECT_TRUE(contains(refusal_to_load(directory.path()), "inf (numbers must be finite)"));
 }
 
 TEST(SavedRun, ThatIsNotThereIsRefusedInOneLine) {

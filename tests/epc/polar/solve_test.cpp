@@ -9,6 +9,7 @@
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
 #include "random_problem.hpp"
+#include "thorough.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -96,13 +97,13 @@ TEST(PolarClosure, ConvergesToTheExactMomentsOfTheLinearProcess) {
 }
 
 // r from 0.5 to 1, lambda from 0.3 to 18, mu from 0 to 2, every law, means of either sign.
-TEST(PolarClosure, FortyRandomProblemsConverge) {
+TEST(PolarClosure, RandomProblemsConverge) {
   std::mt19937_64 engine(2026);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::generate_canonical<double, 53>(engine);
   };
   const char* laws[] = {"gaussian", "laplace", "two_point", "uniform"};
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < tests::usually(16, 40); ++k) {
     const double restitution = uniform(0.5, 1);
     const double rate = 0.3 * std::pow(60, uniform(0, 1));
     const double cubic = uniform(0, 2);

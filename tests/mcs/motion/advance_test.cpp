@@ -7,6 +7,7 @@
 
 #include "mcs/motion/trajectory.hpp"
 #include "paper_cases.hpp"
+#include "thorough.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::mcs {
@@ -163,7 +164,7 @@ TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
                                          .rate = rate,
                                          .intensity = 0.1 * rate,
                                          .mean = mean * std::sqrt(0.1)}));
-        const double time = 200 / std::min(rate, 1.0);
+        const double time = tests::usually(40, 200) / std::min(rate, 1.0);
         group.advance(time, available_lanes().back());
         for (const Stream& stream : group.streams) {
           const auto impulses = static_cast<double>(stream.record.impulses);

@@ -2,16 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 #include "parameters/input_error.hpp"
+#include "process/files_in_hand.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -47,6 +51,22 @@ class Checkpoint : public testing::Test {
   std::string file_ = directory_ / "state";
   problem::Problem problem_ = tests::make_problem({.restitution = 0.7});
 };
+
+// Whoever ends the process waits for files in hand, and nobody else has any from then on.
+TEST_F(Checkpoint, IsNotBegunWhenTheProcessIsToEnd) {
+  const auto wait_in_vain = [&] {
+    process::reserve_files_for_this_thread();
+    std::thread([&] {
+      Options options = brief(false);
+      options.checkpoint = file_;
+      solve(problem_, options);
+    }).detach();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    std::_Exit(std::filesystem::is_empty(directory_) ? 0 : 1);
+  };
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  EXPECT_EXIT(wait_in_vain(), testing::ExitedWithCode(0), "");
+}
 
 TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
   for (const bool tails : {false, true}) {

@@ -128,6 +128,10 @@ TEST_F(OwnDensities, OfNoUseAreRefused) {
   const auto all = builtin();
   EXPECT_TRUE(contains(refusal([&] { require_free("fd.kf", all); }), "is a method's"));
   EXPECT_TRUE(contains(refusal([&] { require_unlike("a.b", "a-b"); }), "too alike"));
+  // Who gave it had no option of the program in hand.
+  for (const char* label : {"fd.kf", "a b"}) {
+    EXPECT_FALSE(contains(refusal([&] { require_free(label, all); }), "--")) << label;
+  }
   EXPECT_EQ(refusal([&] { require_unlike("a.b", "a.b"); }), "accepted");
 }
 

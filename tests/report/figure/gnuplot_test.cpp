@@ -61,6 +61,16 @@ TEST_F(Gnuplot, ThatDoesNotEndIsEnded) {
   EXPECT_EQ(run_gnuplot(program_, {}, "script", 200ms).message, "it took longer than 0.2 s");
 }
 
+TEST_F(Gnuplot, ThatClosesItsOutputAndDoesNotEndIsEnded) {
+  using namespace std::chrono_literals;
+  std::ofstream(program_) << "#!/bin/sh\nexec sleep 20 >&- 2>&-\n";
+  const auto begin = std::chrono::steady_clock::now();
+  const auto silent = run_gnuplot(program_, {}, "script", 200ms);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
+  EXPECT_EQ(silent.exit_code, -1);
+  EXPECT_EQ(silent.message, "it took longer than 0.2 s");
+}
+
 TEST_F(Gnuplot, IsHeardInPartAndReadsNothing) {
   std::ofstream(program_) << "#!/bin/sh\ncat\nhead -c 1000000 /dev/zero\n";
   const auto outcome = run_gnuplot(program_, {}, "script");
