@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <optional>
 
 #include "compare/comparison.hpp"
@@ -28,11 +27,10 @@ Solution failed(const methods::Method& method, const std::string& reason) {
 Solution solved(const methods::Method& method, const problem::Problem& problem,
                 const methods::Setting& setting) {
   try {
+    if (method.check) method.check(problem);
     return methods::solve_by(method, problem, setting);
   } catch (const InputError& error) {
     return failed(method, error.what());
-  } catch (const std::bad_alloc&) {
-    return failed(method, "out of memory");
   }
 }
 

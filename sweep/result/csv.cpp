@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "parameters/input_error.hpp"
+#include "sweep/result/groups.hpp"
 #include "sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -45,6 +47,17 @@ std::string column_of(std::string part) {
   return part;
 }
 
+// Nothing where the values of the point do not fit together.
+std::string groups_cells(const Plan& plan, std::size_t point) {
+  try {
+    const Groups groups = groups_of(plan.problem_at(point));
+    return fmt::format("{:.4g},{:.4g},{:.4g}", groups.impulses_per_decay_time, groups.damping_ratio,
+                       groups.cubic_share);
+  } catch (const InputError&) {
+    return ",,";
+  }
+}
+
 }  // namespace
 
 std::string csv(const SweepResults& results) {
@@ -61,10 +74,14 @@ std::string csv(const SweepResults& results) {
     header.push_back("budget_y_" + column_of(part));
     header.push_back("budget_ydot_" + column_of(part));
   }
+  for (const char* name : {"impulses_per_decay_time", "damping_ratio", "cubic_share"}) {
+    header.emplace_back(name);
+  }
   std::string text = fmt::format("{}\n", fmt::join(header, ","));
   for (const auto& point : results.points) {
     std::string keys;
     for (const auto& value : plan.points[point.point]) keys += value_cell(value) + ',';
+    const std::string groups = groups_cells(plan, point.point);
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
       const MethodResult& method = point.methods[m];
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
@@ -80,7 +97,7 @@ std::string csv(const SweepResults& results) {
         const auto share = std::ranges::find(method.budget, part, &BudgetShare::part);
         put_pair(share == method.budget.end() ? std::nullopt : std::optional(share->l1), cells);
       }
-      text += fmt::format("{}{}\n", keys, fmt::join(cells, ","));
+      text += fmt::format("{}{},{}\n", keys, fmt::join(cells, ","), groups);
     }
   }
   return text;

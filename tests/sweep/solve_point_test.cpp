@@ -54,7 +54,7 @@ TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
   greedy.solve = [](const auto&, const auto&) -> transform::Solution { throw std::bad_alloc(); };
   plan.methods.insert(plan.methods.begin(), greedy);
   const auto point = solve_point(plan, 0).result;
-  EXPECT_EQ(point.methods[0].reason, "out of memory");
+  EXPECT_TRUE(point.methods[0].reason.starts_with("out of memory"));
   EXPECT_TRUE(point.methods[1].moments);
 }
 
