@@ -1,26 +1,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "made_up_sweep.hpp"
 #include "results/netcdf/reader.hpp"
-#include "temporary_directory.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
-class SweepNetCdf : public testing::Test {
- protected:
-  results::NetCdfReader reader_of(const SweepResults& results) {
-    const auto file = directory_.path() / "sweep.nc";
-    std::ofstream(file, std::ios::binary) << netcdf(results, "fpkcheck sweep");
-    return results::NetCdfReader(file);
-  }
-  tests::TemporaryDirectory directory_;
-};
+results::NetCdfReader reader_of(const SweepResults& results) {
+  return results::NetCdfReader(netcdf(results, "fpkcheck sweep"));
+}
 
-TEST_F(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
+TEST(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
   auto results = tests::results_of(tests::small_plan());
   results.points.erase(results.points.begin() + 1);
   auto file = reader_of(results);
@@ -40,7 +32,7 @@ TEST_F(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
   EXPECT_EQ(file.values("budget_closure___impact_ydot")[0], 0.4);
 }
 
-TEST_F(SweepNetCdf, OfAListHasItsPointsAndWords) {
+TEST(SweepNetCdf, OfAListHasItsPointsAndWords) {
   const Plan plan = tests::plan_of(
       {axis_from("impulse.law", "gaussian,laplace", "x"), axis_from("system.cubic", "1,2", "x")},
       Design::list);
