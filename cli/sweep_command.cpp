@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
+#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
@@ -56,7 +57,7 @@ examples:
   fpkcheck sweep case1 --vary system.restitution=0.8:1:11 --methods epc-moment-n8,fd-kf
   fpkcheck sweep case1 --vary system.restitution=0.5:1 --vary impulse.rate=log:0.1:10 \
                  --design sobol --points 200 --out map
-  fpkcheck sweep mine.ini --dry-run --ranks 64
+  fpkcheck sweep mine.ini --dry-run --ranks 16,64
   fpkcheck sweep mine.ini --shard 3/16 --out map      then: fpkcheck sweep --merge map --out map
 )";
 constexpr const char* kDefaultSweepDirectory = "fpkcheck-sweep";
@@ -68,7 +69,7 @@ struct SweepArguments {
   std::optional<std::string> design, methods, shard;
   std::optional<std::size_t> points;
   int threads = 0;
-  std::size_t ranks = 1;
+  std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
   parameters::Values given;  // for the methods
 };
@@ -102,9 +103,12 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
       ("merge", po::bool_switch(&arguments.merge),
        "the arguments are directories of shards: write the tables of all together")  //
       ("dry-run", po::bool_switch(&arguments.dry_run),
-       "solve a sample of the points, write nothing, and say what the plan will take")  //
-      ("ranks", po::value<std::size_t>(&arguments.ranks)->value_name("N")->default_value(1),
-       "of --dry-run: processes of one thread each, beside what this machine would take");
+       "solve a sample of the points (what DIR/journal has counts), write nothing, and say what the "
+       "plan will take")  //
+      ("ranks",
+       po::value<std::string>()->value_name("LIST")->notifier(
+           [&](const std::string& list) { arguments.ranks = integers("--ranks", list); }),
+       "of --dry-run: what so many processes of one thread would take, e.g. 2,64,1024");
   // Threads are the sweep's own here: a point has one.
   own.add(options_of_a_run(registry, arguments.given));
   return own;
@@ -231,12 +235,24 @@ int merge(const SweepArguments& arguments, const Call& call,
   return merged.results.is_whole() ? kDone : kNotReached;
 }
 
+// What a sweep of this plan has solved already tells the rest as well.
+std::vector<sweep::PointResult> solved_before(const sweep::Plan& plan,
+                                              const std::filesystem::path& journal) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(journal, ignored)) return {};
+  return sweep::read_journal(journal, plan).points;
+}
+
 int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int threads) {
-  const auto found = sweep::forecast(plan, threads);
+  for (const int ranks : arguments.ranks) {
+    if (ranks < 1) throw InputError(fmt::format("--ranks {} (must be 1 or more)", ranks));
+  }
+  const auto found = sweep::forecast(
+      plan, solved_before(plan, std::filesystem::path(*arguments.common.out) / "journal"), threads);
   throw_if_interrupted();
   put_out(sweep::forecast_text(
       plan, found, static_cast<std::size_t>(threads > 0 ? threads : process::processors()),
-      arguments.ranks, terminal_format().width));
+      arguments.ranks, terminal_format()));
   return kDone;
 }
 

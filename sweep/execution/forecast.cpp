@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numeric>
 #include <queue>
+#include <set>
 
 #include "methods/side_by_side.hpp"
 #include "process/processors.hpp"
@@ -28,6 +29,7 @@ std::size_t sample_size(std::size_t points) {
 // By leaving each out in turn: the scatter of the ratio of what was measured to what the others say.
 double relative_standard_error(const Plan& plan, const std::vector<CostModel::Measured>& sample) {
   if (sample.size() < 3) return 1;
+  if (sample.size() >= plan.points.size()) return 0;
   double squares = 0, sum = 0;
   for (std::size_t left_out = 0; left_out < sample.size(); ++left_out) {
     auto others = sample;
@@ -62,23 +64,31 @@ double makespan(std::span<const double> seconds, std::size_t workers, Dispatch d
   return last;
 }
 
-Forecast forecast(const Plan& plan, int threads) {
-  std::vector<std::size_t> all(plan.points.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto chosen = spread(all, sample_size(all.size()));
+Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int threads) {
   Forecast found;
+  std::set<std::size_t> known;
+  for (const auto& one : solved) {
+    known.insert(one.point);
+    found.sample.push_back({one.point, one.seconds()});
+  }
+  std::vector<std::size_t> unknown;
+  for (std::size_t p = 0; p < plan.points.size(); ++p) {
+    if (!known.contains(p)) unknown.push_back(p);
+  }
+  const std::size_t wanted = sample_size(plan.points.size());
+  const auto chosen = spread(unknown, wanted - std::min(wanted, known.size()));
   std::mutex mutex;
-  const int wanted = threads > 0 ? threads : process::processors();
-  methods::side_by_side(chosen.size(), wanted, [&](std::size_t k) {
-    if (process::stop_requested()) return;
-    const double seconds = solve_point(plan, chosen[k]).result.seconds();
-    const std::lock_guard lock(mutex);
-    found.sample.push_back({chosen[k], seconds});
-  });
+  methods::side_by_side(chosen.size(), threads > 0 ? threads : process::processors(),
+                        [&](std::size_t k) {
+                          if (process::stop_requested()) return;
+                          const double seconds = solve_point(plan, chosen[k]).result.seconds();
+                          const std::lock_guard lock(mutex);
+                          found.sample.push_back({chosen[k], seconds});
+                        });
   found.seconds = CostModel(plan, found.sample).all();
   found.uncertainty = relative_standard_error(plan, found.sample);
   rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) == 0) {
+  if (!chosen.empty() && getrusage(RUSAGE_SELF, &usage) == 0) {
     constexpr double kKilobytesToMegabytes = 1.0 / 1024;
     found.megabytes = static_cast<double>(usage.ru_maxrss) * kKilobytesToMegabytes;
   }

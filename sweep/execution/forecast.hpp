@@ -7,6 +7,7 @@
 
 #include "sweep/execution/cost_model.hpp"
 #include "sweep/plan/plan.hpp"
+#include "sweep/result/point_result.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -26,12 +27,14 @@ struct Forecast {
   std::vector<CostModel::Measured> sample{};
   std::vector<double> seconds{};  ///< expected of each point
   double uncertainty = 0;         ///< of their sum: relative standard error
-  double megabytes = 0;           ///< largest resident set of this process, with all its threads
+  double megabytes = 0;  ///< largest resident set, with all threads; 0 where nothing was solved
 };
 
-/// Solves a sample of a plan by so many threads, and tells the rest from it. Nothing is written.
+/// Solves a sample of a plan by so many threads, and tells the rest from it and from what was solved
+/// before. Nothing is written.
+/// @param solved before; where these are enough no more is solved
 /// @param threads 0 for one per processor
 /// @throws whatever a solver throws
-Forecast forecast(const Plan& plan, int threads);
+Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int threads);
 
 }  // namespace fpkcheck::sweep

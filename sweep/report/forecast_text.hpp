@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
+#include "report/text/format.hpp"
 #include "sweep/execution/forecast.hpp"
 #include "sweep/plan/plan.hpp"
 
@@ -13,8 +15,8 @@ std::string time_text(double seconds);
 
 /// What --dry-run says.
 /// @param threads of this machine
-/// @param ranks for which it is told too
+/// @param ranks numbers of processes of one thread for which it is told too
 std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
-                          std::size_t ranks, std::size_t width);
+                          const std::vector<int>& ranks, const report::TextFormat& format);
 
 }  // namespace fpkcheck::sweep

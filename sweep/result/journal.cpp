@@ -70,6 +70,14 @@ Json plan_of(const std::string& line, const std::filesystem::path& file) {
   return json.at("plan");
 }
 
+void require_same(const Json& before, const Json& now, const std::filesystem::path& file) {
+  const std::string difference = difference_of(before, now);
+  if (difference.empty()) return;
+  throw InputError(
+      fmt::format("{} was begun with another plan: {} (use another directory, or remove it)",
+                  shown(file.string()), difference));
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
@@ -113,6 +121,12 @@ JournalContent read_journal(const std::filesystem::path& file) {
   return content_of(lines_of(*text), file);
 }
 
+JournalContent read_journal(const std::filesystem::path& file, const Plan& plan) {
+  auto content = read_journal(file);
+  require_same(json_of(content.plan, shown(file.string())), plan_json(plan), file);
+  return content;
+}
+
 Journal::Journal(const std::filesystem::path& file, const Plan& plan) : log_(file) {
   const Json asked = plan_json(plan);
   const auto lines = log_.read();
@@ -120,12 +134,7 @@ Journal::Journal(const std::filesystem::path& file, const Plan& plan) : log_(fil
     log_.append(checked(header(asked).dump()));
     return;
   }
-  const std::string difference = difference_of(plan_of(lines.front(), file), asked);
-  if (!difference.empty()) {
-    throw InputError(
-        fmt::format("{} was begun with another plan: {} (use another directory, or remove it)",
-                    shown(file.string()), difference));
-  }
+  require_same(plan_of(lines.front(), file), asked, file);
   found_ = content_of(lines, file);
   if (log_.cut_off()) ++found_.damaged;
 }

@@ -21,6 +21,8 @@ struct JournalContent {
 /// Reads a journal that nobody writes.
 /// @throws InputError on one line where it is none
 JournalContent read_journal(const std::filesystem::path& file);
+/// @throws InputError also where it is another plan's
+JournalContent read_journal(const std::filesystem::path& file, const Plan& plan);
 
 /// The file that a sweep resumes from: a line that says what was asked, then a line for each point
 /// as it is finished, each after its CRC-32. A process that is killed leaves at most its last line in

@@ -20,15 +20,24 @@ TEST(Makespan, IsThatOfTheDispatch) {
 }
 
 TEST(Forecast, TellsTheWholeFromASample) {
-  const Plan plan = tests::plan_of({axis_from("system.restitution", "0.9:1:40", "x")},
-                                   Design::product, "epc-gaussian-n2");
-  const auto found = forecast(plan, 1);
+  const Plan plan = tests::quick_plan({axis_from("system.restitution", "0.9:1:40", "x")});
+  const auto found = forecast(plan, {}, 1);
   EXPECT_EQ(found.sample.size(), 24);
   EXPECT_EQ(found.seconds.size(), 40);
   EXPECT_GT(found.megabytes, 1);
-  const std::string text = forecast_text(plan, found, 2, 8, 100);
-  EXPECT_NE(text.find("40 points, 1 methods"), std::string::npos);
-  EXPECT_NE(text.find("8 ranks"), std::string::npos);
+  const std::string text = forecast_text(plan, found, 2, {8}, {100, false});
+  EXPECT_NE(text.find("40 points, 1 method:"), std::string::npos);
+  EXPECT_NE(text.find("told from 24 points"), std::string::npos) << text;
+  EXPECT_NE(text.find("    8 "), std::string::npos) << text;
+}
+
+// Where all was solved before nothing is told.
+TEST(Forecast, OfASolvedPlanIsMeasured) {
+  const Plan plan = tests::small_plan();
+  const auto found = forecast(plan, tests::results_of(plan).points, 1);
+  EXPECT_EQ(found.uncertainty, 0);
+  EXPECT_NEAR(makespan(found.seconds, 1, Dispatch::shards), 6 * 2 + 2 * 15 + 6 * 0.1, 1e-9);
+  EXPECT_NE(forecast_text(plan, found, 1, {}, {100, false}).find("(measured)"), std::string::npos);
 }
 
 }  // namespace
