@@ -31,12 +31,13 @@ LineLog::LineLog(const std::filesystem::path& file)
       descriptor_(open(file.c_str(),
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
                        kFileOfEverybody)) {
-  if (descriptor_ < 0) fail("opened");
+  const bool a_file = descriptor_ >= 0 || (errno != ELOOP && errno != EISDIR && errno != ENXIO);
+  if (descriptor_ < 0 && a_file) fail("opened");
   struct stat status = {};
-  const bool regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+  const bool regular = a_file && fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   const bool ours = regular && flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
   if (ours) return;
-  close(descriptor_);
+  if (a_file) close(descriptor_);
   throw InputError(
       regular ? fmt::format("{} is being written by another process (wait for it, or use another "
                             "directory)",

@@ -229,7 +229,34 @@ def tables():
         write(name + ".csv", contents)
 
 
+def plans():
+    vary = "[vary]\nsystem.restitution = 0.9,1\n"
+    for name, text in {
+        "both": "[sweep]\ncase = case1\n[system]\ndamping = 1\n" + vary,
+        "design": "[sweep]\ncase = case1\ndesign = all\n" + vary,
+        "points": "[sweep]\ncase = case1\npoints = 1e9\n" + vary,
+        "key": "[sweep]\ncase = case1\nthreads = 3\n" + vary,
+        "option": "[sweep]\ncase = case1\nmax_seconds = soon\n" + vary,
+        "nothing": "[sweep]\ncase = case1\n",
+        "case": "[sweep]\ncase = case9\n" + vary,
+        "vary": "[sweep]\ncase = case1\n[vary]\nsystem.restitution = 0.9:2:3\n",
+    }.items():
+        write(f"plan-{name}.ini", text)
+    # What stands where a sweep wants its journal.
+    for name, journal in {"words": "hello\n", "binary": bytes(range(128, 256)) + b"\n",
+                          "empty-line": "\n", "later": "00000000 {}\n",
+                          "deep": "12345678 " + "[" * 100000 + "\n"}.items():
+        os.mkdir(f"journal.{name}")
+        write(f"journal.{name}/journal", journal)
+    os.mkdir("journal.pipe")
+    os.mkfifo("journal.pipe/journal")
+    os.mkdir("journal.link")
+    os.symlink("../case1.ini", "journal.link/journal")
+    os.makedirs("journal.directory/journal")
+
+
 def make(fpkcheck):
+    plans()
     case_files()
     summaries()
     tables()

@@ -19,7 +19,7 @@ BYTES = 500 * 2**20
 LONGEST_MESSAGE = 400
 PLACES = {"{long}": "x" * 100000, "{esc}": "\x1b", "{newline}": "\n"}
 # Those of them that begin with a command that has --out.
-WITH_OUT = ("run", "epc", "fd", "mcs", "bounds", "study", "check", "reference")
+WITH_OUT = ("run", "epc", "fd", "mcs", "bounds", "study", "check", "reference", "sweep")
 
 
 def lines():
@@ -37,8 +37,9 @@ def filled(argument):
 
 
 def files():
-    """Names of all files here with the time of their last change."""
-    return {path: os.lstat(path).st_mtime_ns
+    """Names of all files here with the time of their last change; of folders the names alone, since
+    a file that is tried and removed again changes them."""
+    return {path: 0 if os.path.isdir(path) else os.lstat(path).st_mtime_ns
             for folder, folders, names in os.walk(".")
             for path in (os.path.join(folder, name) for name in folders + names)}
 

@@ -34,6 +34,8 @@ COMMANDS = {
     "study-order": (["study", "order", "case4", "--out", "OUT"], 4),
     "study-regularisation": (["study", "regularisation", "case1", "--out", "OUT"], 4),
     "reference": (["reference", "case1", "--out", "OUT"], 5),
+    "sweep": (["sweep", "case1", "--vary", "system.restitution=0.8:1:20", "--methods", "epc,fd-kf",
+               "--out", "OUT"], 4),
     "check": (["check", "BASELINES/case1/summary.json", "--out", "OUT"], 4),
     "report": (["report", "SAVED"], 0.3),
 }
