@@ -17,7 +17,6 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "files/pending_files.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
@@ -30,6 +29,7 @@
 #include "sweep/plan/plan_file.hpp"
 #include "sweep/ranks/ranks.hpp"
 #include "sweep/report/forecast_text.hpp"
+#include "sweep/report/sweep_files.hpp"
 #include "sweep/report/table.hpp"
 #include "sweep/result/sweep_results.hpp"
 
@@ -42,7 +42,8 @@ constexpr const char* kSweepUsage = R"(usage: fpkcheck sweep CASE --vary KEY=VAL
 
 Solves a case at every point of a plan, which varies keys of its case file, by each method, and
 tells how they end, how far they are from the best known solution of each point, and how long they
-take: sweep.csv (a row for each point and method) and sweep.nc. VALUES are
+take: sweep.csv (a row for each point and method), sweep.nc, and report.html with the pictures of
+figures/: curves along one varied key, maps over two. VALUES are
   FROM:TO:N        N values, evenly spaced           system.restitution=0.5:0.99:50
   log:FROM:TO:N    the same by their logarithms      impulse.rate=log:0.2:20:9
   A,B,..           a list, of words too              impulse.law=gaussian,laplace
@@ -204,20 +205,22 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
 void put_results(const SweepArguments& arguments, const sweep::SweepResults& results,
                  const Call& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
-  {
-    const process::FilesInHand in_hand;
-    files::PendingFiles files;
-    files.add(directory / "sweep.csv", sweep::csv(results));
-    files.add(directory / "sweep.nc", sweep::netcdf(results, call.command_line));
-    files.commit();
-  }
+  const process::FilesInHand in_hand;
+  sweep::write_tables(directory, results, call.command_line);
+  note_kept("sweep.csv and sweep.nc were written, but not the page");
   if (arguments.common.json) {
     put_out(sweep::json(results, call.command_line) + '\n');
   } else if (!arguments.common.quiet) {
     put_out(sweep::table(results, terminal_format()));
-    put_out(fmt::format("\nWrote sweep.csv and sweep.nc to {} in {:.1f} s.\n",
-                        *arguments.common.out, seconds));
   }
+  for (const auto& warning : sweep::write_report(directory, results, call.command_line)) {
+    complain(warning);
+  }
+  if (process::stop_requested()) return;  // the caller says by what
+  note_kept("all was written");
+  if (arguments.common.json || arguments.common.quiet) return;
+  put_out(fmt::format("\nWrote sweep.csv, sweep.nc and report.html to {} in {:.1f} s.\n",
+                      *arguments.common.out, seconds));
 }
 
 int merge(const SweepArguments& arguments, const Call& call,
@@ -320,7 +323,7 @@ int sweep_command(const Call& call) {
   const auto own = sweep_options(arguments, call.registry);
   if (!parse(call.arguments, kSweepUsage,
              with_common_options(own, common,
-                                 "write journal, sweep.csv and sweep.nc there (default: "
+                                 "write journal, tables and page there (default: "
                                  "fpkcheck-sweep)"),
              common.cases)) {
     return kDone;

@@ -1,4 +1,4 @@
-#include "study/picture.hpp"
+#include "report/figure/script_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <array>
 #include <utility>
 
-namespace fpkcheck::study {
+namespace fpkcheck::report {
+
 std::string margins(const Place& place) {
   return fmt::format(
       "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
@@ -36,4 +37,4 @@ std::vector<SeriesLook> series_looks(std::span<const transform::Identity> identi
   return looks;
 }
 
-}  // namespace fpkcheck::study
+}  // namespace fpkcheck::report

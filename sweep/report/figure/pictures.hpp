@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sweep/result/sweep_results.hpp"
+
+namespace fpkcheck::sweep {
+
+/// A picture of a sweep.
+struct SweepPicture {
+  std::string stem;     ///< of its files: "sweep-map"
+  std::string caption;  ///< what it shows, in sentences
+  std::string script;   ///< for gnuplot
+};
+
+/// What there is to draw: curves along one key, maps over two, points against each of more.
+std::vector<SweepPicture> sweep_pictures(const SweepResults& results);
+
+/// Draws them as STEM.png and STEM.svg beside STEM.gp; those of another plan go.
+/// @return a warning for each picture that was not drawn; one when there is no gnuplot
+std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
+                                    const std::vector<SweepPicture>& pictures,
+                                    const std::string& gnuplot = "gnuplot");
+
+}  // namespace fpkcheck::sweep
