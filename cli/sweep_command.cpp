@@ -44,9 +44,9 @@ Solves a case at every point of a plan, which varies keys of its case file, by e
 tells how they end, how far they are from the best known solution of each point, and how long they
 take: sweep.csv (a row for each point and method), sweep.nc, and report.html with the pictures of
 figures/: curves along one varied key, maps over two. VALUES are
-  FROM:TO:N        N values, evenly spaced           system.restitution=0.5:0.99:50
-  log:FROM:TO:N    the same by their logarithms      impulse.rate=log:0.2:20:9
-  A,B,..           a list, of words too              impulse.law=gaussian,laplace
+  FROM:TO:N        N values, evenly spaced
+  log:FROM:TO:N    the same by their logarithms
+  A,B,..           a list, of words too
 A PLAN.ini is a case file with two sections more, [sweep] (case, methods, design, points) and
 [vary] (KEY = VALUES); see cases/sweeps/.
 A point that cannot be solved is a row with its status and reason. Each finished point goes into
@@ -55,11 +55,13 @@ thread; --shard parts a plan for batch systems, and with mpirun ranks share one.
 Exit code 0 when every point was solved, however its methods ended.
 
 examples:
-  fpkcheck sweep case1 --vary system.restitution=0.8:1:11 --methods epc-moment-n8,fd-kf
-  fpkcheck sweep case1 --vary system.restitution=0.5:1 --vary impulse.rate=log:0.1:10 \
-                 --design sobol --points 200 --out map
+  fpkcheck sweep case1 --vary system.restitution=0.8:1:11 --methods epc,fd-kf
+  fpkcheck sweep case1 --vary impulse.rate=log:0.2:20:9 --set system.cubic=0
+  fpkcheck sweep case1 --vary impulse.law=gaussian,laplace
+  fpkcheck sweep cases/sweeps/rate-law.ini --out map
   fpkcheck sweep mine.ini --dry-run --ranks 16,64
-  fpkcheck sweep mine.ini --shard 3/16 --out map      then: fpkcheck sweep --merge map --out map
+  fpkcheck sweep mine.ini --shard 3/16 --out map
+  fpkcheck sweep --merge map --out map             when all shards are there
 )";
 constexpr const char* kDefaultSweepDirectory = "fpkcheck-sweep";
 constexpr const char* kDefaultMethods = "epc,fd";
