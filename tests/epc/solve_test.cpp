@@ -29,6 +29,20 @@ TEST(Closure, NamesWhatWasNotSolvedToo) {
   EXPECT_FALSE(solution.density.has_value());
 }
 
+// Rare impulses and strong losses, where the search is long: it ends, and says why.
+TEST(Closure, GivesUpWhenItIsTime) {
+  const auto p = tests::make_problem({.restitution = 0.6, .rate = 0.05});
+  for (const auto formulation : {Formulation::moment, Formulation::polar}) {
+    Options options = tests::closure(formulation, 8);
+    options.max_seconds = 1e-9;
+    const auto solution = solve(p, options).solution;
+    EXPECT_EQ(solution.status, transform::Status::not_converged);
+    EXPECT_NE(solution.reason.find("no root was found in 1e-09 s (max_seconds)"), std::string::npos)
+        << solution.reason;
+    EXPECT_LT(solution.seconds, 1);
+  }
+}
+
 TEST(Closure, RefusesOptionsThatAreNotValid) {
   EXPECT_THROW(solve(tests::paper_case(1), {.order = 5}), InputError);
 }
