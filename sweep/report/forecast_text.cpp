@@ -14,6 +14,7 @@ std::string time_text(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
   if (seconds < 10) return fmt::format("{:.1f} s", seconds);
   if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 10 * kMinute) return fmt::format("{:.1f} min", seconds / kMinute);
   if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
   return fmt::format("{:.1f} h", seconds / kHour);
 }
