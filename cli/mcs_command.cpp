@@ -1,3 +1,13 @@
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
@@ -6,8 +16,10 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/mcs.hpp"
+#include "methods/run_cases.hpp"
 #include "parameters/input_error.hpp"
 #include "process/stop.hpp"
+#include "ranks/ranks.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -21,6 +33,58 @@ boost::program_options::options_description file_options(methods::SimulationCont
           "resume", po::value(&control.resume)->value_name("FILE"),
           "go on from a checkpoint: the result is that of a run without interruption");
   return files;
+}
+
+/// The conversation of processes that share a simulation.
+class Gathering {
+ public:
+  explicit Gathering(ranks::Ranks& ranks) : ranks_(ranks) {}
+
+  // mcs::Team::gather
+  std::vector<std::string> operator()(const std::string& own) {
+    if (!ranks_.is_first()) {
+      ranks_.send(0, own);
+      return {};
+    }
+    std::vector<std::string> others;
+    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(next_of(rank));
+    return others;
+  }
+
+ private:
+  // A rank that is faster may be a case ahead.
+  std::string next_of(int rank) {
+    using namespace std::chrono_literals;
+    auto& waiting = waiting_[rank];
+    while (waiting.empty()) {
+      throw_if_interrupted();
+      if (auto message = ranks_.receive()) {
+        waiting_[message->from].push_back(std::move(message->text));
+      } else {
+        std::this_thread::sleep_for(1ms);
+      }
+    }
+    std::string text = std::move(waiting.front());
+    waiting.pop_front();
+    return text;
+  }
+
+  ranks::Ranks& ranks_;
+  std::map<int, std::deque<std::string>> waiting_;
+};
+
+void require_time_alone(const parameters::Values& values) {
+  const auto controlled = std::ranges::find(values, "controlled", &parameters::NamedValue::name);
+  if (controlled == values.end() || controlled->value != parameters::Value(true)) return;
+  throw InputError("--controlled under mpirun (its noise goes by other means: leave one out)");
+}
+
+// What all ranks but the first do: their part of each case.
+int help(const CommonArguments& common, const methods::Method& simulation) {
+  for (const auto& problem : load_cases(common)) {
+    methods::solve_by(simulation, problem, {compare::comparison_axes(problem), {}});
+  }
+  return kDone;
 }
 
 }  // namespace
@@ -39,9 +103,30 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
     throw InputError(
         "--checkpoint and --resume with several cases (a file holds one: name one case)");
   }
-  return solve_and_report(common,
-                          {methods::under_control(call.registry.method(solver, values), control)},
-                          {.on_interruption = OnInterruption::finish_early}, call.command_line);
+  const auto solve = [&] {
+    const auto simulation = methods::under_control(call.registry.method(solver, values), control);
+    return control.team.part > 0
+               ? help(common, simulation)
+               : solve_and_report(
+                     common, {simulation},
+                     {.on_interruption = control.team.parts == 1 ? OnInterruption::finish_early
+                                                                 : OnInterruption::give_up},
+                     call.command_line);
+  };
+  if (!ranks::Ranks::started_together()) return solve();
+
+  require_time_alone(values);
+  const auto ranks = ranks::Ranks::join();
+  Gathering gathering(*ranks);
+  control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gathering)};
+  try {
+    return solve();
+  } catch (const std::exception& error) {
+    // The others would wait for this one.
+    complain(error.what());
+    ranks->abort(kNotReached);
+    return kNotReached;
+  }
 }
 
 }  // namespace fpkcheck::cli

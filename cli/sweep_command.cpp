@@ -22,12 +22,12 @@
 #include "process/files_in_hand.hpp"
 #include "process/processors.hpp"
 #include "process/stop.hpp"
+#include "ranks/ranks.hpp"
 #include "sweep/execution/forecast.hpp"
 #include "sweep/execution/merged.hpp"
 #include "sweep/execution/solve_on_ranks.hpp"
 #include "sweep/execution/solve_plan.hpp"
 #include "sweep/plan/plan_file.hpp"
-#include "sweep/ranks/ranks.hpp"
 #include "sweep/report/forecast_text.hpp"
 #include "sweep/report/sweep_files.hpp"
 #include "sweep/report/table.hpp"
@@ -263,7 +263,7 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
 
 // Of the process that has the journal, which is the only one but under mpirun.
 int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
-               int threads, sweep::Ranks* ranks, const Call& call,
+               int threads, ranks::Ranks* ranks, const Call& call,
                std::chrono::steady_clock::time_point begin) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
@@ -338,7 +338,7 @@ int sweep_command(const Call& call) {
   if (arguments.dry_run) return dry_run(arguments, plan, threads);
 
   const auto ranks =
-      sweep::Ranks::started_together() ? sweep::Ranks::join() : std::unique_ptr<sweep::Ranks>();
+      ranks::Ranks::started_together() ? ranks::Ranks::join() : std::unique_ptr<ranks::Ranks>();
   if (ranks && !ranks->is_first()) {
     sweep::follow(plan, *common.out, *ranks, threads);
     return kDone;

@@ -43,6 +43,8 @@ Reached reached(const Simulation& simulation, const Options& options) {
               .goal = false};
   if (simulation.rounds() == 0) return now;
   now.goal = options.target_error || options.samples;
+  // What is known here alone tells no error.
+  if (options.team.parts > 1) return now;
   if (options.target_error || options.progress) now.error = current_error(simulation);
   if (options.target_error) {
     now.fraction = std::max(now.fraction, std::pow(*options.target_error / now.error, 2));
@@ -65,7 +67,8 @@ std::optional<Ending> ending(const Simulation& simulation, const Options& option
     return Ending{
         .unreached = "the time ended before the samples or the error asked for (give more --time)"};
   }
-  if (simulation.rounds() > 0 && options.stop && options.stop()) {
+  // The parts of a team are of one length: told to stop, the process is ended.
+  if (simulation.rounds() > 0 && options.team.parts == 1 && options.stop && options.stop()) {
     return Ending{.unreached = fmt::format("interrupted after {:.1f} % of what was asked for",
                                            100 * std::min(now.fraction, 1.0)),
                   .interrupted = true};

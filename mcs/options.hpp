@@ -25,6 +25,15 @@ struct Progress {
 };
 
 /// How to simulate. Nothing means automatic.
+/// A simulation that several processes share: each moves a part of the streams.
+struct Team {
+  int part = 0, parts = 1;
+  /// Brings what the others have simulated to the first process.
+  /// @param own what this one has; not looked at in the first one
+  /// @return in the first one: what each of the others has, in their order; in the others nothing
+  std::function<std::vector<std::string>(const std::string& own)> gather = {};
+};
+
 struct Options {
   /// What drives the oscillator: `kf`, the impulses themselves, paper (3), or `white`, Gaussian
   /// white noise of the same mean and intensity.
@@ -80,6 +89,9 @@ struct Options {
   /// Told at once, in one line, what goes wrong without an effect on the result; Summary::warnings
   /// has the same lines.
   std::function<void(const std::string&)> warn{};
+  /// Processes that share the work: the first one has the result, the same bits for any number of
+  /// them. They go on for `time`, without checkpoints.
+  Team team{};
 };
 
 /// The options as files and the command line name them.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "mcs/simulation/checkpoint.hpp"
 #include "mcs/simulation/pilot.hpp"
 #include "mcs/simulation/simulation.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/inelastic_collapse.hpp"
 #include "problem/motion_balances.hpp"
@@ -228,10 +230,39 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
   describe(simulation, result.summary);
 }
 
+void require_shareable(const Options& options) {
+  if (options.team.parts == 1) return;
+  const auto refuse = [](bool given, const char* option) {
+    if (!given) return;
+    throw InputError(fmt::format(
+        "mcs {} with several processes (their parts are of one length, --time: leave it out)",
+        option));
+  };
+  refuse(options.target_error.has_value(), "--target-error");
+  refuse(options.samples.has_value(), "--samples");
+  refuse(!options.checkpoint.empty(), "--checkpoint");
+  refuse(!options.resume.empty(), "--resume");
+}
+
+/// Brings the streams of all parts to the first one.
+/// @return whether this is it
+bool gather(const Team& team, Simulation& simulation) {
+  if (team.parts == 1) return true;
+  std::ostringstream own;
+  if (team.part > 0) simulation.save_part(own);
+  const auto others = team.gather(own.str());
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    std::istringstream part(others[k]);
+    simulation.load_part(part, static_cast<int>(k) + 1);
+  }
+  return team.part == 0;
+}
+
 }  // namespace
 
 void require_solvable(const problem::Problem& problem, const Options& options) {
   make_plan(problem, options);
+  require_shareable(options);
   if (!problem::collapse_objection(problem, options.equation).empty()) return;  // it fails
   [[maybe_unused]] const Oscillator oscillator(problem.system);
 }
@@ -243,6 +274,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& summary = result.summary;
   solution.identity = identity(options);
   const Plan plan = make_plan(problem, options);
+  require_shareable(options);
   // Kicks at even times would part the particle from the wall after each interval: an answer that
   // depends on the interval and tends to no motion that is stated.
   solution.reason = problem::collapse_objection(problem, options.equation);
@@ -255,6 +287,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (options.tails) splitting = plan_splitting(problem, plan);
   const Splitting* splits = splitting ? &*splitting : nullptr;
   Simulation simulation(problem, plan, splits);
+  simulation.share(options.team.part, options.team.parts);
   const std::string fingerprint = mcs::fingerprint(problem, plan, splits);
   if (options.resume.empty()) {
     simulation.burn_in();
@@ -262,6 +295,11 @@ Result solve(const problem::Problem& problem, const Options& options) {
     read_checkpoint(options.resume, fingerprint, simulation);
   }
   auto [unreached, interrupted] = go_on(simulation, options, checkpoints, fingerprint);
+
+  if (!gather(options.team, simulation)) {
+    solution.reason = "its part went to the first process";
+    return result;
+  }
 
   estimate(problem, simulation, result);
   summary.interrupted = interrupted;

@@ -37,6 +37,7 @@ examples:
   fpkcheck mcs case1 --equation white
   fpkcheck mcs case1 --time 1e9 --checkpoint state        then, after an interruption:
   fpkcheck mcs case1 --time 1e9 --checkpoint state --resume state
+  mpirun -n 64 fpkcheck mcs case1 --time 1e11 --streams 4096        the same bits, sooner
 )";
 
 transform::Solution solve(const problem::Problem& problem, const mcs::Options& options,
@@ -66,6 +67,7 @@ Method under_control(Method simulation, const SimulationControl& control) {
   options.resume = control.resume;
   options.stop = control.stop;
   options.warn = control.warn;
+  options.team = control.team;
   simulation.solve = [options = std::move(options)](const problem::Problem& problem,
                                                     const Setting& setting) {
     return solve(problem, options, setting);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "mcs/options.hpp"
 #include "methods/method.hpp"
 
 namespace fpkcheck::methods {
@@ -13,6 +14,7 @@ struct SimulationControl {
   std::string resume = {};          ///< file of a checkpoint to go on from; empty for none
   std::function<bool()> stop = {};  ///< true ends it, with what was reached as the result
   std::function<void(const std::string&)> warn = {};  ///< told of what could not be written
+  mcs::Team team = {};                                ///< processes that share it
 };
 
 /// The same simulation under control.

@@ -90,6 +90,7 @@ void Simulation::move(const Motion& motion, double time) {
   static const LaneSet lanes = available_lanes().back();
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   share_work(plan_->threads, groups, [&](std::size_t g) {
+    if (!is_of(part_, g * kGroup)) return;
     std::vector<Stream*> group;
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
@@ -98,13 +99,39 @@ void Simulation::move(const Motion& motion, double time) {
   });
 }
 
+void Simulation::share(int part, int parts) {
+  part_ = part;
+  parts_ = parts;
+}
+
+bool Simulation::is_of(int part, std::size_t stream) const {
+  return stream / kGroup % static_cast<std::size_t>(parts_) == static_cast<std::size_t>(part);
+}
+
+void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
+  put(out, stream.branch);
+  put(out, stream.source.number());
+  for_each_sum(stream.record, [&](const auto& sum) { put(out, sum); });
+}
+
+void Simulation::load_stream(std::istream& in, Stream& stream) const {
+  std::uint64_t number = 0;
+  get(in, stream.branch);
+  const int levels = motion_.splitting == nullptr ? 0 : motion_.splitting->levels();
+  require_possible(is_possible(stream.branch, *plan_) && stream.branch.level >= 0 &&
+                   stream.branch.level <= levels && stream.branch.floor >= 0 &&
+                   stream.branch.floor <= levels);
+  get(in, number);
+  stream.source.continue_from(number);
+  for_each_sum(stream.record, [&](auto& sum) {
+    get(in, sum);
+    require_possible(is_finite(sum));
+  });
+}
+
 void Simulation::save(std::ostream& out) const {
   put(out, rounds_);
-  for (const Stream& stream : streams_) {
-    put(out, stream.branch);
-    put(out, stream.source.number());
-    for_each_sum(stream.record, [&](const auto& sum) { put(out, sum); });
-  }
+  for (const Stream& stream : streams_) save_stream(out, stream);
 }
 
 void Simulation::load(std::istream& in) {
@@ -112,19 +139,19 @@ void Simulation::load(std::istream& in) {
   // What is simulated ends far below: only a file that was tampered with has as many.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
   require_possible(rounds_ <= kMostRounds);
-  for (Stream& stream : streams_) {
-    std::uint64_t number = 0;
-    get(in, stream.branch);
-    const int levels = motion_.splitting == nullptr ? 0 : motion_.splitting->levels();
-    require_possible(is_possible(stream.branch, *plan_) && stream.branch.level >= 0 &&
-                     stream.branch.level <= levels && stream.branch.floor >= 0 &&
-                     stream.branch.floor <= levels);
-    get(in, number);
-    stream.source.continue_from(number);
-    for_each_sum(stream.record, [&](auto& sum) {
-      get(in, sum);
-      require_possible(is_finite(sum));
-    });
+  for (Stream& stream : streams_) load_stream(in, stream);
+  require_possible(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
+}
+
+void Simulation::save_part(std::ostream& out) const {
+  for (std::size_t s = 0; s < streams_.size(); ++s) {
+    if (is_of(part_, s)) save_stream(out, streams_[s]);
+  }
+}
+
+void Simulation::load_part(std::istream& in, int part) {
+  for (std::size_t s = 0; s < streams_.size(); ++s) {
+    if (is_of(part, s)) load_stream(in, streams_[s]);
   }
   require_possible(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }

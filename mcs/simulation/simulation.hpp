@@ -21,6 +21,10 @@ class Simulation {
   Simulation(const problem::Problem& problem, const Plan& plan,
              const Splitting* splitting = nullptr);
 
+  /// From now on only every `parts`-th group of streams moves, from number `part` on; what others
+  /// have simulated comes by load_part.
+  void share(int part, int parts);
+
   void burn_in();
   void round();
 
@@ -40,12 +44,20 @@ class Simulation {
   /// @throws InputError when what is read is not the state of as many streams and bins
   void load(std::istream& in);
 
+  /// The same of the streams that move here, or elsewhere in part number `part`.
+  void save_part(std::ostream& out) const;
+  void load_part(std::istream& in, int part);
+
  private:
   void move(const Motion& motion, double time);
+  bool is_of(int part, std::size_t stream) const;
+  void save_stream(std::ostream& out, const Stream& stream) const;
+  void load_stream(std::istream& in, Stream& stream) const;
 
   const Plan* plan_;
   Motion motion_;
   std::uint64_t rounds_ = 0;
+  int part_ = 0, parts_ = 1;
   std::vector<Stream> streams_;
 };
 

@@ -84,7 +84,7 @@ class Solvers {
 /// The first rank's side of the conversation.
 class Leader {
  public:
-  Leader(const Plan& plan, Progress& progress, Ranks& ranks, int threads)
+  Leader(const Plan& plan, Progress& progress, ranks::Ranks& ranks, int threads)
       : progress_(progress),
         ranks_(ranks),
         solvers_(
@@ -112,7 +112,7 @@ class Leader {
   std::optional<std::size_t> next() { return failed_ ? std::nullopt : progress_.next(); }
 
   // Whether nothing more comes from this rank; answers it if not.
-  bool is_last(const Ranks::Message& message) {
+  bool is_last(const ranks::Ranks::Message& message) {
     const char word = message.text.empty() ? word::kFailed : message.text.front();
     if (word == word::kBye) return true;
     if (word == word::kFailed) {
@@ -138,7 +138,7 @@ class Leader {
   }
 
   Progress& progress_;
-  Ranks& ranks_;
+  ranks::Ranks& ranks_;
   std::atomic<bool> failed_ = false;
   std::exception_ptr failure_;
   Solvers solvers_;
@@ -147,7 +147,8 @@ class Leader {
 /// The side of the others.
 class Follower {
  public:
-  Follower(const Plan& plan, const std::filesystem::path& directory, Ranks& ranks, int threads)
+  Follower(const Plan& plan, const std::filesystem::path& directory, ranks::Ranks& ranks,
+           int threads)
       : plan_(plan),
         directory_(directory),
         ranks_(ranks),
@@ -237,7 +238,7 @@ class Follower {
 
   const Plan& plan_;
   std::filesystem::path directory_;
-  Ranks& ranks_;
+  ranks::Ranks& ranks_;
   int threads_;
   int asked_ = 0;  // questions without an answer
   std::mutex mutex_;
@@ -250,11 +251,11 @@ class Follower {
 
 }  // namespace
 
-void lead(const Plan& plan, Progress& progress, Ranks& ranks, int threads) {
+void lead(const Plan& plan, Progress& progress, ranks::Ranks& ranks, int threads) {
   Leader(plan, progress, ranks, threads).run();
 }
 
-void dismiss(Ranks& ranks) {
+void dismiss(ranks::Ranks& ranks) {
   for (int following = ranks.size() - 1; following > 0;) {
     const auto message = ranks.receive();
     if (!message) {
@@ -267,7 +268,8 @@ void dismiss(Ranks& ranks) {
   }
 }
 
-void follow(const Plan& plan, const std::filesystem::path& directory, Ranks& ranks, int threads) {
+void follow(const Plan& plan, const std::filesystem::path& directory, ranks::Ranks& ranks,
+            int threads) {
   Follower(plan, directory, ranks, threads).run();
 }
 

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "ranks/ranks.hpp"
 #include "sweep/execution/solve_plan.hpp"
-#include "sweep/ranks/ranks.hpp"
 
 /// A plan on several processes: the first rank has the journal, hands out points to whoever is free,
 /// the longest expected first, and solves beside that; the others only solve. Each question of theirs
@@ -13,13 +13,14 @@ namespace fpkcheck::sweep {
 /// What the first rank does: solves what is left, with the others' help. What a thread or a rank
 /// throws ends the sweep, after what was under way.
 /// @param threads of each rank; 0 for one per processor that is its own
-void lead(const Plan& plan, Progress& progress, Ranks& ranks, int threads);
+void lead(const Plan& plan, Progress& progress, ranks::Ranks& ranks, int threads);
 
 /// What the first rank does instead where it cannot begin: tells the others that there are no points.
-void dismiss(Ranks& ranks);
+void dismiss(ranks::Ranks& ranks);
 
 /// What the other ranks do: solve the points they are given until there are no more.
 /// @param directory for marginals
-void follow(const Plan& plan, const std::filesystem::path& directory, Ranks& ranks, int threads);
+void follow(const Plan& plan, const std::filesystem::path& directory, ranks::Ranks& ranks,
+            int threads);
 
 }  // namespace fpkcheck::sweep

@@ -213,5 +213,35 @@ TEST(Solve, GoesOnUntilTheSamplesOrTheErrorAskedForAreReached) {
   EXPECT_NEAR(too_short.summary.time, 1e4, 300);
 }
 
+// Three processes, one after another: each simulates its groups of streams alone.
+TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
+  const auto problem = tests::paper_case(1);
+  Options options{.time = 2e4, .streams = 43};
+  const auto alone = solve(problem, options).solution;
+  std::vector<std::string> parts;
+  for (const int part : {1, 2, 0}) {
+    options.team = {.part = part, .parts = 3, .gather = [&](const std::string& own) {
+                      if (part == 0) return parts;
+                      parts.push_back(own);
+                      return std::vector<std::string>();
+                    }};
+    const auto [solution, summary] = solve(problem, options);
+    if (part > 0) {
+      EXPECT_FALSE(solution.density);
+      continue;
+    }
+    EXPECT_EQ(solution.moments.y4, alone.moments.y4);
+    EXPECT_EQ(solution.standard_errors->moments.v2, alone.standard_errors->moments.v2);
+    EXPECT_EQ(solution.estimated_marginals[1].second.density,
+              alone.estimated_marginals[1].second.density);
+  }
+}
+
+TEST(Solve, ProcessesThatShareTheStreamsGoOnForOneTime) {
+  Options options{.target_error = 1e-3};
+  options.team.parts = 2;
+  EXPECT_THROW(require_solvable(tests::paper_case(1), options), InputError);
+}
+
 }  // namespace
 }  // namespace fpkcheck::mcs

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <stdexcept>
 
-#include "sweep/ranks/ranks.hpp"
+#include "ranks/ranks.hpp"
 
-namespace fpkcheck::sweep {
+namespace fpkcheck::ranks {
 namespace {
 
 void check_mpi(int code, const char* what) {
@@ -52,6 +53,10 @@ class MpiRanks : public Ranks {
               "cannot receive");
     return message;
   }
+  [[noreturn]] void abort(int exit_code) override {
+    MPI_Abort(MPI_COMM_WORLD, exit_code);
+    std::abort();  // MPI_Abort does not return
+  }
 
  private:
   int rank_ = 0, size_ = 1;
@@ -61,4 +66,4 @@ class MpiRanks : public Ranks {
 
 std::unique_ptr<Ranks> Ranks::join() { return std::make_unique<MpiRanks>(); }
 
-}  // namespace fpkcheck::sweep
+}  // namespace fpkcheck::ranks

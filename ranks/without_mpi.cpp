@@ -1,7 +1,7 @@
 #include "parameters/input_error.hpp"
-#include "sweep/ranks/ranks.hpp"
+#include "ranks/ranks.hpp"
 
-namespace fpkcheck::sweep {
+namespace fpkcheck::ranks {
 
 std::unique_ptr<Ranks> Ranks::join() {
   throw InputError(
@@ -9,4 +9,4 @@ std::unique_ptr<Ranks> Ranks::join() {
       "each process with --shard i/N)");
 }
 
-}  // namespace fpkcheck::sweep
+}  // namespace fpkcheck::ranks

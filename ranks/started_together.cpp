@@ -2,9 +2,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sweep/ranks/ranks.hpp"
+#include "ranks/ranks.hpp"
 
-namespace fpkcheck::sweep {
+namespace fpkcheck::ranks {
 
 bool Ranks::started_together() {
   // Of Open MPI's mpirun, and of starters that speak PMI (MPICH, Intel MPI, srun --mpi=pmi2).
@@ -21,4 +21,4 @@ bool Ranks::started_together() {
   return std::getenv("PMIX_RANK") != nullptr && tasks != nullptr && std::string_view(tasks) != "1";
 }
 
-}  // namespace fpkcheck::sweep
+}  // namespace fpkcheck::ranks

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace fpkcheck::sweep {
+namespace fpkcheck::ranks {
 
 /// The processes that mpirun started together, this one among them. Only the thread that joined may
 /// use it. Rank 0 is the one that writes; the others are its helpers.
@@ -32,6 +32,8 @@ class Ranks {
   virtual void send(int to, const std::string& text) = 0;
   /// A message that has arrived, if there is one.
   virtual std::optional<Message> receive() = 0;
+  /// Ends all of them, for when this one cannot go on and the others would wait for it.
+  [[noreturn]] virtual void abort(int exit_code) = 0;
 };
 
-}  // namespace fpkcheck::sweep
+}  // namespace fpkcheck::ranks
