@@ -39,8 +39,11 @@ bool near_one(double sum) {
   return std::abs(sum - 1) <= kRounding;
 }
 
+// Of the narrower bin: beside a wide one, another that lies within it would seem to go on from it.
+// Halves do not overflow.
 double gap(const std::vector<double>& bin, const std::vector<double>& next) {
-  return std::abs(next[0] - bin[1]) / std::abs(bin[1] - bin[0]);
+  const auto half_width = [](const auto& row) { return std::abs(row[1] / 2 - row[0] / 2); };
+  return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
 }
 
 }  // namespace

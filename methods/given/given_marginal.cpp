@@ -76,12 +76,12 @@ void GivenMarginal::read_histogram(const NumberTable& table) {
   knots_ = {table.rows.front()[0]};
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const double lower = table.rows[k][0], upper = table.rows[k][1];
+    if (upper <= lower) {
+      table.fail(k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
+    }
     if (k > 0 && !join(table.rows[k - 1], table.rows[k])) {
       table.fail(k, fmt::format("a bin from {:g} after one to {:g} (bins must join)", lower,
                                 knots_.back()));
-    }
-    if (upper <= lower) {
-      table.fail(k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
     }
     knots_.push_back(upper);
   }

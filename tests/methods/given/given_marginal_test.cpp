@@ -369,6 +369,20 @@ TEST(GivenMarginal, OfCountsBeyondAllNumbersIsRefused) {
   EXPECT_TRUE(contains(narrow, "(choose other units)")) << narrow;
 }
 
+TEST(GivenMarginal, OfBinsWithinABinIsRefused) {
+  // What the inner one lacks of joining is little beside the width of the outer one.
+  EXPECT_TRUE(contains(refusal("lower,upper,count\n-1e9,2,0\n-9,2,1\n2,3,1\n3,4,1\n"),
+                       "mine.csv:3: a bin from -9 after one to 2 (bins must join)"));
+  EXPECT_TRUE(contains(refusal("lower,upper,count\n-1e9,2,0\n-9,3,1\n3,4,1\n4,5,1\n"),
+                       "mine.csv:3: a bin from -9 after one to 2 (bins must join)"));
+  // Widths that no number holds.
+  const std::string widest = "-1.7e308,1.7e308,0\n-1.2e307,1.7e308,1\n";
+  EXPECT_TRUE(contains(refusal("lower,upper,count\n" + widest + "2,3,1\n3,4,1\n"),
+                       "mine.csv:3: a bin from -1.2e+307 after one to 1.7e+308 (bins must join)"));
+  EXPECT_TRUE(contains(refusal("lower,upper,count\n0,1,1\n1,1,1\n2,3,1\n3,4,1\n"),
+                       "mine.csv:3: a bin from 1 to 1 (edges must increase)"));
+}
+
 TEST(GivenMarginal, OfTooManyRowsOrTooLongLinesIsRefused) {
   std::string rows;
   for (int k = 0; k <= 100000; ++k) rows += fmt::format("{} 1\n", k);
