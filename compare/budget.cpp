@@ -10,6 +10,7 @@
 #include "compare/distances.hpp"
 #include "compare/smooth.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -100,8 +101,8 @@ std::vector<Link> links_named(std::string_view text) {
     const auto link = parameters::value_named<Link>(rest.substr(0, end));
     if (!link) {
       throw InputError(fmt::format(
-          "'{}' is no part of an error budget (of another version of the program? run again)",
-          text));
+          "{} is no part of an error budget (of another version of the program? run again)",
+          parameters::in_quotes(text)));
     }
     links.push_back(*link);
     if (end == std::string_view::npos) return links;
