@@ -508,5 +508,29 @@ TEST_F(Program, VersionNamesTheLibraries) {
   }
 }
 
+TEST_F(Program, ASweepAsJsonIsNothingElse) {
+  const std::vector<std::string> sweep{"sweep",      "case1",
+                                       "--vary",     "system.restitution=0.9,1",
+                                       "--methods",  "epc-gaussian-n2",
+                                       "--set",      "system.cubic=0",
+                                       "--accuracy", "auto",
+                                       "--out",      path("sweep")};
+  auto as_json = sweep;
+  as_json.emplace_back("--json");
+  const auto first = program(as_json);
+  EXPECT_EQ(first.exit_code, kDone);
+  const auto json = nlohmann::json::parse(first.out);
+  ASSERT_EQ(json["points"].size(), 2);
+  EXPECT_EQ(json["points"][0]["at"]["system.restitution"], 0.9);
+  EXPECT_EQ(json["points"][1]["methods"][0]["status"], "ok");
+  EXPECT_EQ(json["plan"]["case"]["system"]["cubic"], 0);
+  // Solved already: the same again, and a table for people.
+  const auto again = program(sweep);
+  EXPECT_EQ(again.exit_code, kDone);
+  EXPECT_NE(again.out.find("2 points of case1, system.restitution = 0.9,1"), std::string::npos);
+  EXPECT_TRUE(fs::exists(path("sweep") + "/sweep.csv"));
+  EXPECT_TRUE(fs::exists(path("sweep") + "/report.html"));
+}
+
 }  // namespace
 }  // namespace fpkcheck::cli
