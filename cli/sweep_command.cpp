@@ -340,6 +340,7 @@ int sweep_command(const Call& call) {
   const auto ranks =
       ranks::Ranks::started_together() ? ranks::Ranks::join() : std::unique_ptr<ranks::Ranks>();
   if (ranks && !ranks->is_first()) {
+    note_kept("what was finished is in the first rank's journal");
     sweep::follow(plan, *common.out, *ranks, threads);
     return kDone;
   }
