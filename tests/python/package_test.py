@@ -92,7 +92,10 @@ class TheProgramsRun(unittest.TestCase):
         self.assertEqual(self.run_.reference, self.summary["cases"][0]["reference"])
         self.assertGreater(self.run_.solutions["mcs"].standard_errors["y2"], 0)
         lower, upper = self.run_.bounds["E[y^2]"]
-        self.assertTrue(lower < kf.moments["y2"] < upper)
+        # Bounds may be narrower than what finite differences know: as a second allows.
+        slack = 2 * kf.error.moments["y2"]
+        self.assertTrue(lower - slack < kf.moments["y2"] < upper + slack)
+        self.assertLess(upper - lower, 1e-3)
 
     def test_loading_gives_what_was_saved(self):
         loaded = fpk.load(self.directory)
@@ -367,13 +370,13 @@ class Solving(unittest.TestCase):
 
         thread = threading.Thread(target=counting)
         thread.start()
-        begin = time.monotonic()
-        fpk.solve("case1", "mcs", options={"mcs.time": 2e5, "mcs.controlled": False}, threads=1, bounds=False)
-        elapsed = time.monotonic() - begin
+        before = count
+        fpk.solve("case1", "mcs", options={"mcs.time": 1e6, "mcs.controlled": False}, threads=1, bounds=False)
+        during = count - before
         stop.set()
         thread.join()
-        self.assertGreater(elapsed, 0.2)
-        self.assertGreater(count, 50 * elapsed)
+        # With the lock held there would be at most one, before or after.
+        self.assertGreater(during, 10)
 
     def test_tells_where_it_stands_and_ends_in_time(self):
         told = []
