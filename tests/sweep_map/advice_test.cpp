@@ -45,6 +45,7 @@ TEST(Advice, HasTheMostAccurateFirstOfThoseThatAreAboutAsQuick) {
   // Whatever is not promised is no matter.
   for (auto& point : map.points) point.answers[1] = answer(0.0004, 0.03, Status::inaccurate);
   EXPECT_EQ(promised_ids(map), (Ids{"epc-moment-n4", "fd-kf"}));
+  EXPECT_EQ(advice(made_up_place(), 0.01, map).methods.front().id, "epc-moment-n4");
 }
 
 TEST(Advice, TellsWhatWasNearby) {

@@ -70,6 +70,8 @@ TEST(ReadValidityMap, RefusesWhatIsNone) {
             "map:3: '0' (must be above 0)");
   EXPECT_EQ(row_refusal("1,1,0,nan,gaussian,0,,.1o1\n"),
             "map:2: 'nan' (must be a number that is not negative)");
+  EXPECT_EQ(row_refusal("1,1,-1,1,gaussian,0,,.1o1\n"),
+            "map:2: '-1' (must be a number that is not negative)");
   EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,.1q5,.1o1\n"),
             "map:2: '.1q5' (must be L1, letter of a status, milliseconds: .004o310)");
   EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,.1o,.1o1\n"),
