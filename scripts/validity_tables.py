@@ -252,6 +252,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("map", type=Path)
     parser.add_argument("--document", required=True, type=Path)
+    parser.add_argument("--check", action="store_true", help="write nothing; is the document up to date?")
     arguments = parser.parse_args()
     with open(arguments.map, newline="") as file:
         reader = csv.DictReader(file)
@@ -270,7 +271,7 @@ def main():
     for name, text in tables.items():
         print(f"{name}\n{text}\n")
         if arguments.document.exists():
-            replace_part(arguments.document, name, text)
+            replace_part(arguments.document, name, text, arguments.check)
 
 
 main()
