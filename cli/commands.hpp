@@ -22,6 +22,7 @@ int bounds_command(const Call& call);
 int reference_command(const Call& call);
 int study_command(const Call& call);
 int sweep_command(const Call& call);
+int advise_command(const Call& call);
 int check_command(const Call& call);
 int report_command(const Call& call);
 

@@ -58,6 +58,8 @@ std::vector<Command> commands(const methods::Registry& registry) {
                  study_command});
   all.push_back({"sweep", "many points of a case whose keys are varied: where which method holds",
                  sweep_command});
+  all.push_back({"advise", "which method for a case: what kept an accuracy at problems like it",
+                 advise_command});
   all.push_back({"reference", "reference values, agreed on by two discretisations and a simulation",
                  reference_command});
   all.push_back({"check", "a saved run again, compared with what it was: the regression test",

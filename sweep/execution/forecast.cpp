@@ -69,7 +69,7 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
   std::set<std::size_t> known;
   for (const auto& one : solved) {
     known.insert(one.point);
-    found.sample.push_back({one.point, one.seconds()});
+    found.sample.push_back({one.point, one.seconds});
   }
   std::vector<std::size_t> unknown;
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
@@ -81,7 +81,7 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
   methods::side_by_side(chosen.size(), threads > 0 ? threads : process::processors(),
                         [&](std::size_t k) {
                           if (process::stop_requested()) return;
-                          const double seconds = solve_point(plan, chosen[k]).result.seconds();
+                          const double seconds = solve_point(plan, chosen[k]).result.seconds;
                           const std::lock_guard lock(mutex);
                           found.sample.push_back({chosen[k], seconds});
                         });

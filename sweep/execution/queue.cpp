@@ -17,7 +17,7 @@ Queue::Queue(const Plan& plan, const std::vector<std::size_t>& own,
   std::set<std::size_t> known;
   for (const auto& one : solved) {
     known.insert(one.point);
-    measured_.push_back({one.point, one.seconds()});
+    measured_.push_back({one.point, one.seconds});
   }
   for (const std::size_t p : own) {
     if (!known.contains(p)) waiting_.push_back(p);

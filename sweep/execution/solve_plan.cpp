@@ -46,7 +46,7 @@ std::optional<std::size_t> Progress::next() {
 }
 
 void Progress::keep(SolvedPoint&& solved) {
-  queue_.finished(solved.result.point, solved.result.seconds());
+  queue_.finished(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
   // Before the journal says that the point is solved.
   keep_marginals(plan_, directory_, solved);

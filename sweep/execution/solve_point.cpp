@@ -1,6 +1,7 @@
 #include "sweep/execution/solve_point.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -72,9 +73,7 @@ std::vector<results::Curve> curves_of(const problem::Problem& problem,
   return results::make_case(problem, axes, solutions).curves;
 }
 
-}  // namespace
-
-SolvedPoint solve_point(const Plan& plan, std::size_t point) {
+SolvedPoint solved(const Plan& plan, std::size_t point) {
   SolvedPoint solved_point{{.point = point}, {}};
   PointResult& result = solved_point.result;
   std::optional<problem::Problem> problem;
@@ -107,6 +106,16 @@ SolvedPoint solve_point(const Plan& plan, std::size_t point) {
     if (y && ydot) result.methods[m].l1 = MarginalPair{*y, *ydot};
     result.methods[m].budget = budget_of(solutions[m], comparison.budget);
   }
+  return solved_point;
+}
+
+}  // namespace
+
+SolvedPoint solve_point(const Plan& plan, std::size_t point) {
+  const auto begin = std::chrono::steady_clock::now();
+  SolvedPoint solved_point = solved(plan, point);
+  solved_point.result.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solved_point;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
@@ -66,13 +65,11 @@ MethodResult method_in(const Json& json) {
 
 }  // namespace
 
-double PointResult::seconds() const {
-  return std::accumulate(methods.begin(), methods.end(), 0.0,
-                         [](double sum, const MethodResult& one) { return sum + one.seconds; });
-}
-
 Json point_json(const PointResult& result) {
-  Json json{{"point", result.point}, {"reference", result.reference}, {"methods", Json::array()}};
+  Json json{{"point", result.point},
+            {"seconds", result.seconds},
+            {"reference", result.reference},
+            {"methods", Json::array()}};
   for (const auto& method : result.methods) json["methods"].push_back(method_json(method));
   return json;
 }
@@ -84,8 +81,12 @@ std::string journal_text(const PointResult& result) {
 
 PointResult point_in(const Json& json) {
   PointResult result{.point = json.at("point").get<std::size_t>(),
+                     .seconds = json.value("seconds", 0.0),
                      .reference = json.at("reference")};
-  for (const auto& method : json.at("methods")) result.methods.push_back(method_in(method));
+  for (const auto& method : json.at("methods")) {
+    result.methods.push_back(method_in(method));
+    if (!json.contains("seconds")) result.seconds += result.methods.back().seconds;
+  }
   return result;
 }
 

@@ -38,11 +38,9 @@ struct MethodResult {
 /// What is kept of a point.
 struct PointResult {
   std::size_t point = 0;
+  double seconds = 0;                   ///< wall-clock time of all that it took
   std::string reference = {};           ///< id; empty where no solution solves the problem itself
   std::vector<MethodResult> methods{};  ///< in the order of the plan's
-
-  /// Wall-clock time of all solves.
-  double seconds() const;
 };
 
 }  // namespace fpkcheck::sweep
