@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <chrono>
@@ -22,10 +23,21 @@
 namespace fpkcheck::sweep {
 namespace {
 
-using namespace std::chrono_literals;
+/// Waits between two looks for messages: the longer the less there is to do, since each look takes
+/// time from the thread that solves beside it. Nobody waits for an answer meanwhile: each thread has
+/// a point in reserve.
+class Patience {
+ public:
+  void wait() {
+    std::this_thread::sleep_for(next_);
+    next_ = std::min(2 * next_, kLongest);
+  }
+  void reset() { next_ = kShortest; }
 
-// Between two looks for messages: short beside a point, and no load beside the threads that solve.
-constexpr auto kBetweenMessages = 300us;
+ private:
+  static constexpr std::chrono::microseconds kShortest{100}, kLongest{20000};
+  std::chrono::microseconds next_ = kShortest;
+};
 
 // What the text of a message begins with.
 namespace word {
@@ -95,14 +107,16 @@ class Leader {
   Leader& operator=(const Leader&) = delete;
 
   void run() {
+    Patience patience;
     for (int following = ranks_.size() - 1; following > 0 || solvers_.running();) {
       if (const auto failure = solvers_.failure()) give_up(failure);
       const auto message = ranks_.receive();
       if (!message) {
-        std::this_thread::sleep_for(kBetweenMessages);
-      } else if (is_last(*message)) {
-        --following;
+        patience.wait();
+        continue;
       }
+      patience.reset();
+      if (is_last(*message)) --following;
     }
     if (const auto failure = solvers_.failure()) give_up(failure);
     if (failure_) std::rethrow_exception(failure_);
@@ -164,6 +178,7 @@ class Follower {
     // One in reserve, so that no thread waits for an answer.
     for (int k = 0; k <= threads_; ++k) ask(std::string(1, word::kWant));
     int solving = 0;
+    Patience patience;
     while (asked_ > 0 || solving > 0) {
       if (const auto failure = solvers_.failure()) {
         tell_failure(failure);
@@ -183,7 +198,11 @@ class Follower {
         --solving;
         ask(text);
       }
-      if (idle) std::this_thread::sleep_for(kBetweenMessages);
+      if (idle) {
+        patience.wait();
+      } else {
+        patience.reset();
+      }
     }
     end();
     ranks_.send(0, std::string(1, word::kBye));
@@ -256,10 +275,11 @@ void lead(const Plan& plan, Progress& progress, ranks::Ranks& ranks, int threads
 }
 
 void dismiss(ranks::Ranks& ranks) {
+  Patience patience;
   for (int following = ranks.size() - 1; following > 0;) {
     const auto message = ranks.receive();
     if (!message) {
-      std::this_thread::sleep_for(kBetweenMessages);
+      patience.wait();
     } else if (message->text.front() == word::kBye || message->text.front() == word::kFailed) {
       --following;
     } else {
