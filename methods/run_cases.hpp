@@ -33,8 +33,8 @@ transform::Solution solve_by(const Method& method, const problem::Problem& probl
 void require_solvable(const std::vector<problem::Problem>& problems,
                       const std::vector<Method>& methods);
 
-/// Solves every problem by every method and compares, if all can be asked to (require_solvable). Methods that use one processor run side by
-/// side; those that use all of them run alone.
+/// Solves every problem by every method and compares, if all can be asked to (require_solvable).
+/// Methods that use one processor run side by side; those that use all of them run alone.
 /// @param methods by increasing trust
 /// @param threads processors to use; 0 for all
 /// @throws whatever a solver throws, after the others have ended

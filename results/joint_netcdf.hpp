@@ -10,8 +10,8 @@
 
 namespace fpkcheck::results {
 
-/// The joint densities of a run as the bytes of a netCDF-4 file (an HDF5 file), following the CF conventions. For
-/// each case, NAME being its name as file_stem files it:
+/// The joint densities of a run as the bytes of a netCDF-4 file (an HDF5 file), following the CF
+/// conventions. For each case, NAME being its name as file_stem files it:
 ///
 ///     dimensions   solution, y_NAME, ydot_NAME, bounds = 2
 ///     labels       solution(solution, solution_length): ids, as characters
