@@ -21,7 +21,8 @@ Options changed() {
           .tail = Tail::cut,
           .tolerance = 3.1e-9,
           .accuracy = 0.3,
-          .max_iterations = 17};
+          .max_iterations = 17,
+          .max_seconds = 5};
 }
 
 // All that may be asked for by a name and an order.
@@ -63,8 +64,9 @@ TEST(ClosureOptions, ComeBackFromTheirValues) {
 TEST(ClosureOptions, HaveTheNamesOfTheFiles) {
   std::vector<std::string> names;
   for (const auto& [name, value] : description().values({})) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"order", "formulation", "monomials", "equation",
-                                             "tail", "tolerance", "accuracy", "max_iterations"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"order", "formulation", "monomials", "equation", "tail",
+                                      "tolerance", "accuracy", "max_seconds", "max_iterations"}));
 }
 
 TEST(ClosureOptions, OnTheCommandLineTheEquationIsOneThatAClosureMaySolve) {
