@@ -17,10 +17,10 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
+#include "methods/side_by_side.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
-#include "process/processors.hpp"
 #include "process/stop.hpp"
 #include "ranks/ranks.hpp"
 #include "sweep/execution/forecast.hpp"
@@ -71,7 +71,6 @@ struct SweepArguments {
   std::vector<std::string> vary;
   std::optional<std::string> design, methods, shard;
   std::optional<std::size_t> points;
-  int threads = 0;
   std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
   parameters::Values given;  // for the methods
@@ -255,9 +254,8 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
   const auto found = sweep::forecast(
       plan, solved_before(plan, std::filesystem::path(*arguments.common.out) / "journal"), threads);
   throw_if_interrupted();
-  put_out(sweep::forecast_text(
-      plan, found, static_cast<std::size_t>(threads > 0 ? threads : process::processors()),
-      arguments.ranks, terminal_format()));
+  put_out(sweep::forecast_text(plan, found, static_cast<std::size_t>(threads), arguments.ranks,
+                               terminal_format()));
   return kDone;
 }
 
@@ -267,8 +265,7 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
                std::chrono::steady_clock::time_point begin) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
-  const int workers =
-      (threads > 0 ? threads : process::processors()) * (ranks == nullptr ? 1 : ranks->size());
+  const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
   const auto tell = [&](const sweep::Queue::Standing& at) {
     note_kept(fmt::format("{} of {} points are in {}/{} (the same command goes on)", at.done,
                           at.total, *common.out, shard.journal_name()));
@@ -332,7 +329,7 @@ int sweep_command(const Call& call) {
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
   if (arguments.merge) return merge(arguments, call, begin);
-  const int threads = threads_given(arguments.given);
+  const int threads = methods::number_of_threads(threads_given(arguments.given));
   const auto shard = arguments.shard ? sweep::shard_from(*arguments.shard) : sweep::Shard{};
   const auto plan = plan_of(arguments, call.registry);
   if (arguments.dry_run) return dry_run(arguments, plan, threads);

@@ -11,8 +11,10 @@
 
 namespace fpkcheck::methods {
 
+int number_of_threads(int asked) { return asked > 0 ? asked : process::processors(); }
+
 void side_by_side(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : process::processors());
+  const auto wanted = static_cast<std::size_t>(number_of_threads(threads));
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failure_mutex;

@@ -5,6 +5,9 @@
 
 namespace fpkcheck::methods {
 
+/// As many threads as asked for; for 0 one per processor.
+int number_of_threads(int asked);
+
 /// Does work(0) .. work(count - 1) on several threads; rethrows the first exception when all that
 /// had begun has ended, and begins no more after it.
 /// @param threads 0 for one per processor

@@ -10,6 +10,7 @@
 
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
+#include "results/csv_field.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -17,14 +18,6 @@ namespace {
 constexpr std::string_view kHeader = "case,solution,variable,abscissa,density,lower,upper";
 constexpr std::size_t kFields = 7;
 constexpr std::size_t kLongestLine = 1000;
-
-// RFC 4180: only a case's name, which is a file's name, can need quotes.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + '"';
-}
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields(1);

@@ -5,19 +5,11 @@
 #include <iterator>
 #include <utility>
 
+#include "results/curve_of.hpp"
 #include "results/joint_density.hpp"
 
 namespace fpkcheck::results {
 namespace {
-
-Curve curve_of(compare::SolutionMarginal&& found) {
-  auto& [solution, variable, marginal] = found;
-  std::vector<double> centres;
-  for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.centre(b));
-  return {std::move(solution),       variable,
-          std::move(centres),        std::move(marginal.density),
-          std::move(marginal.lower), std::move(marginal.upper)};
-}
 
 const Curve* curve_among(const std::vector<Curve>& curves, std::string_view solution,
                          transform::Variable variable) {
@@ -67,6 +59,15 @@ const ErrorSource* Case::error_source(std::string_view solution, std::string_vie
 }
 
 Program this_program(const std::string& command) { return {"fpkcheck", FPKCHECK_VERSION, command}; }
+
+Curve curve_of(compare::SolutionMarginal&& found) {
+  auto& [solution, variable, marginal] = found;
+  std::vector<double> centres;
+  for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.centre(b));
+  return {std::move(solution),       variable,
+          std::move(centres),        std::move(marginal.density),
+          std::move(marginal.lower), std::move(marginal.upper)};
+}
 
 Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& axes,
                std::vector<transform::Solution> solutions) {

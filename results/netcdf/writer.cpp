@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -31,6 +32,13 @@ void deflate(int file, int variable, const std::string& name) {
   constexpr int kLevel = 4;
   check_written(nc_def_var_deflate(file, variable, NC_SHUFFLE, 1, kLevel),
                 fmt::format("compression of {}", name));
+}
+
+template <class Number>
+void fill_with_nan(int file, int variable, const std::string& name) {
+  const auto fill = std::numeric_limits<Number>::quiet_NaN();
+  check_written(nc_def_var_fill(file, variable, NC_FILL, &fill),
+                fmt::format("fill value of {}", name));
 }
 
 }  // namespace
@@ -90,9 +98,7 @@ int NetCdfWriter::compressed(const std::string& name, const std::vector<int>& di
   check_written(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
                 fmt::format("chunks of {}", name));
   deflate(id_, variable, name);
-  const float fill = std::nanf("");
-  check_written(nc_def_var_fill(id_, variable, NC_FILL, &fill),
-                fmt::format("fill value of {}", name));
+  fill_with_nan<float>(id_, variable, name);
   attribute("long_name", long_name, variable);
   attribute("units", "1", variable);
   check_written(nc_put_var_float(id_, variable, values.data()), fmt::format("values of {}", name));
@@ -103,9 +109,7 @@ int NetCdfWriter::packed(const std::string& name, const std::vector<int>& dimens
                          const std::string& long_name, std::span<const double> values) {
   const int variable = define(id_, name, NC_DOUBLE, dimensions);
   deflate(id_, variable, name);
-  const double fill = std::nan("");
-  check_written(nc_def_var_fill(id_, variable, NC_FILL, &fill),
-                fmt::format("fill value of {}", name));
+  fill_with_nan<double>(id_, variable, name);
   attribute("long_name", long_name, variable);
   attribute("units", "1", variable);
   check_written(nc_put_var_double(id_, variable, values.data()), fmt::format("values of {}", name));

@@ -10,7 +10,6 @@
 #include <set>
 
 #include "methods/side_by_side.hpp"
-#include "process/processors.hpp"
 #include "process/stop.hpp"
 #include "sweep/execution/solve_point.hpp"
 
@@ -78,13 +77,12 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
   const std::size_t wanted = sample_size(plan.points.size());
   const auto chosen = spread(unknown, wanted - std::min(wanted, known.size()));
   std::mutex mutex;
-  methods::side_by_side(chosen.size(), threads > 0 ? threads : process::processors(),
-                        [&](std::size_t k) {
-                          if (process::stop_requested()) return;
-                          const double seconds = solve_point(plan, chosen[k]).result.seconds;
-                          const std::lock_guard lock(mutex);
-                          found.sample.push_back({chosen[k], seconds});
-                        });
+  methods::side_by_side(chosen.size(), threads, [&](std::size_t k) {
+    if (process::stop_requested()) return;
+    const double seconds = solve_point(plan, chosen[k]).result.seconds;
+    const std::lock_guard lock(mutex);
+    found.sample.push_back({chosen[k], seconds});
+  });
   found.seconds = CostModel(plan, found.sample).all();
   found.uncertainty = relative_standard_error(plan, found.sample);
   rusage usage{};

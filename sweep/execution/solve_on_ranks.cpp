@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "process/processors.hpp"
+#include "methods/side_by_side.hpp"
 #include "process/stop.hpp"
 #include "sweep/result/point_json.hpp"
 
@@ -56,8 +56,6 @@ std::size_t point_in_text(const std::string& text) {
   std::from_chars(text.data() + 1, text.data() + text.size(), point);
   return point;
 }
-
-int threads_of(int threads) { return threads > 0 ? threads : process::processors(); }
 
 /// The threads of a rank that solve, beside the one that talks to other ranks.
 class Solvers {
@@ -100,7 +98,7 @@ class Leader {
       : progress_(progress),
         ranks_(ranks),
         solvers_(
-            plan, threads_of(threads), [this] { return next(); },
+            plan, methods::number_of_threads(threads), [this] { return next(); },
             [this](SolvedPoint&& solved) { progress_.keep(std::move(solved)); }) {}
   ~Leader() { failed_ = true; }
   Leader(const Leader&) = delete;
@@ -166,7 +164,7 @@ class Follower {
       : plan_(plan),
         directory_(directory),
         ranks_(ranks),
-        threads_(threads_of(threads)),
+        threads_(methods::number_of_threads(threads)),
         solvers_(
             plan, threads_, [this] { return next(); },
             [this](SolvedPoint&& solved) { put(std::move(solved)); }) {}

@@ -8,7 +8,6 @@
 #include "files/pending_files.hpp"
 #include "methods/side_by_side.hpp"
 #include "process/files_in_hand.hpp"
-#include "process/processors.hpp"
 #include "process/stop.hpp"
 #include "results/marginals_csv.hpp"
 
@@ -56,7 +55,7 @@ void Progress::keep(SolvedPoint&& solved) {
 }
 
 void solve_left(const Plan& plan, Progress& progress, int threads) {
-  const int wanted = threads > 0 ? threads : process::processors();
+  const int wanted = methods::number_of_threads(threads);
   methods::side_by_side(static_cast<std::size_t>(wanted), wanted, [&](std::size_t) {
     for (auto point = progress.next(); point; point = progress.next()) {
       progress.keep(solve_point(plan, *point));

@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "methods/problem_residuals.hpp"
 #include "methods/run_cases.hpp"
 #include "parameters/input_error.hpp"
+#include "results/curve_of.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -67,12 +69,6 @@ MethodResult kept_of(const Solution& solution) {
   return result;
 }
 
-std::vector<results::Curve> curves_of(const problem::Problem& problem,
-                                      const compare::ComparisonAxes& axes,
-                                      const std::vector<Solution>& solutions) {
-  return results::make_case(problem, axes, solutions).curves;
-}
-
 SolvedPoint solved(const Plan& plan, std::size_t point) {
   SolvedPoint solved_point{{.point = point}, {}};
   PointResult& result = solved_point.result;
@@ -92,12 +88,17 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     solutions.push_back(solved(method, *problem, {axes, {}, &residuals}));
     result.methods.push_back(kept_of(solutions.back()));
   }
-  if (plan.marginals) solved_point.curves = curves_of(*problem, axes, solutions);
 
   const Solution* reference = compare::reference(solutions);
+  if (reference == nullptr && !plan.marginals) return solved_point;
+  auto comparison = compare::compare_solutions(axes, solutions);
+  if (plan.marginals) {
+    for (auto& found : comparison.marginals) {
+      solved_point.curves.push_back(results::curve_of(std::move(found)));
+    }
+  }
   if (reference == nullptr) return solved_point;
   result.reference = reference->id();
-  const auto comparison = compare::compare_solutions(axes, solutions);
   for (std::size_t m = 0; m < solutions.size(); ++m) {
     const auto l1 = [&](Variable variable) {
       return compare::l1_between(comparison.pairs, solutions[m].id(), reference->id(), variable);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "parameters/input_error.hpp"
+#include "results/csv_field.hpp"
 #include "sweep/result/groups.hpp"
 #include "sweep/result/sweep_results.hpp"
 
@@ -17,20 +18,10 @@ std::string number_cell(double number) {
   return std::isfinite(number) ? fmt::format("{:.10g}", number) : std::string();
 }
 
-// RFC 4180.
-std::string text_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 std::string value_cell(const parameters::Value& value) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? fmt::format("{}", *number) : text_cell(std::get<std::string>(value));
+  return number != nullptr ? fmt::format("{}", *number)
+                           : results::csv_field(std::get<std::string>(value));
 }
 
 void put_pair(const std::optional<MarginalPair>& pair, std::vector<std::string>& cells) {
@@ -85,7 +76,7 @@ std::string csv(const SweepResults& results) {
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
       const MethodResult& method = point.methods[m];
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
-                                     text_cell(method.reason)};
+                                     results::csv_field(method.reason)};
       for (const auto& moment : transform::kMoments) {
         cells.push_back(method.moments ? number_cell((*method.moments).*moment.moment) : "");
       }
