@@ -14,6 +14,7 @@
 #include "compare/reference.hpp"
 #include "report/bounds.hpp"
 #include "report/references.hpp"
+#include "report/verdict/standing.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -167,9 +168,17 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
   const bool any = std::ranges::any_of(
       one.solutions, [](const Solution& s) { return s.identity.role == Role::closure; });
   if (reference == nullptr || !any) return;
-  const auto ranks = compare::closures_by_distance(one.solutions, one.pairs);
+  auto ranks = compare::closures_by_distance(one.solutions, one.pairs);
   if (ranks.empty()) {
     sentences.emplace_back("No closure is ok.");
+    return;
+  }
+  const auto nearest = ranks.front();
+  std::erase_if(ranks, [](const auto& rank) { return std::max(rank.y, rank.ydot) > kCloseL1; });
+  if (ranks.empty()) {
+    sentences.push_back(fmt::format(
+        "No closure that is ok is within L1 {} of {}: {}, the nearest, is off by {}.", kCloseL1,
+        reference->id(), nearest.solution->id(), text(Pair{nearest.y, nearest.ydot})));
     return;
   }
   // By family and formulation: the closest, and those that nobody can tell from it.

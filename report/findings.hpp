@@ -16,8 +16,8 @@ namespace fpkcheck::report {
 ///     where there is an error budget, which has them;
 ///   - each approximate equation or impact, against the solution by the same method that differs in
 ///     that alone;
-///   - the closure of each family and formulation that is closest to the reference; several that
-///     its own error does not tell apart are called indistinguishable;
+///   - the closure of each family and formulation that is closest to the reference, of those within
+///     kCloseL1; several that its own error does not tell apart are called indistinguishable;
 ///   - the other solutions of the problem itself against the reference, beside what chance does;
 ///   - solutions from files against all these, beside what their standard errors explain;
 ///   - what solvers note for people: the observations `notes[k]`, or `X.notes[k]` of the file that

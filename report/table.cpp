@@ -15,6 +15,7 @@
 #include "report/text/columns.hpp"
 #include "report/text/l1_text.hpp"
 #include "report/text/wrapped.hpp"
+#include "report/verdict/matrix_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -94,10 +95,14 @@ std::string case_title(const problem::Problem& problem) {
 
 std::string table(const results::Run& run, const TextFormat& format) {
   const std::size_t width = format.width;
-  std::string text;
+  std::string text = answer_text(run, format);
+  if (!text.empty()) text += '\n';
   std::vector<Column> all, budgets;
+  std::string missing;
   for (const auto& one : run.cases) {
-    const auto shown = fitting(columns(one), format);
+    const auto all_columns = columns(one);
+    const auto shown = fitting(all_columns, format);
+    if (missing.empty()) missing = left_out(all_columns, shown);
     text += wrapped(case_title(one.problem), width, 2) + rows(shown, format) + reasons(one, width) +
             budget_table(one, format);
     for (const auto& sentence : findings(one)) text += wrapped("  " + sentence, width, 2);
@@ -106,9 +111,16 @@ std::string table(const results::Run& run, const TextFormat& format) {
     std::ranges::move(budget_columns(one, format), std::back_inserter(budgets));
   }
   if (!run.stopped.empty()) text += wrapped(run.stopped, width) + '\n';
+  if (!missing.empty()) {
+    text += wrapped(fmt::format("Left out at {} columns: {} (a wider terminal, report.html and "
+                                "summary.json have them).",
+                                width, missing),
+                    width);
+  }
   for (const auto& legend : {results_legend(all, run), budget_legend(budgets)}) {
     if (!legend.empty()) text += wrapped(legend, width);
   }
+  if (const auto last = verdict_text(run, format); !last.empty()) text += '\n' + last;
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/color.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -89,6 +90,19 @@ std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& forma
     std::erase_if(columns, [&](const Column& column) { return column.importance == least; });
   }
   return columns;
+}
+
+std::string left_out(const std::vector<Column>& all, const std::vector<Column>& shown) {
+  std::vector<std::string> names;
+  for (const auto& column : all) {
+    const auto same = [&](const Column& other) {
+      return other.group == column.group && other.header == column.header;
+    };
+    const std::string& name = column.group.empty() ? column.header : column.group;
+    if (std::ranges::any_of(shown, same) || std::ranges::find(names, name) != names.end()) continue;
+    names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string rows(std::vector<Column> columns, const TextFormat& format) {

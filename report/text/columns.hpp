@@ -33,6 +33,9 @@ Column status_column();
 /// The columns that are shown: where all do not fit into the width, the least important ones go.
 std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& format);
 
+/// What was left out of `all`, for a sentence: "L1 to fd-kf, energy"; empty where nothing was.
+std::string left_out(const std::vector<Column>& all, const std::vector<Column>& shown);
+
 /// The columns side by side under their headers, one line per row. Where they do not fit into the
 /// width, the least important ones go.
 std::string rows(std::vector<Column> columns, const TextFormat& format);

@@ -145,7 +145,7 @@ TEST(Findings, RankNothingWithinTheErrorOfTheReference) {
 
 TEST(Findings, NameTheClosestClosureOfEachFamilyAndFormulation) {
   auto one = made_up_case();
-  set_l1(one, "epc-gaussian-n2", "mcs", 0.5, 0.5);
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.015, 0.015);
   EXPECT_FALSE(contains(sentence_with(one, "Closest to"), "epc-gaussian-n2"));
   auto& identity = solution_of(one, "epc-gaussian-n2").identity;
   identity.formulation = "moment";
@@ -154,6 +154,17 @@ TEST(Findings, NameTheClosestClosureOfEachFamilyAndFormulation) {
   identity.formulation = "gaussian";
   identity.family = "toy";
   EXPECT_TRUE(contains(sentence_with(one, "Closest to"), "; epc-gaussian-n2 with"));
+}
+
+TEST(Findings, CallNoClosureCloseAboveTheStatedDistance) {
+  auto one = made_up_case();
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.5, 0.5);
+  set_l1(one, "epc-gaussian-n6", "mcs", 0.01, 0.2);
+  EXPECT_EQ(sentence_with(one, "Closest to"), "");
+  EXPECT_EQ(
+      sentence_with(one, "No closure"),
+      "No closure that is ok is within L1 0.02 of mcs: epc-gaussian-n6, the nearest, is off by "
+      "0.01 in p(y) and 0.2 in p(y').");
 }
 
 TEST(Findings, SayWhatIsKnownOfADiscretisationError) {

@@ -1,0 +1,142 @@
+#include "report/verdict/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "../changed_case.hpp"
+#include "report/verdict/matrix_text.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::made_up_case;
+using tests::set_l1;
+using tests::solution_of;
+using tests::words;
+
+results::Run run_of(std::vector<results::Case> cases) {
+  return {results::this_program("fpkcheck run"), std::move(cases)};
+}
+
+std::string outcome_in(const Verdict& said, const std::string& subject) {
+  for (const auto& line : said.lines) {
+    if (line.subject == subject) return line.outcome;
+  }
+  return "";
+}
+
+/// n = 2 and white noise are off, n = 4 no density, n = 6 close, n = 8 not found.
+results::Case usual(const std::string& name) {
+  auto one = made_up_case(name);
+  set_l1(one, "epc-gaussian-n2", "mcs", 0.03, 0.004);
+  set_l1(one, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);
+  set_l1(one, "fd-white", "mcs", 0.011, 0.031);
+  set_l1(one, "fd-km4", "mcs", 0.002, 0.003);
+  set_l1(one, "fd-kf", "mcs", 0.0012, 0.0016);
+  return one;
+}
+
+TEST(Verdict, SaysWhatIsKnownAndWhoReproducesIt) {
+  const auto said = verdict(run_of({usual("a")}));
+  const std::vector<std::string> expected{
+      "The reference is mcs, known to L1 0.001 in p(y) and 0.002 in p(y'); fd-kf, which shares "
+      "nothing with it but the problem, is 0.0012 in p(y) and 0.0016 in p(y') from it.",
+      "Within L1 0.02 of it: epc-gaussian (the paper's closure) at n = 6, not at 2, 4, 8."};
+  EXPECT_EQ(said.answer, expected);
+}
+
+TEST(Verdict, HasALineForEachOrderOfThePapersClosure) {
+  const auto said = verdict(run_of({usual("a")}));
+  EXPECT_EQ(outcome_in(said, "epc-gaussian-n2"),
+            "not reproduced: off by up to 0.03 in p(y) and 0.004 in p(y')");
+  EXPECT_EQ(outcome_in(said, "epc-gaussian-n4"),
+            "not reproduced: inadmissible: no probability density");
+  EXPECT_EQ(outcome_in(said, "epc-gaussian-n6"),
+            "reproduced: off by at most 0.0024 in p(y) and 0.0047 in p(y')");
+  EXPECT_EQ(outcome_in(said, "epc-gaussian-n8"),
+            "not reproduced: not_converged: no solution found");
+  EXPECT_EQ(outcome_in(said, "fd-white"),
+            "not reproduced: off by up to 0.011 in p(y) and 0.031 in p(y')");
+  EXPECT_EQ(outcome_in(said, "fd-kf"), "");  // it solves the problem: no approximation of it
+}
+
+TEST(Verdict, OfSeveralCasesTakesTheWorstAndSaysHowMany) {
+  auto second = usual("b");
+  set_l1(second, "epc-gaussian-n6", "mcs", 0.05, 0.001);
+  set_l1(second, "fd-kf", "mcs", 0.004, 0.0001);
+  const auto said = verdict(run_of({usual("a"), second, usual("c")}));
+  EXPECT_TRUE(said.answer[0].starts_with("The reference in all 3 cases is mcs, "))
+      << said.answer[0];
+  EXPECT_TRUE(contains(said.answer[0], "0.004 in p(y) and 0.0016 in p(y')")) << said.answer[0];
+  EXPECT_EQ(
+      said.answer[1],
+      "Within L1 0.02 of it in all 3 cases: none of epc-gaussian (the paper's closure) at n = "
+      "2, 4, 6, 8.");
+  EXPECT_EQ(
+      outcome_in(said, "epc-gaussian-n6"),
+      "reproduced in part: off by at most 0.0024 in p(y) and 0.0047 in p(y') in 2 of 3 cases; "
+      "off by up to 0.05 in p(y) and 0.001 in p(y') in 1 of 3 cases");
+  EXPECT_EQ(outcome_in(said, "epc-gaussian-n4"),
+            "not reproduced: inadmissible in all 3 cases: no probability density");
+}
+
+TEST(Verdict, NamesTheReferenceCaseByCaseWhereItDiffers) {
+  auto second = usual("b");
+  solution_of(second, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
+  const auto said = verdict(run_of({usual("a"), second, usual("c")}));
+  EXPECT_TRUE(contains(said.answer[0], "is mcs (fd-kf in b), known")) << said.answer[0];
+}
+
+TEST(Verdict, TrustsTheReferenceAndTheQuickestThatIsAsGood) {
+  auto one = usual("a");
+  for (auto& solution : one.solutions) solution.seconds = 5;
+  solution_of(one, "epc-gaussian-n6").seconds = 0.5;
+  solution_of(one, "epc-gaussian-n2").seconds = 0.1;  // off
+  auto said = verdict(run_of({one}));
+  ASSERT_EQ(said.trust.size(), 2u);
+  EXPECT_TRUE(contains(said.trust[0], "mcs: it solves")) << said.trust[0];
+  EXPECT_TRUE(contains(said.trust[0], "fd-kf confirms it")) << said.trust[0];
+  EXPECT_EQ(said.trust[1], "The quickest that is ok: within L1 0.01, epc-gaussian-n6 (0.5 s).");
+  // What the reference does not know of itself counts: 0.0047 + 0.0015.
+  solution_of(one, "mcs").sampling = {.y = 0.006, .ydot = 0.006};
+  said = verdict(run_of({one}));
+  EXPECT_EQ(said.trust[1], "The quickest that is ok: within L1 0.01, fd-km4 (5 s).");
+}
+
+TEST(Verdict, SaysThatNothingCanBeJudgedWithoutAReference) {
+  const auto said = verdict(run_of({tests::with_first(4)}));
+  ASSERT_EQ(said.answer.size(), 1u);
+  EXPECT_TRUE(said.answer[0].starts_with("Nothing here solves the problem itself"));
+  EXPECT_TRUE(said.lines.empty());
+  EXPECT_TRUE(contains(said.trust.front(), "add fd-kf and mcs"));
+}
+
+TEST(VerdictText, PutsFourCasesBesideEachOtherAt80Columns) {
+  const auto run = run_of({usual("case1"), usual("case2"), usual("case3"), usual("case4")});
+  const std::string text = verdict_text(run, 80);
+  EXPECT_TRUE(contains(text, "case1") && contains(text, "case4"));
+  EXPECT_EQ(text.find("solution"), text.rfind("solution  ")) << text;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 80u) << line;
+  EXPECT_TRUE(contains(words(text), "epc-gaussian-n2 0.03 0.004 0.03 0.004")) << text;
+  EXPECT_TRUE(contains(words(text), "~ inaccurate") == false && contains(text, "! inadmissible"));
+}
+
+TEST(VerdictText, MarksTheReferenceAndWhatCannotBeToldFromIt) {
+  auto one = usual("a");
+  set_l1(one, "fd-kf", "mcs", 0.0001, 0.0002);
+  const std::string text = words(verdict_text(run_of({one, usual("b")}), 100));
+  EXPECT_TRUE(contains(text, "fd-kf 1.0e-4 2.0e-4= 0.0012 0.0016")) << text;
+  EXPECT_TRUE(contains(text, "mcs ref ref ref ref")) << text;
+  EXPECT_TRUE(contains(text, "= indistinguishable")) << text;
+}
+
+TEST(VerdictText, OfOneCaseLeavesTheMatrixToItsTable) {
+  EXPECT_FALSE(contains(verdict_text(run_of({usual("a")}), 100), "ref"));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report
