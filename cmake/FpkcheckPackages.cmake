@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME fpkcheck-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # What fpkcheckConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "fpkcheck (= ${PROJECT_VERSION}), libboost-dev, libboost-program-options-dev, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libsundials-dev, libsuitesparse-dev, libnetcdf-dev")
+    "fpkcheck (= ${PROJECT_VERSION}), libboost-dev, libboost-program-options-dev, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libsundials-dev, libsuitesparse-dev, libnetcdf-dev, zlib1g-dev")
 if(FPKCHECK_PYTHON_PACKAGE)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-fpkcheck)

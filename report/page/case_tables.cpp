@@ -43,6 +43,7 @@ class SolutionsTable {
   }
   void add_status() {
     add_text("status", [](const Solution& s) { return std::string(name(s.status)); });
+    columns_.back().is_status = true;
   }
 
   void add_number(const std::string& header,

@@ -21,7 +21,8 @@ constexpr double kSmallestShown = 1e-7;
 // Ends of intervals at or below zero have no logarithm; this is far below the axis.
 constexpr double kFarBelow = 1e-12;
 
-/// The rows of a plot, from the top: axes "", "2", "3" of plotly.js.
+/// The rows of a plot: axes "", "2", "3" of plotly.js. What differs stands at the top, curves that
+/// cannot be told from each other at the bottom.
 enum Row { kLinear, kLogarithmic, kDifference };
 
 std::string axis(char letter, Row row) {
@@ -152,8 +153,8 @@ class DensityPlot {
     const double rows = with_difference ? 3 : 2;
     const auto domain = [&](Row row) {
       const double height = (1 - (rows - 1) * gap) / rows,
-                   top = 1 - static_cast<int>(row) * (height + gap);
-      return Json{std::max(0.0, top - height), top};
+                   bottom = static_cast<int>(row) * (height + gap);
+      return Json{bottom, std::min(1.0, bottom + height)};
     };
     const auto x_axis = [&](Row row, double from, double to) {
       return Json{{"anchor", axis('y', row)}, {"range", {from, to}}, {"title", {{"text", ""}}}};
@@ -197,8 +198,7 @@ class DensityPlot {
         json["yaxis3"]["title"]["text"] = fmt::format("|{} \u2212 {}|", p, plotly_text(reference_));
       }
     }
-    json[with_difference ? "xaxis3" : "xaxis2"]["title"] = {
-        {"text", variable_text(side_.variable)}};
+    json["xaxis"]["title"] = {{"text", variable_text(side_.variable)}};
     return json;
   }
 
@@ -218,11 +218,15 @@ std::vector<Plot> density_plots(const results::Case& one, const std::string& pre
   for (const auto& side : content.sides) {
     std::string caption(parameters::meaning_of(side.variable));
     caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
-    caption += fmt::format(" {}: density, its logarithm", variable_text(side.variable));
-    if (!content.reference.empty()) caption += ", difference from " + content.reference;
-    if (content.smooth_differences) {
-      caption += " over smooth bins, and half the width of its own 95 % intervals";
+    caption += fmt::format(" {}: ", variable_text(side.variable));
+    if (!content.reference.empty()) {
+      caption += "difference from " + content.reference;
+      if (content.smooth_differences) {
+        caption += " over smooth bins, and half the width of its own 95 % intervals";
+      }
+      caption += "; ";
     }
+    caption += "logarithm of the density; density";
     plots.push_back({fmt::format("{}-density-{}", prefix, name(side.variable)), caption,
                      DensityPlot(one, side, content).figure()});
   }

@@ -19,6 +19,9 @@ using Json = nlohmann::ordered_json;
 using results::Case;
 using transform::Moments;
 
+// Colours, and what a reader is told of a cell, are no finer.
+constexpr int kErrorLevels = 127;
+
 struct ShownMoment {
   const char* name;
   const char* text;
@@ -46,8 +49,9 @@ ErrorMaps::OfSolution maps_of(const Case& one, const std::string& id, const Cell
   for (const auto& [name, text, member] : kMapped) {
     const auto* source = one.error_source(id, name);
     if (source == nullptr) continue;
-    maps.moments.push_back({text, own->error.*member,
-                            signed_roots(rows_of_constant_velocity(source->density, window))});
+    maps.moments.push_back(
+        {text, own->error.*member,
+         signed_roots(rows_of_constant_velocity(source->density, window), kErrorLevels)});
   }
   return maps;
 }
@@ -116,7 +120,8 @@ std::string error_maps_json(const ErrorMaps& maps, const std::string& prefix) {
       moments.push_back({{"moment", moment},
                          {"error", number_text(error, 2)},
                          {"largest", values.largest},
-                         {"roots", integer_array(values.roots)}});
+                         {"levels", values.levels},
+                         {"steps", steps_of(values.roots)}});
     }
     json["solutions"].push_back({{"solution", one.solution}, {"moments", moments}});
   }

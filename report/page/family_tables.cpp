@@ -63,6 +63,18 @@ std::string readable(const std::string& path) {
   return text;
 }
 
+// Where Q_n rises but a fixed term holds the exponent down, the radius alone would read like the reason
+// for a rejection.
+std::string told(const Solution& solution, const std::string& path) {
+  const Observation* found = find(solution.observations, path);
+  std::string text = value_text(found ? found->value : parameters::Value(), kDigits);
+  const bool is_confined = transform::word(solution.observations, "tail.kind") == "confined";
+  if (path == "support.rises_from" && is_confined && text != kNoValue) {
+    text = fmt::format("confined (Q_n from {})", text);
+  }
+  return text;
+}
+
 std::string family_table(const Family& family) {
   const auto paths = told_paths(family);
   std::vector<HtmlColumn> table{{"quantity", Align::left}};
@@ -70,8 +82,7 @@ std::string family_table(const Family& family) {
   for (const Solution* solution : family.solutions) {
     table.push_back({transform::short_name(solution->identity)});
     for (const auto& path : paths) {
-      const Observation* found = find(solution->observations, path);
-      table.back().cells.push_back(value_text(found ? found->value : parameters::Value(), kDigits));
+      table.back().cells.push_back(told(*solution, path));
     }
   }
   return table_html(fmt::format("What {} says of itself", family.name), std::move(table));

@@ -11,6 +11,11 @@ std::string_view css_class(const HtmlColumn& column) {
   return column.align == Align::right ? " class=\"number\"" : "";
 }
 
+// A status in a frame of its colour.
+std::string chip(const std::string& status) {
+  return fmt::format("<span class=\"chip {0}\">{0}</span>", status);
+}
+
 bool says_nothing(const HtmlColumn& column) {
   return std::ranges::all_of(column.cells, [](const auto& cell) { return cell == kNoValue; });
 }
@@ -48,18 +53,10 @@ std::string element(std::string_view tag, std::string_view text) {
   return fmt::format("<{0}>{1}</{0}>\n", tag, escaped(text));
 }
 
-std::string inside_script(std::string_view json) {
-  // In JSON a `<` stands only inside strings, where \u003c is the same character.
-  std::string text;
-  text.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
+std::string folded(std::string_view id, std::string_view summary, const std::string& html) {
+  if (html.empty()) return "";
+  return fmt::format("<details id=\"{}\">\n<summary>{}</summary>\n{}</details>\n", escaped(id),
+                     escaped(summary), html);
 }
 
 std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns) {
@@ -77,8 +74,9 @@ std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns
   for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
     html += fmt::format("<tr><th scope=\"row\">{}</th>", escaped(columns.front().cells[row]));
     for (std::size_t c = 1; c < columns.size(); ++c) {
-      html +=
-          fmt::format("<td{}>{}</td>", css_class(columns[c]), escaped(columns[c].cells.at(row)));
+      const std::string cell = escaped(columns[c].cells.at(row));
+      html += fmt::format("<td{}>{}</td>", css_class(columns[c]),
+                          columns[c].is_status ? chip(cell) : cell);
     }
     html += "</tr>\n";
   }

@@ -12,8 +12,9 @@ std::string escaped(std::string_view text);
 /// <tag>text</tag>, the text escaped.
 std::string element(std::string_view tag, std::string_view text);
 
-/// JSON as it may stand inside a <script> element: no `<` that could end it.
-std::string inside_script(std::string_view json);
+/// <details>, closed, with what it is to show; empty where there is nothing.
+/// @param id of the element, for links
+std::string folded(std::string_view id, std::string_view summary, const std::string& html);
 
 /// What a cell shows where there is no value.
 inline constexpr std::string_view kNoValue = "\u2013";
@@ -25,6 +26,8 @@ struct HtmlColumn {
   std::string header;
   Align align = Align::right;
   std::vector<std::string> cells = {};
+  /// Cells are statuses: in colour, by what they mean.
+  bool is_status = false;
 };
 
 /// A table in a box of its own, which scrolls where the screen is narrow. The first column names

@@ -21,6 +21,10 @@ using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
 
+// Of a difference a map shows what is above 1e-8 of its largest: in the tails, where it draws ratios,
+// less than a density has there.
+constexpr int kLevels = 4096;
+
 double l1_distance(const GridDensity& a, const GridDensity& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.ny(); ++i) {
@@ -37,7 +41,8 @@ JointDifference difference(const JointDensity& joint, const JointDensity& refere
   auto values = rows_of_constant_velocity(joint.density, window);
   const auto subtracted = rows_of_constant_velocity(reference.density, window);
   std::ranges::transform(values, subtracted, values.begin(), std::minus{});
-  return {joint.solution, l1_distance(joint.density, reference.density), signed_roots(values)};
+  return {joint.solution, l1_distance(joint.density, reference.density),
+          signed_roots(values, kLevels)};
 }
 
 const JointDensity* find(const results::Case& one, const std::string& solution) {
@@ -150,7 +155,8 @@ std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
   for (const auto& one : maps.differences) {
     json["differences"].push_back({{"solution", one.solution},
                                    {"largest", one.values.largest},
-                                   {"roots", integer_array(one.values.roots)}});
+                                   {"levels", one.values.levels},
+                                   {"steps", steps_of(one.values.roots)}});
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "report/page/html.hpp"
-#include "report/text/l1_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -51,9 +50,7 @@ std::string value_text(const parameters::Value& value, int digits) {
   return without_padded_exponent(fmt::format("{:.{}g}", *number, digits));
 }
 
-std::string l1_cell(const std::optional<double>& l1) {
-  return is_there(l1) ? without_padded_exponent(l1_text(*l1)) : std::string(kNoValue);
-}
+std::string l1_cell(const std::optional<double>& l1) { return number_text(l1, 2); }
 
 std::string seconds_text(const std::optional<double>& seconds) {
   if (!is_there(seconds)) return std::string(kNoValue);

@@ -16,7 +16,7 @@ std::string number_text(const std::optional<double>& value, int digits);
 /// it has, at most so many, yes or no, a word as it is.
 std::string value_text(const parameters::Value& value, int digits = 6);
 
-/// An L1 distance, as the terminal shows it: 0.00437, 6e-6.
+/// An L1 distance: 0.0044, 6.0e-6.
 std::string l1_cell(const std::optional<double>& l1);
 
 /// Of seconds: 0.0042, 0.21, 16.9, 130.

@@ -14,10 +14,12 @@
 #include "report/page/convergence_plots.hpp"
 #include "report/page/density_plots.hpp"
 #include "report/page/error_maps.hpp"
+#include "report/page/gzip.hpp"
 #include "report/page/html.hpp"
 #include "report/page/joint_maps.hpp"
 #include "report/page/parts.hpp"
 #include "report/page/problem_text.hpp"
+#include "report/page/verdict_view.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -41,38 +43,50 @@ bool has_a_simulation(const results::Case& one) {
   });
 }
 
-/// The section of one case, and what page.js draws in it.
+/// A part of a case's section that the menu leads to.
+struct Part {
+  std::string anchor, name;
+};
+
+/// The section of one case, and what page.js draws in it. First what differs; what most readers can do
+/// without is folded.
 class CaseSection {
  public:
-  CaseSection(const results::Case& one, const std::string& id) {
+  CaseSection(const results::Run& run, const results::Case& one, const std::string& id) : id_(id) {
     const std::string reference = compare::reference_text(one.solutions);
-    html_ = fmt::format("<section id=\"{}\" class=\"case\">\n", id) + element("h2", one.name()) +
-            element("p", problem::parameters_text(one.problem, true) + '.') +
-            element("h3", "Results") + element("p", reference) + results_table(one) +
-            moment_errors_table(one) + own_errors_table(one) + reasons_html(one);
+    const std::string parameters =
+        run.cases.size() > 1 ? what_varies(run, one) : problem::parameters_text(one.problem, true);
+    html_ = fmt::format("<section id=\"{}\" class=\"case\">\n<h2>{} <small>{}</small></h2>\n", id,
+                        escaped(one.name()), escaped(parameters));
+    const std::string hint = has_a_simulation(one) ? kSimulationHint : "";
+    add_plots("densities", "What differs", hint + kLegendHint, density_plots(one, id));
+    begin("results", "Results");
+    html_ += element("p", reference) + results_table(one) + reasons_html(one);
     auto said = findings(one);
     std::erase(said, reference);  // stands above the table
     if (!one.limits.empty()) said.push_back(one.limits);
     html_ += list_html(said);
-
-    const std::string hint = has_a_simulation(one) ? kSimulationHint : "";
-    add_plots("Densities", hint + kLegendHint, density_plots(one, id));
+    add_plots("budget", "Error budget", budget_introduction(one), budget_plots(one, id));
+    html_ += folded(id + "-budget-table", "The error budget in numbers", budget_tables(one));
+    add_plots("convergence", "Convergence", "", order_plots(one, id));
     if (const auto maps = joint_maps(one)) {
-      html_ += element("h3", "Joint densities") + joint_maps_html(*maps, id);
+      fold("joint", "Joint densities", joint_maps_html(*maps, id));
       maps_ = joint_maps_json(*maps, id);
     }
     if (const auto maps = error_maps(one)) {
-      html_ += element("h3", "Where the errors of moments come from") + error_maps_html(*maps, id);
+      fold("sources", "Where the errors of moments come from", error_maps_html(*maps, id));
       errors_ = error_maps_json(*maps, id);
     }
-    add_plots("Error budget", budget_introduction(one), budget_plots(one, id));
-    html_ += budget_tables(one);
-    add_plots("Convergence", "", order_plots(one, id));
-    add_plots("Distance against cost", "", cost_plots(one, id));
-    html_ += element("h3", "Diagnostics") + diagnostics_tables(one) + "</section>\n";
+    const auto cost = cost_plots(one, id);
+    if (!cost.empty()) fold("cost", "Distance against cost", plots_html(cost));
+    plots_.insert(plots_.end(), cost.begin(), cost.end());
+    fold("diagnostics", "Diagnostics",
+         moment_errors_table(one) + own_errors_table(one) + diagnostics_tables(one));
+    html_ += "</section>\n";
   }
 
   const std::string& html() const { return html_; }
+  const std::vector<Part>& parts() const { return parts_; }
 
   /// In JSON.
   std::string plots() const {
@@ -81,26 +95,55 @@ class CaseSection {
   }
 
  private:
-  void add_plots(const std::string& heading, const std::string& introduction,
-                 const std::vector<Plot>& plots) {
+  void begin(const std::string& anchor, const std::string& heading) {
+    parts_.push_back({id_ + '-' + anchor, heading});
+    html_ += fmt::format("<h3 id=\"{}\">{}</h3>\n", parts_.back().anchor, escaped(heading));
+  }
+  void fold(const std::string& anchor, const std::string& heading, const std::string& html) {
+    if (html.empty()) return;
+    parts_.push_back({id_ + '-' + anchor + "-part", heading});
+    html_ += folded(parts_.back().anchor, heading, html);
+  }
+  void add_plots(const std::string& anchor, const std::string& heading,
+                 const std::string& introduction, const std::vector<Plot>& plots) {
     if (plots.empty()) return;
-    html_ += element("h3", heading) + introduction + plots_html(plots);
+    begin(anchor, heading);
+    html_ += introduction + plots_html(plots);
     plots_.insert(plots_.end(), plots.begin(), plots.end());
   }
 
-  std::string html_;
+  std::string id_, html_;
+  std::vector<Part> parts_;
   std::vector<Plot> plots_;
   std::string maps_ = "null", errors_ = "null";
 };
 
 std::string case_id(std::size_t place) { return fmt::format("case-{}", place + 1); }
 
-std::string navigation(const results::Run& run) {
-  std::string html = "<nav aria-label=\"Sections\">\n<a href=\"#problem\">Problem</a>\n";
-  for (std::size_t k = 0; k < run.cases.size(); ++k) {
-    html += fmt::format("<a href=\"#{}\">{}</a>\n", case_id(k), escaped(run.cases[k].name()));
+std::string link(std::string_view anchor, std::string_view text) {
+  return fmt::format("<a href=\"#{}\">{}</a>", escaped(anchor), escaped(text));
+}
+
+// Few cases stand beside each other; all of them, with parameters and parts, in a menu.
+std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections) {
+  constexpr std::size_t kBesideEachOther = 6;
+  std::string html = "<nav aria-label=\"Sections\">\n" + link("verdict", "Verdict") + '\n' +
+                     link("problem", "Problem") + '\n';
+  std::string menu;
+  for (std::size_t k = 0; k < sections.size(); ++k) {
+    const std::string& name = run.cases[k].name();
+    if (sections.size() <= kBesideEachOther) html += link(case_id(k), name) + '\n';
+    menu += "<li>" + link(case_id(k), name) + ' ' + escaped(what_varies(run, run.cases[k])) +
+            "<span class=\"parts\">";
+    for (const auto& [anchor, part] : sections[k].parts()) menu += link(anchor, part) + ' ';
+    menu += "</span></li>\n";
   }
-  return html + "<a href=\"#repeat\">Timings, command</a>\n</nav>\n";
+  return html +
+         fmt::format(
+             "<details class=\"menu\"><summary>{}</summary>\n<ul>\n{}</ul>\n</details>\n",
+             sections.size() == 1 ? "Contents" : fmt::format("All {} cases", sections.size()),
+             menu) +
+         link("repeat", "Timings, command") + "\n</nav>\n";
 }
 
 std::string repetition(const results::Run& run) {
@@ -127,25 +170,29 @@ std::string filled(std::string_view frame, const std::map<std::string, std::stri
 }  // namespace
 
 std::string page(const results::Run& run) {
-  std::string sections, plots;
+  std::vector<CaseSection> sections;
+  std::vector<std::string> anchors;
+  std::string cases, plots;
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
-    const CaseSection section(run.cases[k], case_id(k));
-    sections += section.html();
-    plots += (k == 0 ? "" : ",") + section.plots();
+    anchors.push_back(case_id(k));
+    sections.emplace_back(run, run.cases[k], case_id(k));
+    cases += sections.back().html();
+    plots += (k == 0 ? "" : ",") + sections.back().plots();
   }
   const std::string title = "fpkcheck: stationary densities of a vibro-impact oscillator";
   const std::string body =
-      navigation(run) + "<main>\n" + element("h1", title) +
+      navigation(run, sections) + "<main>\n" + element("h1", title) +
       (run.stopped.empty() ? "" : "<p>" + element("strong", run.stopped) + "</p>\n") +
-      "<section id=\"problem\">\n" + element("h2", "The problem") + problem_html(run) +
-      overview_table(run) + "<details>\n<summary>What the names mean</summary>\n" +
-      glossary_html(run) + "</details>\n</section>\n" + sections + repetition(run) + "</main>\n";
-  const std::string data = inside_script('[' + plots + ']');
+      verdict_html(run, anchors) + "<section id=\"problem\">\n" + element("h2", "The problem") +
+      problem_html(run) + folded("names", "What the names mean", glossary_html(run)) +
+      "</section>\n" + cases + repetition(run) + "</main>\n";
+  // It does not change while the program runs.
+  static const std::string plotly = gzip_base64(plotly_script());
   return filled(page_frame(), {{"title", title},
                                {"style", page_style()},
                                {"body", body},
-                               {"plots", data},
-                               {"plotly", plotly_script()},
+                               {"plots", gzip_base64('[' + plots + ']')},
+                               {"plotly", plotly},
                                {"script", page_script()}});
 }
 

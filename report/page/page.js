@@ -1,23 +1,55 @@
 // Draws the plots of the page with plotly.js. All numbers and sentences were made beforehand: the element
 // #plots holds, for each case, "plots" (figures of plotly.js; "@name" stands for a shared array) and "maps"
-// (joint densities) and "errors" (where the errors of moments come from). When all is drawn, <html data-plots="drawn">.
+// (joint densities) and "errors" (where the errors of moments come from). What is folded is drawn when it is opened.
+// When all that is to be seen is drawn, <html data-plots="drawn">.
 'use strict';
 
-const cases = JSON.parse(document.getElementById('plots').textContent);
 const narrow = () => window.innerWidth < 600;
+const onPaper = () => document.body.classList.contains('on-paper');
 
-const font = {family: 'system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif', size: 12, color: '#222'};
-const axis = {gridcolor: '#e4e4e4', zerolinecolor: '#b0b0b0', linecolor: '#555', ticks: 'outside', ticklen: 4,
-              showline: true, automargin: true};
+// Those of page.css, which paper has always light.
+const light = {ink: '#222222', paper: '#ffffff', grid: '#e4e4e4', zero: '#b0b0b0', line: '#555555', nothing: '#d9d9d9',
+               band: 'rgba(0,0,0,0.18)'};
+const dark = {ink: '#dddddd', paper: '#15181c', grid: '#2f353d', zero: '#606770', line: '#9aa0a8', nothing: '#3a4048',
+              band: 'rgba(255,255,255,0.22)'};
+const wantsDark = window.matchMedia('(prefers-color-scheme: dark)');
+const theme = () => wantsDark.matches && !onPaper() ? dark : light;
+
+// A colour that was chosen for paper: on a dark page what is too dark there is lighter, by the same hue.
+function seen(colour) {
+  const parts = /^#(..)(..)(..)$/.exec(colour);
+  if (!parts || theme() === light) return colour;
+  const rgb = parts.slice(1).map(part => parseInt(part, 16));
+  const luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+  const least = 110;
+  if (luminance >= least) return colour;
+  const share = (least - luminance) / (255 - luminance);
+  return '#' + rgb.map(c => Math.round(c + share * (255 - c)).toString(16).padStart(2, '0')).join('');
+}
+
+// The same wherever a trace or a layout names a colour.
+function themed(value) {
+  if (typeof value === 'string') return value === light.band ? theme().band : seen(value);
+  if (Array.isArray(value)) return value.map(themed);
+  if (value === null || typeof value !== 'object' || 'bdata' in value) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, themed(one)]));
+}
+
+const font = () => ({family: 'system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif', size: 12, color: theme().ink});
+const axis = () => ({gridcolor: theme().grid, zerolinecolor: theme().zero, linecolor: theme().line, ticks: 'outside',
+                     ticklen: 4, showline: true, automargin: true});
 // Nothing may leave the page: neither a button nor an address to send a plot to.
 const config = () => ({displaylogo: false, displayModeBar: narrow() ? false : 'hover', plotlyServerURL: '',
                        modeBarButtons: [['toImage', 'zoom2d', 'pan2d', 'zoomIn2d', 'zoomOut2d', 'resetScale2d']]});
+
+// Paper has no switches: what is off there is not to be had.
+const isLeftOut = trace => onPaper() && trace.visible === 'legendonly';
 
 // The legend stands below the plot: how many lines it takes decides the height.
 function legendHeight(figure, width) {
   let lines = 1, used = 0;
   for (const trace of figure.data) {
-    if (trace.showlegend === false) continue;
+    if (trace.showlegend === false || isLeftOut(trace)) continue;
     const entry = 6.3 * trace.name.length + 52;
     if (used > 0 && used + entry > width) {
       lines += 1;
@@ -30,32 +62,33 @@ function legendHeight(figure, width) {
 
 function sizeOf(div, figure) {
   const width = div.clientWidth, legend = legendHeight(figure, width);
-  return {width, height: figure.height + legend, bottom: 50 + legend};
+  // On paper two plots stand beside each other, each half as wide as on a screen.
+  return {width, height: (onPaper() ? 0.6 : 1) * figure.height + legend, bottom: 50 + legend};
 }
 
 function layoutOf(figure, size) {
   const layout = {
-    font, paper_bgcolor: 'white', plot_bgcolor: 'white', hovermode: narrow() ? 'closest' : 'x unified',
+    font: font(), paper_bgcolor: theme().paper, plot_bgcolor: theme().paper, hovermode: narrow() ? 'closest' : 'x unified',
     // On a phone a finger scrolls the page.
     dragmode: narrow() ? false : 'zoom',
-    hoverlabel: {font: {size: 11}, namelength: -1},
+    hoverlabel: {font: {size: 11, color: theme().ink}, bgcolor: theme().paper, namelength: -1},
     showlegend: true,
     legend: {orientation: 'h', x: 0, xanchor: 'left', xref: 'container', y: 0, yref: 'container', yanchor: 'bottom',
              font: {size: 11}, tracegroupgap: 0},
     width: size.width, height: size.height, margin: {l: 64, r: 14, t: 32, b: size.bottom},
-    ...figure.layout,
+    ...themed(figure.layout),
   };
   for (const key of Object.keys(layout).filter(key => /^[xy]axis/.test(key))) {
     // plotly.js enlarges powers of ten by a quarter.
-    const tickfont = layout[key].type === 'log' ? {tickfont: {size: font.size / 1.25}} : {};
-    layout[key] = {...axis, ...tickfont, ...layout[key], title: {standoff: 6, ...layout[key].title}};
+    const tickfont = layout[key].type === 'log' ? {tickfont: {size: font().size / 1.25}} : {};
+    layout[key] = {...axis(), ...tickfont, ...layout[key], title: {standoff: 6, ...layout[key].title}};
   }
   return layout;
 }
 
 function withArrays(trace, arrays) {
   const resolved = value => typeof value === 'string' && value.startsWith('@') ? arrays[value.slice(1)] : value;
-  return {...trace, x: resolved(trace.x), y: resolved(trace.y)};
+  return {...themed(trace), x: resolved(trace.x), y: resolved(trace.y)};
 }
 
 // A solution switched off or on in one plot is so in all plots of its case.
@@ -74,27 +107,35 @@ function followLegend(changed, divs) {
   }
 }
 
-// Each drawable has fit(), which sizes its element, and draw(); both may be called again.
+// Each drawable has an element in which it is, fit(), which sizes that, and draw(); both may be called again.
 function drawables(one) {
   const divs = one.plots.map(plot => document.getElementById(plot.id));
   const plots = one.plots.map(({figure}, index) => {
     const div = divs[index];
     const fit = () => { div.style.height = `${sizeOf(div, figure).height}px`; };
     const draw = () => {
-      const data = div.data || figure.data.map(trace => withArrays(trace, figure.arrays));
       const first = !div.data;
+      // What the reader switched off or on stays so.
+      const data = figure.data.map((trace, k) => ({...withArrays(trace, figure.arrays),
+                                                   ...(first ? {} : {visible: div.data[k].visible})}))
+                              .map(trace => isLeftOut(trace) ? {...trace, showlegend: false} : trace);
       Plotly.react(div, data, layoutOf(figure, sizeOf(div, figure)), config());
       if (first) div.on('plotly_restyle', () => followLegend(div, divs));
     };
-    return {fit, draw};
+    return {element: div, fit, draw};
   });
   return [...plots, ...(one.maps ? mapDrawables(one.maps) : []), ...(one.errors ? errorDrawables(one.errors) : [])];
 }
 
-function numbers(array) {
-  const bytes = Uint8Array.from(atob(array.bdata), c => c.charCodeAt(0));
-  return array.dtype === 'f4' ? new Float32Array(bytes.buffer) : new Int16Array(bytes.buffer);
+const bytesOf = base64 => Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+const numbers = array => new Float32Array(bytesOf(array.bdata).buffer);
+
+// As report/page/signed_roots.hpp packs them: from -1 to 1, and the values themselves.
+function roots({steps, levels}) {
+  let sum = 0;
+  return Float64Array.from(steps, step => (sum += step) / levels);
 }
+const signedNumbers = packed => roots(packed).map(q => Math.sign(q) * q * q * packed.largest);
 
 // Both ends stay apart for colour-blind readers, and the middle is paper.
 const diverging = [[0, '#053061'], [0.2, '#2166ac'], [0.4, '#92c5de'], [0.5, '#ffffff'], [0.6, '#f4a582'],
@@ -107,8 +148,6 @@ function rows(values, length) {
   return result;
 }
 
-// As report/page/signed_roots.hpp packs them.
-const signedNumbers = ({roots, largest}) => Float64Array.from(numbers(roots), q => Math.sign(q) * (q / 32767) ** 2 * largest);
 const ends = edges => [edges[0], edges.at(-1)];
 
 // Square, or as on a desktop where there is room.
@@ -121,17 +160,17 @@ function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = value
     type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), customdata: rows(told, y.length - 1), ...colours,
     colorbar: {orientation: 'h', y: -0.16, yanchor: 'top', thickness: 12, len: 1, tickfont: {size: 10},
                exponentformat: 'power', ...ticks},
-    hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${title}: %{customdata:.4g}<extra></extra>`,
+    hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${title}: %{customdata:.2g}<extra></extra>`,
   };
   const layout = {
-    font, paper_bgcolor: 'white', plot_bgcolor: '#d9d9d9', width: div.clientWidth, height: mapHeight(div),
+    font: font(), paper_bgcolor: theme().paper, plot_bgcolor: theme().nothing, width: div.clientWidth, height: mapHeight(div),
     margin: {l: 50, r: 14, t: 32, b: 110},
     // The colour bar's own title would stand on its ticks.
     annotations: [{text: title, showarrow: false, xref: 'paper', x: 0.5, yref: 'paper', y: -110 / (mapHeight(div) - 142),
                    yanchor: 'bottom'}],
     dragmode: narrow() ? false : 'zoom', showlegend: false,
-    xaxis: {...axis, showgrid: false, range: ranges[0], title: {text: 'y', standoff: 4}},
-    yaxis: {...axis, showgrid: false, range: ranges[1], title: {text: 'y′', standoff: 4}},
+    xaxis: {...axis(), showgrid: false, range: ranges[0], title: {text: 'y', standoff: 4}},
+    yaxis: {...axis(), showgrid: false, range: ranges[1], title: {text: 'y′', standoff: 4}},
   };
   Plotly.react(div, [trace], layout, config());
 }
@@ -156,7 +195,7 @@ function mapDrawables(maps) {
   function drawAll() {
     const difference = signedNumbers(chosen());
     // Where less is left than the rounding of the difference, there is nothing: no sample of a simulation.
-    const rounding = d => 1.01 * Math.sqrt(Math.abs(d) * chosen().largest) / 32767;
+    const rounding = d => 1.01 * Math.sqrt(Math.abs(d) * chosen().largest) / chosen().levels;
     const density = reference.map((p, k) => p + difference[k] > rounding(difference[k]) ? p + difference[k] : 0);
     const log = logarithmic();
     const shown = values => log ? Array.from(values, log10) : Array.from(values);
@@ -176,7 +215,7 @@ function mapDrawables(maps) {
   part('choice').addEventListener('change', drawAll);
   part('scale').addEventListener('change', drawAll);
   const fit = () => { for (const name of ['reference', 'chosen', 'difference']) part(name).style.height = `${mapHeight(part(name))}px`; };
-  return [{fit, draw: drawAll}];
+  return [{element: part('reference'), fit, draw: drawAll}];
 }
 
 function errorDrawables(errors) {
@@ -186,7 +225,7 @@ function errorDrawables(errors) {
   // Colours go by the root, which keeps what is small beside the wall's share in sight.
   const shares = [-1, -0.25, 0, 0.25, 1];
   const drawAll = () => maps().forEach((map, k) => {
-    drawMap(part(`map${k}`), y, v, Array.from(numbers(map.roots), q => q / 32767), {
+    drawMap(part(`map${k}`), y, v, Array.from(roots(map)), {
       colours: {colorscale: diverging, zmin: -1, zmax: 1}, title: 'error per area', ranges: [ends(y), ends(v)],
       ticks: {tickvals: shares.map(s => Math.sign(s) * Math.sqrt(Math.abs(s))),
               ticktext: shares.map(s => (s * map.largest).toPrecision(2))},
@@ -195,32 +234,81 @@ function errorDrawables(errors) {
   });
   part('choice').addEventListener('change', drawAll);
   const fit = () => maps().forEach((map, k) => { part(`map${k}`).style.height = `${mapHeight(part(`map${k}`))}px`; });
-  return [{fit, draw: drawAll}];
+  return [{element: part('map0'), fit, draw: drawAll}];
 }
 
-const all = cases.flatMap(drawables);
-const waiting = [...all];
-all.forEach(one => one.fit());
+let all = [], waiting = [];
+const isSeen = one => one.element.clientWidth > 0;
 
 // One after another, so that the page can be read and scrolled meanwhile.
 function drawNext() {
   const next = waiting.shift();
   if (next) {
-    next.draw();
+    if (isSeen(next)) {
+      next.fit();
+      next.draw();
+    }
     setTimeout(drawNext);
   } else {
     document.documentElement.dataset.plots = 'drawn';
   }
 }
-drawNext();
+
+function draw(some) {
+  delete document.documentElement.dataset.plots;
+  const idle = waiting.length === 0;
+  waiting.push(...some);
+  if (idle) drawNext();
+}
 
 function redraw() {
   waiting.length = 0;
-  for (const one of all) {
+  for (const one of all.filter(isSeen)) {
     one.fit();
     one.draw();
   }
 }
+
+// What a link leads to may be folded.
+function reveal() {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  for (let e = target; e; e = e.parentElement) if (e.tagName === 'DETAILS') e.open = true;
+  if (target) target.scrollIntoView();
+}
+
+async function unpacked(id) {
+  const stream = new Blob([bytesOf(document.getElementById(id).textContent)]).stream();
+  return new Response(stream.pipeThrough(new DecompressionStream('gzip'))).text();
+}
+
+async function begin() {
+  const library = document.createElement('script');
+  library.textContent = await unpacked('plotly');
+  document.head.append(library);
+  const cases = JSON.parse(await unpacked('plots'));
+  all = cases.flatMap(drawables);
+  for (const one of all.filter(isSeen)) one.fit();
+  for (const details of document.querySelectorAll('.case details')) {
+    details.addEventListener('toggle', () => {
+      if (details.open) draw(all.filter(one => details.contains(one.element)));
+    });
+  }
+  draw(all.filter(isSeen));
+  if (location.hash) reveal();
+}
+
+if (typeof DecompressionStream === 'undefined') {
+  document.querySelector('main').insertAdjacentHTML('afterbegin', '<p>The plots need a browser of 2023 or later; the tables do not.</p>');
+} else {
+  begin();
+}
+
+window.addEventListener('hashchange', reveal);
+for (const menu of document.querySelectorAll('.menu')) {
+  menu.addEventListener('click', event => { if (event.target.tagName === 'A') menu.open = false; });
+  document.addEventListener('click', event => { if (!menu.contains(event.target)) menu.open = false; });
+}
+wantsDark.addEventListener('change', redraw);
 
 let resized, lastWidth = window.innerWidth;
 window.addEventListener('resize', () => {
@@ -233,7 +321,6 @@ window.addEventListener('resize', () => {
 
 // Paper has a width of its own (page.css).
 window.addEventListener('beforeprint', () => {
-  document.querySelectorAll('details').forEach(details => { details.open = true; });
   document.body.classList.add('on-paper');
   redraw();
 });

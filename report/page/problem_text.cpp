@@ -5,18 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "compare/reference.hpp"
 #include "report/page/families.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
-#include "report/references.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
+using problem::Problem;
+using problem::ShownParameter;
 using transform::Solution;
-using transform::Variable;
 
 constexpr const char* kProblem =
     R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by random
@@ -99,52 +99,63 @@ std::string parts_html() {
   return html + kUncertainty + "</dl>\n";
 }
 
+// The value of a parameter in another problem; nothing where it has none.
+std::optional<parameters::Value> value_in(const Problem& other, const ShownParameter& parameter) {
+  for (const auto& candidate : problem::shown_parameters(other)) {
+    if (candidate.section == parameter.section && candidate.name == parameter.name) {
+      return candidate.value;
+    }
+  }
+  return std::nullopt;
+}
+
+bool varies(const results::Run& run, const ShownParameter& parameter) {
+  return std::ranges::any_of(run.cases, [&](const results::Case& one) {
+    return value_in(one.problem, parameter) != parameter.value;
+  });
+}
+
 // "λ, impulses per unit of time"; a word has no symbol.
-std::string label(const problem::ShownParameter& parameter) {
+std::string label(const ShownParameter& parameter) {
   return parameter.typeset.empty() ? parameter.meaning
                                    : parameter.typeset + ", " + parameter.meaning;
-}
-
-/// Closures of which none can be called closer to the reference than another, and the others
-/// farther away.
-std::vector<compare::Rank> closest_closures(const results::Case& one, const Solution& reference) {
-  auto ranks = compare::closures_by_distance(one.solutions, one.pairs);
-  std::erase_if(ranks, [&, first = ranks.empty() ? compare::Rank{}
-                                                 : ranks.front()](const compare::Rank& rank) {
-    return rank.solution != first.solution && !compare::indistinguishable(first, rank, reference);
-  });
-  return ranks;
-}
-
-std::string names_of(const std::vector<compare::Rank>& ranks) {
-  if (ranks.empty()) return std::string(kNoValue);
-  std::vector<std::string> ids;
-  for (const auto& rank : ranks) ids.push_back(rank.solution->id());
-  return fmt::format("{}{}", ids.size() > 1 ? "indistinguishable: " : "", fmt::join(ids, ", "));
-}
-
-// "0.00120", or from the least to the largest.
-std::string l1_of(const std::vector<compare::Rank>& ranks, double compare::Rank::*member) {
-  if (ranks.empty()) return std::string(kNoValue);
-  const auto [least, most] = std::ranges::minmax(ranks, {}, member);
-  const std::string from = l1_cell(least.*member), to = l1_cell(most.*member);
-  return from == to ? from : from + " to " + to;
 }
 
 }  // namespace
 
 std::string problem_html(const results::Run& run) {
-  // All problems have the same parameters.
   std::vector<HtmlColumn> columns{{"parameter", Align::left}};
-  for (const auto& one : run.cases) {
-    columns.push_back({one.name()});
-    columns.front().cells.clear();
-    for (const auto& parameter : problem::shown_parameters(one.problem)) {
+  for (const auto& one : run.cases) columns.push_back({one.name()});
+  std::vector<std::string> same;
+  if (!run.cases.empty()) {
+    for (const auto& parameter : problem::shown_parameters(run.cases.front().problem)) {
+      if (!varies(run, parameter)) {
+        same.push_back(fmt::format("{} = {}", label(parameter), value_text(parameter.value)));
+        continue;
+      }
       columns.front().cells.push_back(label(parameter));
-      columns.back().cells.push_back(value_text(parameter.value));
+      for (std::size_t k = 0; k < run.cases.size(); ++k) {
+        const auto value = value_in(run.cases[k].problem, parameter);
+        columns[k + 1].cells.push_back(value ? value_text(*value) : std::string(kNoValue));
+      }
     }
   }
-  return kProblem + table_html("The numbers", std::move(columns));
+  std::string html = kProblem;
+  if (!same.empty()) {
+    html += element("p", fmt::format("{}: {}.", run.cases.size() > 1 ? "In all cases" : "Here",
+                                     fmt::join(same, "; ")));
+  }
+  return html + table_html("What varies", std::move(columns));
+}
+
+std::string what_varies(const results::Run& run, const results::Case& one) {
+  std::vector<std::string> parts;
+  for (const auto& parameter : problem::shown_parameters(one.problem)) {
+    if (!varies(run, parameter)) continue;
+    const std::string& symbol = parameter.typeset.empty() ? parameter.meaning : parameter.typeset;
+    parts.push_back(fmt::format("{} = {}", symbol, value_text(parameter.value)));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string glossary_html(const results::Run& run) {
@@ -160,38 +171,6 @@ std::string glossary_html(const results::Run& run) {
                  "Its equation or its impact is not known.");
   }
   return html + kColumns + statuses_html() + "</dl>\n" + parts_html();
-}
-
-std::string overview_table(const results::Run& run) {
-  std::vector<HtmlColumn> columns{
-      {"case", Align::left}, {"reference", Align::left},       {"E[y\u00b2]"},
-      {"E[y\u2032\u00b2]"},  {"checked by", Align::left},      {"its L1 to the reference, p(y)"},
-      {"p(y\u2032)"},        {"closest closure", Align::left}, {"its L1 to the reference, p(y)"},
-      {"p(y\u2032)"}};
-  for (const auto& one : run.cases) {
-    const std::string none(kNoValue);
-    std::vector<std::string> cells(columns.size(), none);
-    cells[0] = one.name();
-    const auto all = references(one);
-    if (!all.empty()) {
-      const Solution* reference = all.front();
-      cells[1] = reference->id();
-      cells[2] = number_text(reference->moments.y2, 4);
-      cells[3] = number_text(reference->moments.v2, 4);
-      if (all.size() > 1) {
-        const std::string& second = all.back()->id();
-        cells[4] = second;
-        cells[5] = l1_cell(one.l1(second, reference->id(), Variable::y));
-        cells[6] = l1_cell(one.l1(second, reference->id(), Variable::ydot));
-      }
-      const auto closest = closest_closures(one, *reference);
-      cells[7] = names_of(closest);
-      cells[8] = l1_of(closest, &compare::Rank::y);
-      cells[9] = l1_of(closest, &compare::Rank::ydot);
-    }
-    for (std::size_t c = 0; c < columns.size(); ++c) columns[c].cells.push_back(cells[c]);
-  }
-  return table_html("What came out", std::move(columns));
 }
 
 std::string timings_table(const results::Run& run) {

@@ -14,8 +14,4 @@ TypedArray float_array(std::span<const double> values) {
   return {"f4", base64(std::as_bytes(std::span(rounded)))};
 }
 
-TypedArray integer_array(std::span<const std::int16_t> values) {
-  return {"i2", base64(std::as_bytes(values))};
-}
-
 }  // namespace fpkcheck::report

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 
@@ -14,9 +13,6 @@ struct TypedArray {
 
 /// As 32-bit floating point: seven digits in a third of the characters of a decimal fraction.
 TypedArray float_array(std::span<const double> values);
-
-/// As 16-bit integers.
-TypedArray integer_array(std::span<const std::int16_t> values);
 
 /// How nlohmann::json takes one: {"dtype", "bdata"}.
 template <class Json>

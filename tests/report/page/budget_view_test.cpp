@@ -82,7 +82,7 @@ TEST(BudgetView, TablesHaveTheNumbersOfEveryPart) {
             "solution|total|closure|sampling|L1 that chance alone makes: mean|exceeded in 1 run of "
             "100");
   EXPECT_EQ(tests::row_in(html, l1, "epc-gaussian-n6"),
-            "0.00240|0.00231 \u00b1 4.0e-5|0.00047|0.00059|0.00081");
+            "0.0024|0.0023 \u00b1 4.0e-5|0.00047|0.00059|0.00081");
   EXPECT_EQ(tests::row_in(html, "Error budget of the tail of p(y\u2032): mean |\u0394 log10 p|",
                           "epc-gaussian-n4 *"),
             "0.230|0.210|0.020");

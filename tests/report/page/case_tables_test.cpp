@@ -74,7 +74,7 @@ TEST(Diagnostics, SayOfAllSolutionsHowWellTheyKnowThemselves) {
     return text;
   };
   EXPECT_EQ(row("fd-kf"), "ok|-3e-11|0|-2e-3|-|2.0e-5|3.0e-5|-|-|-|-");
-  EXPECT_EQ(row("mcs"), "ok|0|0|-2e-3|0|-|-|0.00110|0.00150|0.00010|0.00010");
+  EXPECT_EQ(row("mcs"), "ok|0|0|-2e-3|0|-|-|0.0011|0.0015|0.00010|0.00010");
   EXPECT_EQ(row("epc-gaussian-n8"), "not_converged|-|-|-|-|-|-|-|-|-|-");
 }
 

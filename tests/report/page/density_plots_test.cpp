@@ -22,7 +22,8 @@ TEST(DensityPlots, DrawEverySolutionThatHasADensityInThreeRows) {
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(plots[0].id, "case-1-density-y");
   EXPECT_EQ(plots[1].id, "case-1-density-ydot");
-  EXPECT_EQ(plots[0].caption, "Displacement y: density, its logarithm, difference from fd-kf");
+  EXPECT_EQ(plots[0].caption,
+            "Displacement y: difference from fd-kf; logarithm of the density; density");
   for (const auto& plot : plots) {
     std::map<std::string, int> rows;  // curves, by solution
     std::set<std::string> shown;
@@ -100,7 +101,7 @@ TEST(DensityPlots, WithoutAReferenceHaveTwoRows) {
     tests::solution_of(one, id).status = transform::Status::failed;
   }
   const auto plots = density_plots(one, "case-1");
-  EXPECT_EQ(plots[0].caption, "Displacement y: density, its logarithm");
+  EXPECT_EQ(plots[0].caption, "Displacement y: logarithm of the density; density");
   EXPECT_FALSE(tests::figure_of(plots[0]).at("layout").contains("yaxis3"));
 }
 

@@ -25,8 +25,8 @@ TEST(ErrorMaps, AreOfAllThatHaveTheirSourcesClosuresFirst) {
     for (const auto& map : moments) {
       EXPECT_EQ(map.values.roots.size(), (maps->y_edges.size() - 1) * (maps->v_edges.size() - 1));
       // On the wall, the larger one above rest.
-      const auto largest =
-          std::ranges::find_if(map.values.roots, [](auto root) { return std::abs(root) == 32767; });
+      const auto largest = std::ranges::find_if(
+          map.values.roots, [&](auto root) { return std::abs(root) == map.values.levels; });
       const auto place = static_cast<std::size_t>(largest - map.values.roots.begin());
       EXPECT_EQ(place % (maps->y_edges.size() - 1), 0u);
       EXPECT_GE(maps->v_edges[place / (maps->y_edges.size() - 1)], 0);

@@ -12,7 +12,6 @@ using tests::contains;
 TEST(Html, EscapesWhatHasAMeaningThere) {
   EXPECT_EQ(escaped("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c&#39;");
   EXPECT_EQ(element("p", "1 < 2"), "<p>1 &lt; 2</p>\n");
-  EXPECT_EQ(inside_script(R"(["</script>"])"), R"(["\u003c/script>"])");
 }
 
 TEST(Html, ATableNamesItsRowsAndDropsColumnsWithoutAValue) {
@@ -25,6 +24,20 @@ TEST(Html, ATableNamesItsRowsAndDropsColumnsWithoutAValue) {
   EXPECT_TRUE(contains(html, "<th scope=\"row\">b</th><td class=\"number\">\u2013</td>"));
   EXPECT_FALSE(contains(html, "empty"));
   EXPECT_EQ(table_html("nothing", {{"name", Align::left, {}}}), "");
+}
+
+TEST(Html, ShowsAStatusAsAChip) {
+  HtmlColumn status{"status", Align::left, {"ok", "x < y"}};
+  status.is_status = true;
+  const std::string html = table_html("T", {{"name", Align::left, {"a", "b"}}, status});
+  EXPECT_TRUE(contains(html, "<td><span class=\"chip ok\">ok</span></td>")) << html;
+  EXPECT_TRUE(contains(html, "x &lt; y</span>")) << html;
+}
+
+TEST(Html, FoldsWhatIsThere) {
+  EXPECT_EQ(folded("a", "1 < 2", "<p>"),
+            "<details id=\"a\">\n<summary>1 &lt; 2</summary>\n<p></details>\n");
+  EXPECT_EQ(folded("a", "b", ""), "");
 }
 
 TEST(Html, NamesAloneAreNoTable) {

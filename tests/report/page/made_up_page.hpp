@@ -8,6 +8,7 @@
 #include "report/page/page.hpp"
 #include "report/page/plot.hpp"
 #include "saved_run.hpp"
+#include "unpacked.hpp"
 
 /// Runs with all that a page can show, and what stands in a page.
 namespace fpkcheck::tests {
@@ -33,9 +34,9 @@ inline results::Run whole_run(const std::string& name = "case1") {
 
 /// What page.js reads.
 inline nlohmann::json plots_in(const std::string& page) {
-  const std::string opening = "<script type=\"application/json\" id=\"plots\">";
+  const std::string opening = "<script type=\"application/gzip\" id=\"plots\">";
   const auto begin = page.find(opening) + opening.size();
-  return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  return nlohmann::json::parse(unpacked(page.substr(begin, page.find("</script>", begin) - begin)));
 }
 
 /// The figure of a plot.

@@ -9,14 +9,14 @@
 namespace fpkcheck::report {
 namespace {
 
-TEST(NumberText, KeepsItsDigitsAndHasTheTerminalsDistances) {
+TEST(NumberText, KeepsItsDigitsTwoOfADistance) {
   EXPECT_EQ(number_text(0.445, 4), "0.4450");
   EXPECT_EQ(number_text(4.34, 4), "4.340");
   EXPECT_EQ(number_text(6e-5, 2), "6.0e-5");
   EXPECT_EQ(number_text(150, 3), "150");
   EXPECT_EQ(number_text(0.0004, 1), "4e-4");
-  EXPECT_EQ(l1_cell(0.03), "0.03000");
-  EXPECT_EQ(l1_cell(0.0044), "0.00440");
+  EXPECT_EQ(l1_cell(0.03), "0.030");
+  EXPECT_EQ(l1_cell(0.004412), "0.0044");
   EXPECT_EQ(l1_cell(6e-6), "6.0e-6");
   EXPECT_EQ(l1_cell({}), kNoValue);
 }

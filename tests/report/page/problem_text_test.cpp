@@ -15,18 +15,31 @@ using tests::row_in;
 using tests::solution_of;
 using tests::whole_run;
 
-TEST(ProblemText, HasAllParametersOfAllCases) {
+TEST(ProblemText, SaysOnceWhatAllCasesShareAndPutsTheRestIntoATable) {
   auto run = whole_run();
   run.cases.push_back(run.cases[0]);
   run.cases[1].problem = tests::make_problem({.cubic = 0.25, .mean = 0.125, .law = "laplace"});
   run.cases[1].problem.name = "<other>";
   const std::string html = problem_html(run);
-  EXPECT_EQ(headers_in(html, "The numbers"), "parameter|case1|&lt;other&gt;");
-  EXPECT_EQ(row_in(html, "The numbers", "\u03bc, cubic stiffness"), "0.1|0.25");
-  EXPECT_EQ(row_in(html, "The numbers", "law of the amplitudes"), "gaussian|laplace");
-  EXPECT_EQ(row_in(html, "The numbers", "E[Y], mean amplitude"), "0|0.125");
-  EXPECT_EQ(occurrences(html, "<th scope=\"row\">"),
+  EXPECT_EQ(headers_in(html, "What varies"), "parameter|case1|&lt;other&gt;");
+  EXPECT_EQ(row_in(html, "What varies", "\u03bc, cubic stiffness"), "0.1|0.25");
+  EXPECT_EQ(row_in(html, "What varies", "law of the amplitudes"), "gaussian|laplace");
+  EXPECT_EQ(row_in(html, "What varies", "E[Y], mean amplitude"), "0|0.125");
+  EXPECT_TRUE(contains(html, "<p>In all cases: c, damping = 0.1; k, stiffness = 1; r, "));
+  // Every parameter in one of both places.
+  const std::string shared = html.substr(html.find("<p>In all cases"));
+  EXPECT_EQ(occurrences(html, "<th scope=\"row\">") +
+                occurrences(shared.substr(0, shared.find("</p>")), " = "),
             problem::shown_parameters(run.cases[0].problem).size());
+  EXPECT_EQ(what_varies(run, run.cases[1]),
+            "\u03bc = 0.25, law of the amplitudes = laplace, E[Y] = 0.125");
+}
+
+TEST(ProblemText, OfOneCaseHasNoTable) {
+  const auto run = whole_run();
+  EXPECT_FALSE(contains(problem_html(run), "<table"));
+  EXPECT_TRUE(contains(problem_html(run), "<p>Here: c, damping = 0.1; "));
+  EXPECT_EQ(what_varies(run, run.cases[0]), "");
 }
 
 TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
@@ -54,40 +67,6 @@ TEST(Glossary, SaysWhatAFileDoesNotTell) {
   identity.equation.reset();
   identity.impact.reset();
   EXPECT_TRUE(contains(glossary_html(run), "<dt>solves given/-</dt>"));
-}
-
-TEST(Overview, NamesTheReferenceItsCheckAndTheClosestClosure) {
-  const auto run = whole_run();
-  const auto& one = run.cases[0];
-  const std::string row = row_in(overview_table(run), "What came out", "case1");
-  EXPECT_TRUE(row.starts_with("fd-kf|0."));
-  EXPECT_TRUE(contains(row, "|mcs|0."));
-  EXPECT_TRUE(
-      contains(row, fmt::format("|epc-gaussian-n6|{:.5f}|{:.5f}",
-                                *one.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y),
-                                *one.l1("epc-gaussian-n6", "fd-kf", transform::Variable::ydot))));
-}
-
-TEST(Overview, RanksNothingWithinTheReferencesOwnError) {
-  auto run = whole_run();
-  auto& one = run.cases[0];
-  tests::set_l1(one, "epc-gaussian-n2", "fd-kf", 0.0031, 0.002);
-  tests::set_l1(one, "epc-gaussian-n6", "fd-kf", 0.003, 0.002);
-  EXPECT_TRUE(row_in(overview_table(run), "What came out", "case1")
-                  .ends_with("|epc-gaussian-n6|0.00300|0.00200"));
-  solution_of(one, "fd-kf").error->y_l1 = 2e-4;
-  EXPECT_TRUE(row_in(overview_table(run), "What came out", "case1")
-                  .ends_with("|indistinguishable: epc-gaussian-n6, epc-gaussian-n2|0.00300 to "
-                             "0.00310|0.00200"));
-}
-
-TEST(Overview, NamesNothingWithoutAReference) {
-  auto run = whole_run();
-  run.cases.push_back(run.cases[0]);
-  run.cases[1].problem.name = "without";
-  for (auto& solution : run.cases[1].solutions) solution.status = transform::Status::failed;
-  const std::string row = row_in(overview_table(run), "What came out", "without");
-  EXPECT_EQ(occurrences(row, "\u2013"), 9u);
 }
 
 TEST(Timings, AreThoseOfEachSolutionAndAllTogether) {

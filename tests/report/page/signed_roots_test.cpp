@@ -10,18 +10,25 @@ namespace {
 
 TEST(SignedRoots, ComeBackWithTheirSign) {
   const std::vector<double> values{-2, 2, 0, 0.5, -1e-4, 1e-6};
-  const auto [largest, roots] = signed_roots(values);
-  EXPECT_EQ(largest, 2);
-  EXPECT_EQ(roots[0], -32767);
-  EXPECT_EQ(roots[3], 16384);
+  constexpr int kMany = 4096;
+  const auto packed = signed_roots(values, kMany);
+  EXPECT_EQ(packed.largest, 2);
+  EXPECT_EQ(packed.roots[0], -kMany);
+  EXPECT_EQ(packed.roots[3], kMany / 2);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const double q = roots[k] / 32767.0;
-    EXPECT_NEAR(std::copysign(q * q, q) * largest, values[k], 0.03 * std::abs(values[k]));
+    const double q = static_cast<double>(packed.roots[k]) / packed.levels;
+    EXPECT_NEAR(std::copysign(q * q, q) * packed.largest, values[k],
+                0.2 * std::abs(values[k]) + 1e-12);
   }
 }
 
 TEST(SignedRoots, OfNothingAreNothing) {
-  EXPECT_EQ(signed_roots(std::vector<double>{0, 0}).roots, (std::vector<std::int16_t>{0, 0}));
+  EXPECT_EQ(signed_roots(std::vector<double>{0, 0}, 127).roots, (std::vector<int>{0, 0}));
+}
+
+TEST(SignedRoots, AreTheSumsOfTheirSteps) {
+  EXPECT_EQ(steps_of(std::vector{5, 7, -1}), (std::vector{5, 2, -8}));
+  EXPECT_TRUE(steps_of({}).empty());
 }
 
 }  // namespace
