@@ -21,7 +21,7 @@ function seen(colour) {
   if (!parts || theme() === light) return colour;
   const rgb = parts.slice(1).map(part => parseInt(part, 16));
   const luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
-  const least = 110;
+  const least = 150;
   if (luminance >= least) return colour;
   const share = (least - luminance) / (255 - luminance);
   return '#' + rgb.map(c => Math.round(c + share * (255 - c)).toString(16).padStart(2, '0')).join('');
@@ -238,7 +238,8 @@ function errorDrawables(errors) {
 }
 
 let all = [], waiting = [];
-const isSeen = one => one.element.clientWidth > 0;
+// Browsers differ in whether what is folded has a width.
+const isSeen = one => one.element.closest('details:not([open])') === null;
 
 // One after another, so that the page can be read and scrolled meanwhile.
 function drawNext() {

@@ -10,6 +10,7 @@ import json
 import pathlib
 import shutil
 import sys
+import time
 import unittest
 
 SKIPPED = 77
@@ -65,6 +66,16 @@ class ReportPage(unittest.TestCase):
         cls.browser.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
             'width': size[0], 'height': size[1], 'deviceScaleFactor': 1, 'mobile': size == PHONE})
         cls.browser.get(cls.address)
+        cls.wait_until_drawn()
+        folded = cls.script('return [...document.querySelectorAll(".case details:not([open]) .plot")].map('
+                            'plot => plot.innerHTML).join("")')
+        assert folded == '', 'what is folded is drawn when it is opened, not before'
+        cls.script('document.querySelectorAll(".case details").forEach(details => { details.open = true; })')
+        time.sleep(0.1)  # until they tell
+        cls.wait_until_drawn()
+
+    @classmethod
+    def wait_until_drawn(cls):
         WebDriverWait(cls.browser, 60).until(
             lambda browser: cls.script('return document.documentElement.dataset.plots') == 'drawn')
 
@@ -244,7 +255,6 @@ class ReportPage(unittest.TestCase):
         right = self.script('return document.querySelector("main").getBoundingClientRect().width')
         self.assertGreater(len(widths), 10)
         self.assertEqual([one for one in widths if one[1] > right + 1], [])
-        self.assertTrue(self.script('return document.querySelector("details").open'))
         self.assertEqual(self.script('return getComputedStyle(document.querySelector("nav")).display'), 'none')
         self.script('window.dispatchEvent(new Event("afterprint"))')
         self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia', {'media': ''})
@@ -261,6 +271,25 @@ class ReportPage(unittest.TestCase):
         self.assertGreater(len(moved), 1)
         self.assertLess(max(moved), 1)
         self.open_page(DESKTOP)
+
+    def test_12_the_first_screen_has_the_answer_and_a_picture(self):
+        bottom = self.script('window.scrollTo(0, 0); return [".answer", ".matrix", ".strip"].map('
+                             'e => document.querySelector(e).getBoundingClientRect().bottom)')
+        self.assertLessEqual(max(bottom), DESKTOP[1])
+
+    def test_13_is_dark_where_the_reader_is_and_light_on_paper(self):
+        background = 'return getComputedStyle(document.body).backgroundColor'
+        plot = 'return document.querySelector("#case-1-density-y").layout.paper_bgcolor'
+        scheme = lambda value: [{'name': 'prefers-color-scheme', 'value': value}]
+        for value, page, paper in (('dark', 'rgb(21, 24, 28)', '#15181c'), ('light', 'rgb(255, 255, 255)', '#ffffff')):
+            self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia', {'features': scheme(value)})
+            self.assertEqual(self.script(background), page)
+            WebDriverWait(self.browser, 10).until(lambda _: self.script(plot) == paper)
+        self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia', {'media': 'print', 'features': scheme('dark')})
+        self.script('window.dispatchEvent(new Event("beforeprint"))')
+        self.assertEqual((self.script(background), self.script(plot)), ('rgb(255, 255, 255)', '#ffffff'))
+        self.script('window.dispatchEvent(new Event("afterprint"))')
+        self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia', {'media': '', 'features': scheme('light')})
 
     def test_11_ticks_of_all_axes_have_one_size(self):
         sizes = self.script('''
