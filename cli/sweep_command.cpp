@@ -18,6 +18,7 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/side_by_side.hpp"
+#include "parameters/asked_name.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
@@ -69,7 +70,7 @@ constexpr const char* kDefaultMethods = "epc,fd";
 struct SweepArguments {
   CommonArguments common;
   std::vector<std::string> vary;
-  std::optional<std::string> design, methods, shard;
+  std::optional<std::string> design, methods, shard, closure_errors;
   std::optional<std::size_t> points;
   std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
@@ -98,6 +99,10 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
       ("methods", text(arguments.methods, "LIST"),
        "solvers, families or ids separated by commas (default: epc,fd); finite differences find "
        "the null vector without stepping")  //
+      ("closure-errors", text(arguments.closure_errors, "HOW"),
+       "reference (default): closures are judged by their distance to the best solution of each "
+       "point; residuals: as in a run, by the backward equation, which takes longer; where a point "
+       "has no reference it is always so")  //
       ("marginals", po::bool_switch(&arguments.marginals),
        "keep p(y) and p(y') of every point, in marginals/NUMBER.csv")  //
       ("shard", text(arguments.shard, "i/N"),
@@ -142,7 +147,7 @@ bool contains(const parameters::Values& values, const std::string& name) {
 // What a plan says of the methods' options, where the command line says nothing.
 void add_options_of_plan(const std::vector<parameters::IniSetting>& lines,
                          const methods::Registry& registry, parameters::Values& given) {
-  std::vector<std::string> known{"case", "methods", "design", "points"};
+  std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
   std::vector<const parameters::Parameter*> options;
   for (const auto& solver : registry.solvers()) {
     for (const auto& name : solver.set_by_a_run) {
@@ -182,13 +187,12 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
     }
   }
   plan.design = text.design.value_or(sweep::Design::product);
-  if (arguments.design) {
-    const auto design = parameters::value_named<sweep::Design>(*arguments.design);
-    if (!design) {
-      throw InputError(fmt::format("--design {} (must be one of product, list, sobol)",
-                                   parameters::in_quotes(*arguments.design)));
-    }
-    plan.design = *design;
+  if (arguments.design)
+    plan.design = parameters::asked_name<sweep::Design>("--design", *arguments.design);
+  plan.closure_errors = text.closure_errors.value_or(sweep::ClosureErrors::reference);
+  if (arguments.closure_errors) {
+    plan.closure_errors =
+        parameters::asked_name<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
   }
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;

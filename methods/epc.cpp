@@ -76,7 +76,9 @@ Solver epc_solver() {
                          .solve = [](const problem::Problem& problem, const epc::Options& options,
                                      const Setting& setting) {
                            auto solution = epc::solve(problem, options).solution;
-                           if (!solution.density || !options.accuracy) return solution;
+                           if (!solution.density || !options.accuracy || !setting.measure_error) {
+                             return solution;
+                           }
                            if (setting.residuals != nullptr) {
                              state_measured_error(*setting.residuals, *options.accuracy, solution);
                            } else {

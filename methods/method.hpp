@@ -22,6 +22,8 @@ struct Setting {
   /// Of the problem, by which a method that cannot tell its own error has it measured
   /// (state_measured_error). Null where nobody keeps them.
   const ProblemResiduals* residuals = nullptr;
+  /// Whether it has its error measured; not where the caller knows a better measure.
+  bool measure_error = true;
 };
 
 /// One way to solve a problem, ready to run.

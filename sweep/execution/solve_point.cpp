@@ -1,5 +1,7 @@
 #include "sweep/execution/solve_point.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -60,6 +62,31 @@ std::vector<BudgetShare> budget_of(const Solution& solution,
   return shares;
 }
 
+/// The accuracy that a closure is held to; nothing where it is not, or is no closure.
+std::optional<double> accuracy_of(const methods::Method& method) {
+  if (method.identity.role != transform::Role::closure) return std::nullopt;
+  for (const auto& [name, value] : method.options) {
+    if (name != "accuracy") continue;
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+  }
+  return std::nullopt;
+}
+
+/// Gives a closure the error that its distance to the reference and what that does not know of itself
+/// make together (the triangle inequality). If it is ok, but off by more, it becomes `inaccurate`.
+void state_distance(const Solution& reference, const MarginalPair& l1, double accuracy,
+                    Solution& solution) {
+  const double y = l1.y + compare::own_error(reference, Variable::y);
+  const double ydot = l1.ydot + compare::own_error(reference, Variable::ydot);
+  solution.error = transform::StatedError{.y_l1 = y, .ydot_l1 = ydot};
+  if (!solution.is_ok() || std::max(y, ydot) <= accuracy) return;
+  solution.status = Status::inaccurate;
+  solution.reason = fmt::format(
+      "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} in p(y') ({:g} is "
+      "asked for: accuracy)",
+      reference.id(), l1.y, l1.ydot, accuracy);
+}
+
 MethodResult kept_of(const Solution& solution) {
   MethodResult result{.status = solution.status,
                       .reason = solution.reason,
@@ -67,6 +94,17 @@ MethodResult kept_of(const Solution& solution) {
                       .error = own_error_of(solution)};
   if (solution.has_density()) result.moments = solution.moments;
   return result;
+}
+
+// Of both marginals, where there are both.
+std::optional<MarginalPair> distance(const compare::Comparison& comparison,
+                                     const Solution& solution, const Solution& reference) {
+  const auto l1 = [&](Variable variable) {
+    return compare::l1_between(comparison.pairs, solution.id(), reference.id(), variable);
+  };
+  const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
+  if (!y || !ydot) return std::nullopt;
+  return MarginalPair{*y, *ydot};
 }
 
 SolvedPoint solved(const Plan& plan, std::size_t point) {
@@ -83,29 +121,36 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   }
   const auto axes = compare::comparison_axes(*problem);
   const methods::ProblemResiduals residuals(*problem);
+  const bool by_reference = plan.closure_errors == ClosureErrors::reference;
   std::vector<Solution> solutions;
   for (const auto& method : plan.methods) {
-    solutions.push_back(solved(method, *problem, {axes, {}, &residuals}));
-    result.methods.push_back(kept_of(solutions.back()));
+    solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
   }
 
   const Solution* reference = compare::reference(solutions);
-  if (reference == nullptr && !plan.marginals) return solved_point;
-  auto comparison = compare::compare_solutions(axes, solutions);
+  compare::Comparison comparison;
+  if (reference != nullptr || plan.marginals) {
+    comparison = compare::compare_solutions(axes, solutions);
+  }
   if (plan.marginals) {
     for (auto& found : comparison.marginals) {
       solved_point.curves.push_back(results::curve_of(std::move(found)));
     }
   }
-  if (reference == nullptr) return solved_point;
-  result.reference = reference->id();
+  if (reference != nullptr) result.reference = reference->id();
   for (std::size_t m = 0; m < solutions.size(); ++m) {
-    const auto l1 = [&](Variable variable) {
-      return compare::l1_between(comparison.pairs, solutions[m].id(), reference->id(), variable);
-    };
-    const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
-    if (y && ydot) result.methods[m].l1 = MarginalPair{*y, *ydot};
-    result.methods[m].budget = budget_of(solutions[m], comparison.budget);
+    Solution& solution = solutions[m];
+    const auto l1 =
+        reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
+    const auto accuracy = by_reference ? accuracy_of(plan.methods[m]) : std::nullopt;
+    if (accuracy && l1) {
+      state_distance(*reference, *l1, *accuracy, solution);
+    } else if (accuracy) {
+      methods::state_measured_error(residuals, *accuracy, solution);
+    }
+    result.methods.push_back(kept_of(solution));
+    result.methods.back().l1 = l1;
+    if (reference != nullptr) result.methods.back().budget = budget_of(solution, comparison.budget);
   }
   return solved_point;
 }

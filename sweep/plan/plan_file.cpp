@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 
+#include "parameters/asked_name.hpp"
 #include "parameters/ini_file.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/input_file.hpp"
@@ -23,13 +24,6 @@ using parameters::IniSetting;
 
 constexpr const char* kSweep = "sweep";
 constexpr const char* kVary = "vary";
-
-Design design_in(const IniSetting& line) {
-  const auto design = parameters::value_named<Design>(line.text);
-  if (design) return *design;
-  throw InputError(fmt::format("{}: design {} (must be one of product, list, sobol)", line.where,
-                               in_quotes(line.text)));
-}
 
 std::size_t points_in(const IniSetting& line) {
   std::size_t count = 0;
@@ -91,7 +85,10 @@ PlanText read_plan(const std::string& name_or_path, const std::vector<std::strin
   for (const auto& [key, line] : lines) {
     if (key == "case") continue;
     if (key == "design") {
-      plan.design = design_in(line);
+      plan.design = parameters::asked_name<Design>(line.where + ": design", line.text);
+    } else if (key == "closure_errors") {
+      plan.closure_errors =
+          parameters::asked_name<ClosureErrors>(line.where + ": closure_errors", line.text);
     } else if (key == "points") {
       plan.points = points_in(line);
     } else if (key == "methods") {

@@ -7,7 +7,7 @@
 
 #include "parameters/ini_file.hpp"
 #include "problem/problem.hpp"
-#include "sweep/plan/points.hpp"
+#include "sweep/plan/plan.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -16,6 +16,7 @@ struct PlanText {
   problem::Problem base;
   std::vector<Axis> axes{};
   std::optional<Design> design{};
+  std::optional<ClosureErrors> closure_errors{};
   std::optional<std::size_t> points{};
   std::optional<std::string> methods{};
   std::vector<parameters::IniSetting> options{};  ///< of the methods: the other lines of [sweep]
@@ -28,6 +29,7 @@ struct PlanText {
 ///     methods = epc,fd-kf
 ///     design = product        ; or list, sobol
 ///     points = 1000           ; of the design sobol
+///     closure_errors = residuals   ; or reference
 ///     max_seconds = 5         ; an option of the methods
 ///     [vary]
 ///     system.restitution = 0.5:0.99:50

@@ -104,6 +104,7 @@ Json plan_json(const Plan& plan) {
             {"design", name(plan.design)},
             {"points", plan.sobol_points},
             {"marginals", plan.marginals},
+            {"closure_errors", name(plan.closure_errors)},
             {"methods", Json::array()}};
   for (const auto& axis : plan.axes) json["vary"].push_back(axis_json(axis));
   for (const auto& method : plan.methods) {
@@ -119,7 +120,8 @@ Plan plan_in(const Json& json, const methods::Registry& registry) {
             .axes = {},
             .design = named_in<Design>(json.at("design")),
             .sobol_points = json.at("points"),
-            .marginals = json.at("marginals")};
+            .marginals = json.at("marginals"),
+            .closure_errors = named_in<ClosureErrors>(json.at("closure_errors"))};
   for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_in(axis));
   for (const auto& method : json.at("methods")) {
     plan.methods.push_back(method_in(method, registry));
@@ -129,7 +131,8 @@ Plan plan_in(const Json& json, const methods::Registry& registry) {
 }
 
 std::string difference_of(const Json& before, const Json& now) {
-  for (const char* part : {"methods", "vary", "design", "points", "marginals", "case"}) {
+  for (const char* part :
+       {"methods", "vary", "design", "points", "marginals", "closure_errors", "case"}) {
     const Json was = before.contains(part) ? before.at(part) : Json();
     const std::string difference = first_difference(part, was, now.at(part));
     if (!difference.empty()) return difference;

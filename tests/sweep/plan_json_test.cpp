@@ -31,6 +31,8 @@ TEST(PlanJson, WhatDiffersIsNamed) {
     return difference(plan, other);
   };
   EXPECT_EQ(with([](Plan& p) { p.marginals = true; }), "marginals: false then, true now");
+  EXPECT_EQ(with([](Plan& p) { p.closure_errors = ClosureErrors::residuals; }),
+            "closure_errors: \"reference\" then, \"residuals\" now");
   EXPECT_NE(with([](Plan& p) { p.axes[0].values[1] = 3.0; }).find("impulse.rate"),
             std::string::npos);
   EXPECT_NE(with([](Plan& p) { p.methods.pop_back(); }).find("fd-kf"), std::string::npos);

@@ -14,8 +14,9 @@ namespace {
 using transform::Status;
 
 // As `run` has it.
-TEST(SolvePoint, IsWhatARunOfThatCaseGives) {
+TEST(SolvePoint, IsWhatARunOfThatCaseGivesWhereResidualsMeasureClosures) {
   Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
+  plan.closure_errors = ClosureErrors::residuals;
   plan.methods =
       methods::builtin().select("epc-gaussian-n4,fd-white,fd-kf", {{"stepper", "direct"}});
   const auto point = solve_point(plan, 1);
@@ -35,6 +36,35 @@ TEST(SolvePoint, IsWhatARunOfThatCaseGives) {
   ASSERT_FALSE(point.result.methods[0].budget.empty());
   EXPECT_EQ(point.result.methods[0].budget[0].l1.y, run[0].budget[0].parts[0].l1);
   EXPECT_FALSE(point.result.methods[2].l1);
+}
+
+TEST(SolvePoint, JudgesAClosureByItsDistanceToTheReferenceAndWhatThatStates) {
+  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
+  // In case 1 n = 2 is off by 0.0044 and 0.030, and n = 6 by 0.0023 and 0.0047.
+  plan.methods =
+      methods::builtin().select("epc-gaussian-n2,epc-gaussian-n6,fd-kf", {{"stepper", "direct"}});
+  const auto found = solve_point(plan, 1).result.methods;
+  ASSERT_TRUE(found[0].l1 && found[1].l1 && found[2].error);
+  EXPECT_EQ(found[0].status, Status::inaccurate);
+  EXPECT_NE(found[0].reason.find("off from fd-kf by L1 0.0044 in p(y) and 0.03 in p(y')"),
+            std::string::npos)
+      << found[0].reason;
+  EXPECT_EQ(found[1].status, Status::ok);
+  for (const std::size_t m : {0, 1}) {
+    EXPECT_DOUBLE_EQ(found[m].error->y, found[m].l1->y + found[2].error->y);
+    EXPECT_DOUBLE_EQ(found[m].error->ydot, found[m].l1->ydot + found[2].error->ydot);
+  }
+}
+
+TEST(SolvePoint, HasClosuresMeasuredByResidualsWhereThereIsNoReference) {
+  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
+  plan.methods = methods::builtin().select("epc-gaussian-n2", {});
+  const auto by_default = solve_point(plan, 1).result.methods[0];
+  plan.closure_errors = ClosureErrors::residuals;
+  const auto by_residuals = solve_point(plan, 1).result.methods[0];
+  EXPECT_EQ(by_default.status, Status::inaccurate);
+  EXPECT_EQ(by_default.reason, by_residuals.reason);
+  EXPECT_EQ(by_default.error, by_residuals.error);
 }
 
 // A mean that leaves nothing for the variance: E[Y]^2 must be below intensity / rate = 0.1.

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "parameters/input_error.hpp"
+#include "parameters/names.hpp"
+#include "parameters/shown.hpp"
+
+namespace fpkcheck::parameters {
+
+/// The value of an enum that a user asked for by its name.
+/// @param what how the message begins: "--design", "plan mine.ini, line 3: design"
+/// @throws InputError when there is none of this name
+template <class Enum>
+Enum asked_name(const std::string& what, const std::string& text) {
+  if (const auto value = value_named<Enum>(text)) return *value;
+  std::string known;
+  for (const auto& entry : names(Enum{})) {
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw InputError(fmt::format("{} {} (must be one of {})", what, in_quotes(text), known));
+}
+
+}  // namespace fpkcheck::parameters
