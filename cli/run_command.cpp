@@ -80,8 +80,8 @@ int run_command(const Call& call) {
                     "solvers, families or ids separated by commas (default: all solvers)");
   own.add_options()(
       "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
-      "compare a density from a file as well, see above; of one case; may be repeated: marginals of "
-      "y and y' of the same LABEL (default: the file's name) are one solution");
+      "compare a density from a file as well, see above; of one case; may be repeated: marginals "
+      "of y and y' of the same LABEL (default: the file's name) are one solution");
   own.add(options_of_a_run(call.registry, given));
   if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
     return kDone;

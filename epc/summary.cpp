@@ -35,8 +35,9 @@ double least_scale(const Term& term, const transform::Moments& moments, double r
   return rounding / (effect * kRelative);
 }
 
-// What evaluates the density again, with the coefficients: closed_form_in reads it. All of it follows
-// from them and the problem, so that no repeated run need be held to it: earlier files have none.
+// What evaluates the density again, with the coefficients: closed_form_in reads it. All of it
+// follows from them and the problem, so that no repeated run need be held to it: earlier files
+// have none.
 void observe_frame(const Summary& summary, Observer& observer) {
   if (!summary.frame) return;
   observer.text("coordinates", word(name(summary.frame->variables)))

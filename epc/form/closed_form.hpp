@@ -55,7 +55,8 @@ struct ClosedForm {
 bool has_closed_form(const transform::Observations& observations);
 
 /// Reads one back: `coordinates`, `coefficients[k].{x1,x2,a}`, `log_C` or `C`, and of the support
-/// `support.{sigma1,sigma2}`, `support.energy` with `tail.{kind,level}`, or `support.{y_max,v_max}`.
+/// `support.{sigma1,sigma2}`, `support.energy` with `tail.{kind,level}`, or
+/// `support.{y_max,v_max}`.
 /// @throws InputError on one line: what is missing or out of range, without the file's name
 ClosedForm closed_form_in(const transform::Observations& observations);
 

@@ -17,8 +17,8 @@ struct FileContent {
   std::string bytes;
 };
 
-/// @throws InputError on one line: no readable file, a larger one than any density needs, bytes that
-///         are neither text nor netCDF-4
+/// @throws InputError on one line: no readable file, a larger one than any density needs, bytes
+///         that are neither text nor netCDF-4
 FileContent read_content(const std::filesystem::path& file);
 
 }  // namespace fpkcheck::methods

@@ -9,10 +9,11 @@
 namespace fpkcheck::methods {
 
 /// Solutions that others found, as methods that solve nothing: their files are read here, once, and
-/// put on the comparison axes of the case. A file holds a marginal density (GivenMarginal), a joint
-/// density on a grid (GivenJoint) or as a closed form (epc::ClosedForm); files of marginals with the
-/// same label make one solution. Their method is "file". Where an equation is said, by the argument
-/// or by the file, they are closures; otherwise neither equation nor impact is known.
+/// put on the comparison axes of the case. A file holds a marginal density (GivenMarginal), a
+/// joint density on a grid (GivenJoint) or as a closed form (epc::ClosedForm); files of
+/// marginals with the same label make one solution. Their method is "file". Where an equation
+/// is said, by the argument or by the file, they are closures; otherwise neither equation nor
+/// impact is known.
 /// @param arguments each as GivenArgument has it
 /// @param registry whose ids no label may have
 /// @param case_name the case that is meant in a file of several

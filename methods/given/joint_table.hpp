@@ -22,14 +22,14 @@ bool is_joint(const NumberTable& table);
 /// @throws InputError on one line: a point that is missing or there twice, too few of them
 JointTable joint_table_of(const NumberTable& table);
 
-/// @throws InputError SOURCE: problem, where the axes do not increase, are too short, have y < 0, or
-///         a number is not finite or too large
+/// @throws InputError SOURCE: problem, where the axes do not increase, are too short, have y < 0,
+///         or a number is not finite or too large
 void require_usable(const JointTable& table, const std::string& source);
 
-/// Its values at the points: Akima's modified interpolant along y' and then along y, as of marginals
-/// (GivenMarginal), no lower than the least value of the table. From a first y that is no farther
-/// from the wall than from the second it is continued to the wall by straight lines. Elsewhere
-/// outside the table it is 0.
+/// Its values at the points: Akima's modified interpolant along y' and then along y, as of
+/// marginals (GivenMarginal), no lower than the least value of the table. From a first y that
+/// is no farther from the wall than from the second it is continued to the wall by straight
+/// lines. Elsewhere outside the table it is 0.
 /// @return row-major, shape (points.y(), points.v())
 std::vector<double> values_at(const JointTable& table, const DensityPoints& points);
 

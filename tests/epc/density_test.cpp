@@ -20,7 +20,7 @@ const transform::SmoothDensity& density_in(const Result& result) {
   return std::get<transform::SmoothDensity>(*result.solution.density);
 }
 
-// From what files keep of it: the values of the solver's own density, inside and outside its support.
+// From what files keep of it: the values of the solver's own density, in and outside its support.
 void expect_the_same_density(const problem::Problem& problem, const Options& options) {
   const Result result = solve(problem, options);
   ASSERT_TRUE(result.solution.density) << result.solution.reason;
