@@ -25,6 +25,7 @@ int sweep_command(const Call& call);
 int advise_command(const Call& call);
 int check_command(const Call& call);
 int report_command(const Call& call);
+int evaluate_command(const Call& call);
 
 /// The command of a solver: its cases by it alone, with the options that it describes.
 int solver_command(const Call& call, const methods::Solver& solver);

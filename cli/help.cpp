@@ -94,7 +94,8 @@ OptionHelp described(const po::option_description& option) {
   OptionHelp help{.name = option.canonical_display_name(allow_long),
                   .short_name = option.canonical_display_name(allow_dash_for_short),
                   .text = option.description()};
-  if (help.short_name.size() != 2) help.short_name.clear();
+  // Without a letter of its own the name comes back, which may be as short.
+  if (help.short_name.size() != 2 || help.short_name[0] != '-') help.short_name.clear();
   const std::string parameter = option.format_parameter();  // "N (=6)"
   const auto usual = parameter.find(" (=");
   help.placeholder = parameter.substr(0, usual);

@@ -66,6 +66,8 @@ std::vector<Command> commands(const methods::Registry& registry) {
                  check_command});
   all.push_back(
       {"report", "table, report.html and pictures again from a saved run", report_command});
+  all.push_back({"evaluate", "p(y, y') of a closed form at points: of a saved run, or written down",
+                 evaluate_command});
   return all;
 }
 

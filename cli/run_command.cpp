@@ -38,9 +38,16 @@ examples:
   fpkcheck run case1 --set system.restitution=0.9 --methods epc-gaussian-n6,fd,mcs
   fpkcheck run mine.ini --out results --seed 7
   fpkcheck run case1 --against measured_y.csv:lab --against measured_v.csv:lab
+  fpkcheck run case1 --against mine.csv:mine,equation=km4,impact=delta,order=6
 
 A FILE of --against has the columns "abscissa density", "abscissa density standard_error" or
-"lower upper density_or_count" of p(y) or p(y'), with a line of names or not (docs/foreign.md).
+"lower upper density_or_count" of p(y) or p(y'), with a line of names or not; or the columns y,v,p
+of a joint density, or one as netCDF-4 (joint.nc of a run too); or an exponential polynomial as JSON
+(summary.json of a run too). All of it in docs/foreign.md. After the label may follow
+  equation=white|km4|km4-pade|kf  what it is meant to solve: it gets an error and an error budget
+  impact=map|delta|exact          of that equation (default: map)
+  order=N                         where it stands among the closures
+  solution=ID, case=NAME          of a file of a run: which density
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 
@@ -72,9 +79,9 @@ int run_command(const Call& call) {
                         [&list](const std::string& value) { list = value; }),
                     "solvers, families or ids separated by commas (default: all solvers)");
   own.add_options()(
-      "against", po::value(&against)->value_name("FILE[:LABEL]")->composing(),
-      "compare a marginal density from a file as well; of one case; may be repeated: y and y' of "
-      "the same LABEL (default: the file's name) are one solution");
+      "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
+      "compare a density from a file as well, see above; of one case; may be repeated: marginals "
+      "of y and y' of the same LABEL (default: the file's name) are one solution");
   own.add(options_of_a_run(call.registry, given));
   if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
     return kDone;
@@ -89,7 +96,8 @@ int run_command(const Call& call) {
                                    common.cases.size()));
     }
     // Before the others: nothing is known of how far they may be trusted.
-    auto from_files = methods::given_methods(against, call.registry);
+    auto from_files =
+        methods::given_methods(against, call.registry, load_cases(common).front().name);
     methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),
                    std::make_move_iterator(from_files.end()));
   }

@@ -30,6 +30,7 @@ namespace fpkcheck::cli {
 namespace {
 
 bool is_required(const transform::Identity& identity, Required required) {
+  if (transform::is_guest(identity)) return false;  // nothing was asked of a solver
   if (required == Required::all) return true;
   return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
 }

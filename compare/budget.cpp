@@ -83,6 +83,13 @@ BudgetRow row_of(const Solution& closure, Variable variable, const std::vector<C
   return row;
 }
 
+// A single part that ends at a simulation has the total's name only: nothing stood between.
+bool splits(const BudgetRow& row, std::span<const Solution> solutions) {
+  if (row.parts.size() > 1) return true;
+  const Solution* end = transform::find_solution(solutions, row.reference);
+  return end == nullptr || end->identity.role != Role::simulation;
+}
+
 }  // namespace
 
 std::string name(const std::vector<Link>& links) {
@@ -129,6 +136,9 @@ std::vector<BudgetRow> error_budget(const ComparisonAxes& axes, std::span<const 
       const auto chain = budget_chain(axes, solutions, marginals, solution, variable);
       if (!chain.empty()) budget.push_back(row_of(solution, variable, chain));
     }
+  }
+  if (std::ranges::none_of(budget, [&](const BudgetRow& row) { return splits(row, solutions); })) {
+    return {};
   }
   return budget;
 }

@@ -69,7 +69,8 @@ struct BudgetRow {
   const BudgetPart* find(std::string_view part) const;
 };
 
-/// The budgets of all closures that have a density, by solution; none without a chain's end.
+/// The budgets of all closures that have a density, by solution; none without a chain's end, or
+/// where no model stands between any closure and a simulation, so that nothing is split.
 /// @param marginals of the solutions over even bins, or all of them in smooth bins
 std::vector<BudgetRow> error_budget(const ComparisonAxes& axes,
                                     std::span<const transform::Solution> solutions,

@@ -126,11 +126,13 @@ std::vector<ChainNode> budget_chain(const ComparisonAxes& axes, std::span<const 
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const Equation equation = closure.identity.equation.value_or(Equation::kf);
-  const Impact impact = closure.identity.impact.value_or(Impact::map);
+  // What is reflected exactly solves the equation with the map.
+  const bool to_first_order = closure.identity.impact == Impact::delta;
+  const Impact impact = to_first_order ? Impact::delta : Impact::map;
   Chain chain(axes, solutions, marginals, variable);
   chain.begin(closure, *marginal);
   chain.discretised(Link::closure, equation, impact);
-  if (impact != Impact::map) chain.discretised(Link::impact, equation, Impact::map);
+  if (to_first_order) chain.discretised(Link::impact, equation, Impact::map);
   if (equation != Equation::kf) {
     chain.discretised(equation == Equation::white ? Link::white_noise : Link::truncation,
                       Equation::kf, Impact::map);

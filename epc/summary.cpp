@@ -35,6 +35,25 @@ double least_scale(const Term& term, const transform::Moments& moments, double r
   return rounding / (effect * kRelative);
 }
 
+// What evaluates the density again, with the coefficients: closed_form_in reads it. All of it
+// follows from them and the problem, so that no repeated run need be held to it: earlier files
+// have none.
+void observe_frame(const Summary& summary, Observer& observer) {
+  if (!summary.frame) return;
+  observer.text("coordinates", word(name(summary.frame->variables)))
+      .work("log_C", value_of(summary.frame->log_constant));
+}
+
+// The edge that the density has.
+void observe_edge(const Frame& frame, Observer& observer) {
+  if (frame.deviations) {
+    observer.work("support.sigma1", frame.deviations->x1)
+        .work("support.sigma2", frame.deviations->x2);
+  } else {
+    observer.work("support.energy", frame.support);
+  }
+}
+
 void observe_coefficients(const Summary& summary, const transform::Moments& moments,
                           Observer& observer) {
   constexpr double kRounding = 1e-14, kPathRounding = 3e-9;  // of the density's peak
@@ -71,6 +90,7 @@ void observe_support(const Summary& summary, Observer& observer) {
       .result("support.greatest_radius", support.greatest_radius)
       .result("support.y_max", support.y_max)
       .result("support.v_max", support.v_max);
+  if (summary.frame) observe_edge(*summary.frame, observer);
   observe_faint("support.edge_density", support.edge_density);
   observe_faint("support.cut_off", support.cut_off);
   observer
@@ -132,6 +152,7 @@ transform::Observations observations(const Summary& summary, const transform::Mo
       .work("iterations", counted(summary.iterations))
       .work("residual", summary.residual)
       .work("condition", value_of(summary.condition));
+  observe_frame(summary, observer);
   observe_coefficients(summary, moments, observer);
   observe_support(summary, observer);
   observer.result("leading_form", leading_form(summary))

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "epc/form/closed_form.hpp"
 #include "epc/form/leading_form.hpp"
 #include "epc/form/polynomial.hpp"
 #include "epc/options.hpp"
@@ -77,6 +78,7 @@ struct Summary {
   std::optional<double> condition = {};
   /// Of Q_n in physical monomials (polar: of rho and theta), constant left out.
   std::vector<Term> coefficients = {};
+  std::optional<Frame> frame = {};  ///< with them, all that evaluates the density again
   std::optional<SupportSummary> support = {};
   std::optional<LeadingForm> leading_form = {};  ///< of Q_n
   /// How far the marginals are from those of the root of order n-2: the sum of the L1 distances of

@@ -133,17 +133,15 @@ std::vector<Method> Registry::select(const std::string& list, const Values& give
 }
 
 std::optional<Method> Registry::that_made(const Solution& solution, const Values& given) const {
-  // Brought along as a file, or as a function or samples.
-  constexpr const char *kFile = "file", *kGiven = "given";
   const auto& identity = solution.identity;
-  if (identity.method == kFile || identity.method == kGiven) return std::nullopt;
+  if (transform::is_guest(identity)) return std::nullopt;
   const Solver* solver = find(identity.method);
   if (solver == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : solvers_) names.push_back(known.name);
     throw InputError(fmt::format("method {} (must be {} or {})",
                                  parameters::in_quotes(identity.method), fmt::join(names, ", "),
-                                 kFile));
+                                 transform::kGivenInFile));
   }
   Method made = method(*solver, replaced(solution.options, given));
   if (made.id() != identity.id) {

@@ -135,6 +135,15 @@ std::string joint_netcdf(const Run& run) {
   return file.bytes();
 }
 
+bool is_joint_netcdf(const std::string& bytes) {
+  try {
+    const auto names = NetCdfReader(bytes).variables();
+    return std::ranges::find(names, "solution") != names.end();
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 JointFile read_joint_netcdf(const fs::path& path,
                             const std::function<void(std::string_view bytes)>& look) {
   try {

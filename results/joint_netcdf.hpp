@@ -43,6 +43,10 @@ struct JointFile {
   std::vector<SourceOfCase> sources;
 };
 
+/// Whether the bytes of a netCDF file have the variables of such a file. False where they cannot be
+/// read.
+bool is_joint_netcdf(const std::string& bytes);
+
 /// Reads what joint_netcdf made.
 /// @param look shown the file's bytes first; what it throws leaves. May be empty
 /// @throws InputError on one line: the file and what is wrong

@@ -4,6 +4,10 @@
 
 namespace fpkcheck::transform {
 
+bool is_guest(const Identity& identity) {
+  return identity.method == kGivenInFile || identity.method == kGivenAsFunction;
+}
+
 std::string solves_text(const Identity& identity) {
   return fmt::format("{}/{}", identity.equation ? name(*identity.equation) : "given",
                      identity.impact ? name(*identity.impact) : "-");

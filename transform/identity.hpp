@@ -12,7 +12,7 @@ namespace fpkcheck::transform {
 
 /// What part a solution plays in a comparison, by increasing trust.
 enum class Role {
-  given,       ///< from a file: nothing is known of how it came about
+  given,       ///< brought along: nothing is known of how it came about
   closure,     ///< a density of assumed form
   equation,    ///< a density equation, discretised
   simulation,  ///< the trajectories themselves
@@ -56,6 +56,13 @@ struct Identity {
 
   bool operator==(const Identity&) const = default;
 };
+
+/// Methods that solve nothing: a density that somebody brought along, in a file, or as a function
+/// or samples.
+inline constexpr std::string_view kGivenInFile = "file", kGivenAsFunction = "given";
+
+/// A density that somebody brought along: what a user came to see, whatever its role.
+bool is_guest(const Identity& identity);
 
 /// "km4/delta" in tables: the equation that was solved, and its impact; "given/-" where nobody
 /// knows.

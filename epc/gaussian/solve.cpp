@@ -2,37 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "epc/form/allowed.hpp"
 #include "epc/form/put_density.hpp"
 #include "epc/gaussian/basis.hpp"
+#include "epc/gaussian/density.hpp"
 #include "epc/gaussian/search.hpp"
 #include "epc/gaussian/support.hpp"
-#include "transform/zhuravlev.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
 using transform::Status;
 
-transform::SmoothDensity density_of(const Polynomial& q, const Support& support) {
-  const double constant = std::exp(-support.peak()) / support.integral();  // C of paper (17)
-  const auto plane = [q, support](double x1, double x2) {
-    return support.contains(x1, x2) ? std::exp(q(x1, x2)) : 0;
-  };
-  const bool even =
-      std::ranges::all_of(q.terms(), [](const Term& t) { return (t.x1 + t.x2) % 2 == 0; });
-  if (even) {  // both points of (5) carry the same density
-    return {[plane, constant](double y, double v) { return 2 * constant * plane(y, v); },
-            support.x1_max(), support.x2_max()};
-  }
-  return transform::physical_density(
-      {.value = [plane, constant](double x1, double x2) { return constant * plane(x1, x2); },
-       .x1_max = support.x1_max(),
-       .x2_max = support.x2_max()});
+// Normalised by itself.
+transform::SmoothDensity density_on(const Polynomial& q, const Support& support) {
+  return density_of(q, support, log_constant(support));
 }
 
 // Why a root is no density of the kind asked for; empty when it is.
@@ -81,15 +68,17 @@ void judge(const problem::Problem& problem, const Polynomial& q,
                      .v_max = support.x2_max(),
                      .edge_density = support.edge_ratio(),
                      .cut_off = support.cut_off()};
+  summary.frame = {
+      .variables = Variables::plane, .log_constant = log_constant(support), .deviations = sigma};
 
-  const transform::SmoothDensity density = density_of(q, support);
+  const transform::SmoothDensity density = density_on(q, support);
   const transform::PanelMarginals marginals = put_density(problem, Impact::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const Support before(*previous, sigma);
     summary.distance_to_previous = distance(
         marginals,
-        transform::panel_marginals(density_of(*previous, before), density.y_max, density.v_max));
+        transform::panel_marginals(density_on(*previous, before), density.y_max, density.v_max));
     if (before.edge_ratio() < kEdgeAllowed) {
       distance_to_density_before = summary.distance_to_previous;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "epc/form/allowed.hpp"
+#include "epc/half_plane/search.hpp"
 
 namespace fpkcheck::epc::half_plane {
 namespace {
@@ -38,6 +39,13 @@ Result reported(const Root& root) {
   result.solution.status = Status::not_converged;
   result.solution.reason = root.failure;
   return result;
+}
+
+Frame frame_of(const Shape& shape, Tail tail, Variables variables) {
+  return {.variables = variables,
+          .log_constant = -shape.log_normalisation,
+          .support = shape.support,
+          .level = confinement_of(shape.level, tail).level};
 }
 
 void describe(const Root& root, Tail tail, const transform::SmoothDensity& density,

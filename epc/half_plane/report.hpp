@@ -12,6 +12,9 @@ namespace fpkcheck::epc::half_plane {
 /// How the search went; the status is not_converged, for the reason that it failed if it did.
 Result reported(const Root& root);
 
+/// All of the density but its coefficients.
+Frame frame_of(const Shape& shape, Tail tail, Variables variables);
+
 /// The edge of the support and the contour of the level.
 struct Edges {
   Contour support, level;

@@ -9,6 +9,7 @@
 #include "epc/form/put_density.hpp"
 #include "epc/half_plane/report.hpp"
 #include "epc/half_plane/search.hpp"
+#include "epc/moment/density.hpp"
 #include "epc/moment/search.hpp"
 #include "epc/moment/tail.hpp"
 #include "transform/panel_marginals.hpp"
@@ -24,16 +25,8 @@ constexpr double kQuadratureAllowed = 1e-6;
 
 transform::SmoothDensity density_of(const problem::Problem& problem, const Shape& shape,
                                     Tail tail) {
-  const EnergyDomain domain(problem, shape.support);
-  const auto confinement = half_plane::confinement_of(shape.level, tail);
-  return {.value =
-              [domain, confinement, q = shape.q, constant = shape.log_normalisation](double y,
-                                                                                     double v) {
-                if (!domain.contains(y, v)) return 0.0;
-                return std::exp(q(y, v) + confinement(domain.energy(y, v)) - constant);
-              },
-          .y_max = domain.y_max(),
-          .v_max = domain.v_max()};
+  return density_of(shape.q, EnergyDomain(problem, shape.support),
+                    half_plane::confinement_of(shape.level, tail), -shape.log_normalisation);
 }
 
 std::string objection(double edge_density, const LeadingForm& form) {
@@ -61,6 +54,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   }
   summary.leading_form =
       leading_form(shape.q, half_plane::deviations(solution.moments), Plane::half);
+  summary.frame = half_plane::frame_of(shape, options.tail, Variables::physical);
   half_plane::describe(root, options.tail, density,
                        {.support = contour(EnergyDomain(problem, shape.support)),
                         .level = contour(EnergyDomain(problem, shape.level)),

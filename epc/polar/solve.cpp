@@ -9,6 +9,7 @@
 #include "epc/form/put_density.hpp"
 #include "epc/half_plane/report.hpp"
 #include "epc/half_plane/search.hpp"
+#include "epc/polar/density.hpp"
 #include "epc/polar/search.hpp"
 #include "epc/polar/tail.hpp"
 #include "transform/panel_marginals.hpp"
@@ -25,21 +26,6 @@ using transform::Panels;
 constexpr double kQuadratureAllowed = 1e-3;
 // Largest density where the confinement begins, relative to the peak: beyond, it would shape it.
 constexpr double kLevelAllowed = 1e-4;
-
-transform::SmoothDensity density_of(const Coordinates& coordinates, const Shape& shape,
-                                    const half_plane::Confinement& confinement) {
-  const double support = amplitude_at(shape.support);
-  return {.value =
-              [coordinates, q = shape.q, confinement, support, constant = shape.log_normalisation](
-                  double y, double v) {
-                const double rho = coordinates.rho(y, v);
-                if (y < 0 || rho > support) return 0.0;
-                return std::exp(q(rho, coordinates.theta(y, v)) + confinement(energy_at(rho)) -
-                                constant);
-              },
-          .y_max = coordinates.y(support),
-          .v_max = support};
-}
 
 // As few panels as hold the mass.
 Panels panels_for(const transform::SmoothDensity& density) {
@@ -96,7 +82,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& [solution, summary] = result;
   const Shape& shape = root.shape;
   const auto confinement = half_plane::confinement_of(shape.level, options.tail);
-  const transform::SmoothDensity density = density_of(coordinates, shape, confinement);
+  const transform::SmoothDensity density =
+      density_of(shape.q, coordinates, shape.support, confinement, -shape.log_normalisation);
   const Panels panels = panels_for(density);
   const auto marginals = put_density(problem, Impact::map, density, result, panels);
   if (root.previous) {
@@ -108,6 +95,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
       std::exp(largest_at(shape.q, support) + confinement(energy_at(support)) - shape.peak);
   summary.leading_form =
       leading_form_in_amplitude(shape.q, half_plane::deviations(solution.moments));
+  summary.frame = half_plane::frame_of(shape, options.tail, Variables::polar);
   half_plane::describe(root, options.tail, density,
                        {.support = contour(coordinates, support),
                         .level = contour(coordinates, amplitude_at(shape.level)),

@@ -69,6 +69,18 @@ Variable variable_of(const NumberTable& table) {
              : Variable::y;
 }
 
+std::size_t velocity_column(const std::vector<std::string>& names) {
+  // Names of axes, not of what is plotted over them.
+  constexpr std::string_view kPosition[] = {"y", "x", "displacement"};
+  constexpr std::string_view kSpeed[] = {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'"};
+  constexpr std::string_view kJoint[] = {"p", "density", "pdf", "probability density"};
+  if (names.size() != 3 || !is_one_of(names[2], kJoint)) return names.size();
+  for (const std::size_t of_v : {1, 0}) {
+    if (is_one_of(names[of_v], kSpeed) && is_one_of(names[1 - of_v], kPosition)) return of_v;
+  }
+  return names.size();
+}
+
 bool join(const std::vector<double>& bin, const std::vector<double>& next) {
   constexpr double kRounding = 1e-6;  // edges are often sums of widths
   return gap(bin, next) <= kRounding;

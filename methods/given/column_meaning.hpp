@@ -16,6 +16,10 @@ std::string_view name(BinValue value);
 /// The variable that the names of the columns say; else y' where abscissae are negative.
 transform::Variable variable_of(const NumberTable& table);
 
+/// Of names that are those of y, of y' and of a density p of both, the first two in either order:
+/// the place of that of y'; otherwise their number.
+std::size_t velocity_column(const std::vector<std::string>& names);
+
 /// Whether three columns are lower edge, upper edge and value: by their names, or because each bin
 /// begins at the edge (or so near to it that rounding must have moved it) where another ended.
 bool is_histogram(const NumberTable& table);

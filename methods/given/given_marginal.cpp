@@ -6,12 +6,10 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
-#include <sstream>
 
 #include "methods/given/bin_errors.hpp"
 #include "methods/given/column_meaning.hpp"
 #include "parameters/input_error.hpp"
-#include "parameters/input_file.hpp"
 #include "parameters/shown.hpp"
 
 // After fpclassify: pchip of Boost 1.74 calls isnan without having declared it.
@@ -32,7 +30,8 @@ void require_rows(const NumberTable& table, Variable variable) {
   for (std::size_t k = 0; k <= last; ++k) {
     const double x = table.rows[k][0];
     if (k > 0 && x <= table.rows[k - 1][0]) {
-      table.fail(k, fmt::format("{} after {} (must increase)", x, table.rows[k - 1][0]));
+      table.fail(k, fmt::format("{} after {} (must increase{})", x, table.rows[k - 1][0],
+                                table.columns() == 3 ? "; of a joint density, name y,v,p" : ""));
     }
     if (variable == Variable::y && x < 0) {
       // Only names can have said so.
@@ -219,17 +218,6 @@ double GivenMarginal::moment(int power) const {
 BinSamplingL1 GivenMarginal::sampling_l1(std::span<const double> edges) const {
   const auto [expected, in_99] = methods::sampling_l1(bin_errors(knots_, errors_, edges));
   return {scale_ * expected, scale_ * in_99};
-}
-
-GivenMarginal read_given_marginal(const std::filesystem::path& file) {
-  constexpr std::size_t kMostBytes = 16 << 20;
-  const auto text = parameters::read_input_file(file, kMostBytes);
-  if (!text) {
-    throw InputError(fmt::format("{} is not a readable file (give one with a marginal density)",
-                                 parameters::in_quotes(file.string())));
-  }
-  std::istringstream in(*text);
-  return GivenMarginal(read_number_table(in, file.string()));
 }
 
 }  // namespace fpkcheck::methods

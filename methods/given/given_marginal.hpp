@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -73,8 +72,5 @@ class GivenMarginal {
   std::vector<double> errors_;  // standard errors of the file's points (the last knots), or empty
   GivenFile file_;
 };
-
-/// @throws InputError also when the file cannot be read
-GivenMarginal read_given_marginal(const std::filesystem::path& file);
 
 }  // namespace fpkcheck::methods

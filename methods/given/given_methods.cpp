@@ -4,37 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
+#include <optional>
+#include <sstream>
+#include <utility>
 
+#include "methods/given/argument.hpp"
+#include "methods/given/file_content.hpp"
+#include "methods/given/given_joint.hpp"
 #include "methods/given/given_marginal.hpp"
 #include "methods/given/label.hpp"
-#include "methods/look.hpp"
+#include "methods/given/own_density.hpp"
 #include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
 #include "problem/motion_balances.hpp"
-#include "results/directory.hpp"
 #include "transform/balance_residuals.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
-namespace fs = std::filesystem;
 using transform::Variable;
-
-struct Argument {
-  fs::path file;
-  std::string label;
-};
-
-// A file's name may have colons itself.
-Argument parse(const std::string& text) {
-  std::error_code ignored;
-  const auto colon = text.rfind(':');
-  if (colon == std::string::npos || fs::exists(text, ignored)) {
-    return {text, results::file_stem(fs::path(text).stem().string())};
-  }
-  return {text.substr(0, colon), text.substr(colon + 1)};
-}
 
 double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
 
@@ -137,45 +126,111 @@ transform::Solution solution_of(const problem::Problem& problem,
   return solution;
 }
 
+// What the arguments of one label say.
+struct Given {
+  OwnDensity own;
+  std::vector<GivenMarginal> marginals;
+  std::optional<GivenJoint> joint;
+};
+
+// The argument's own word, else what the file says.
+void state(const GivenArgument& argument, const GivenJoint* joint, OwnDensity& own) {
+  const auto differ = [&](const char* what) {
+    throw InputError(fmt::format("the files of '{}' have different {}s (say it of one of them)",
+                                 own.label, what));
+  };
+  auto equation = argument.equation;
+  auto impact = argument.impact;
+  auto order = argument.order;
+  if (joint != nullptr) {
+    if (!equation) {
+      equation = joint->equation;
+      impact = joint->impact;
+    }
+    if (!order) order = joint->order;
+  }
+  if (equation) {
+    const auto own_impact = impact.value_or(problem::Impact::map);
+    if (own.equation && (*own.equation != *equation || own.impact != own_impact))
+      differ("equation");
+    own.equation = equation;
+    own.impact = own_impact;
+  }
+  if (order) {
+    if (own.order && *own.order != *order) differ("order");
+    own.order = order;
+  }
+}
+
+void add_marginal(GivenMarginal marginal, Given& given) {
+  if (std::ranges::find(given.marginals, marginal.variable(), &GivenMarginal::variable) !=
+      given.marginals.end()) {
+    throw InputError(
+        fmt::format("two files of '{}' are densities of {} (give one of them another label)",
+                    given.own.label, marginal.variable() == Variable::y ? "y" : "y'"));
+  }
+  given.marginals.push_back(std::move(marginal));
+}
+
+void read_into(const GivenArgument& argument, const std::string& case_name,
+               const Registry& registry, Given& given) {
+  auto [form, bytes] = read_content(argument.file);
+  std::optional<GivenJoint> joint;
+  if (form == ContentForm::netcdf) {
+    joint = joint_of_netcdf(argument, std::move(bytes), case_name, registry);
+  } else if (form == ContentForm::json) {
+    joint = joint_of_json(argument, bytes, case_name);
+  } else {
+    if (argument.solution || argument.case_name) {
+      throw InputError(fmt::format("{} is one density (it has no {} to choose)",
+                                   parameters::in_quotes(argument.file.string()),
+                                   argument.solution ? "solution" : "case"));
+    }
+    std::istringstream in(std::move(bytes));
+    const auto table = read_number_table(in, argument.file.string());
+    if (is_joint(table)) {
+      joint = joint_of_table(table);
+    } else {
+      add_marginal(GivenMarginal(table), given);
+    }
+  }
+  if (given.joint || (joint && !given.marginals.empty())) {
+    throw InputError(
+        fmt::format("two files of '{}', and one of them is a joint density (give it another label)",
+                    given.own.label));
+  }
+  state(argument, joint ? &*joint : nullptr, given.own);
+  given.joint = std::move(joint);
+}
+
+Method method_of_marginals(const OwnDensity& own, const std::vector<GivenMarginal>& marginals) {
+  return {.identity = identity_of(own, transform::kGivenInFile, "from a file"),
+          .solve = [marginals](const problem::Problem& problem, const Setting& setting) {
+            return solution_of(problem, marginals, setting.axes);
+          }};
+}
+
 }  // namespace
 
-std::vector<Method> given_methods(std::span<const std::string> arguments,
-                                  const Registry& registry) {
-  struct Given {
-    std::string label;
-    std::vector<GivenMarginal> marginals;
-  };
+std::vector<Method> given_methods(std::span<const std::string> arguments, const Registry& registry,
+                                  const std::string& case_name) {
   std::vector<Given> solutions;
   for (const auto& text : arguments) {
-    const auto [file, label] = parse(text);
+    auto argument = given_argument(text);
+    if (argument.solution && !argument.own_label) argument.label = "given-" + *argument.solution;
+    const std::string& label = argument.label;
     require_free(label, registry);
-    auto marginal = read_given_marginal(file);
-    auto own = std::ranges::find(solutions, label, &Given::label);
-    for (const auto& given : solutions) require_unlike(given.label, label);
-    if (own == solutions.end()) own = solutions.insert(own, {label, {}});
-    if (std::ranges::find(own->marginals, marginal.variable(), &GivenMarginal::variable) !=
-        own->marginals.end()) {
-      throw InputError(
-          fmt::format("two files of '{}' are densities of {} (give one of them another label)",
-                      label, marginal.variable() == Variable::y ? "y" : "y'"));
+    const auto label_of = [](const Given& given) { return given.own.label; };
+    auto own = std::ranges::find(solutions, label, label_of);
+    for (const auto& given : solutions) require_unlike(given.own.label, label);
+    if (own == solutions.end()) {
+      own = solutions.insert(own, {{.label = label, .place = solutions.size()}, {}, {}});
     }
-    own->marginals.push_back(std::move(marginal));
+    read_into(argument, case_name, registry, *own);
   }
   std::vector<Method> methods;
-  for (auto& [label, marginals] : solutions) {
-    const std::size_t place = methods.size();
-    methods.push_back(
-        {.identity = {.id = label,
-                      .method = "file",
-                      .role = transform::Role::given,
-                      .family = "file",
-                      .meaning = "A density from a file (--against): neither its equation nor its "
-                                 "impact is known.",
-                      .trust = static_cast<int>(place),
-                      .look = given_look(place)},
-         .solve = [marginals = marginals](const problem::Problem& problem, const Setting& setting) {
-           return solution_of(problem, marginals, setting.axes);
-         }});
+  for (const auto& [own, marginals, joint] : solutions) {
+    methods.push_back(joint ? method_of(own, *joint) : method_of_marginals(own, marginals));
   }
   return methods;
 }

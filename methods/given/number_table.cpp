@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "methods/given/column_meaning.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 
@@ -21,7 +22,7 @@ std::string trimmed(std::string text) {
   return text.substr(first, text.find_last_not_of(kAround) - first + 1);
 }
 
-constexpr std::size_t kMostRows = 100000;
+constexpr std::size_t kMostRows = 100000, kMostOfAGrid = 1000000;
 constexpr std::size_t kLongestLine = 10000;
 
 char separator_of(const std::string& line) {
@@ -111,6 +112,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     throw InputError(fmt::format("{}:{}: {}", parameters::shown(source), line_number, problem));
   };
   char usual_separator = '\0';
+  std::size_t most = kMostRows;
   for (std::string line; std::getline(in, line);) {
     ++line_number;
     if (line.size() > kLongestLine) {
@@ -153,9 +155,13 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     if (row.size() != columns) {
       fail(fmt::format("{} columns after rows of {}", row.size(), columns));
     }
-    if (table.rows.size() == kMostRows) {
+    if (table.rows.empty()) {
+      const auto names = lower_case(table.names.empty() ? comment : table.names);
+      most = velocity_column(names) < names.size() ? kMostOfAGrid : kMostRows;
+    }
+    if (table.rows.size() == most) {
       fail(fmt::format("more than {} rows (a density has no use for as many: leave some out)",
-                       kMostRows));
+                       most));
     }
     table.rows.push_back(std::move(row));
     table.lines.push_back(line_number);

@@ -1,17 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "compare/axes.hpp"
+#include "methods/given/density_points.hpp"
 #include "methods/method.hpp"
 
-/// Joint densities that somebody brings along, as a function or as samples, as methods that solve
-/// nothing. Where it is said what they are to solve they are closures: judged by their distance to
-/// the reference and its error budget, and never the judge.
+/// Densities that somebody brings along, as methods that solve nothing. Where it is said what they
+/// are to solve they are closures: judged by their distance to the reference and its error budget,
+/// and never the judge.
 namespace fpkcheck::methods {
 
 /// What is said of such a density.
@@ -21,32 +21,22 @@ struct OwnDensity {
   std::optional<problem::Equation> equation = {};
   problem::Impact impact = problem::Impact::map;  ///< of an equation
   std::size_t place = 0;                          ///< among several, for pictures
+  std::optional<int> order = {};                  ///< where it stands among closures
 };
 
-/// The points at which a function p(y, y') is wanted.
-class DensityPoints {
- public:
-  /// The cells are those of the axes, and go on with the same widths to 10/7 of them, so that what
-  /// lies beyond the axes shows.
-  explicit DensityPoints(const compare::ComparisonAxes& axes);
+/// Who it is.
+/// @param method transform::kGivenMethods
+/// @param what "given as a function"
+transform::Identity identity_of(const OwnDensity& own, std::string_view method,
+                                const std::string& what);
 
-  const std::vector<double>& y_edges() const { return y_edges_; }
-  const std::vector<double>& v_edges() const { return v_edges_; }
-  /// y = 0, and then three Gauss-Legendre points a cell.
-  const std::vector<double>& y() const { return y_; }
-  /// Three Gauss-Legendre points a cell.
-  const std::vector<double>& v() const { return v_; }
-
- private:
-  std::vector<double> y_edges_, v_edges_, y_, v_;
-};
-
-/// How the values of a function are taken.
+/// How the values of a joint density are taken.
 struct OwnFunction {
   bool normalise = true;  ///< divide by the integral ("normalised_by" says by what)
   /// Of an equation: largest error of p(y) and of p(y') in L1, as its residuals measure it, with
   /// which it is ok.
   double accuracy = 0.02;
+  std::string objection = {};  ///< why it is no density, as is known already; empty: it is not
 };
 
 /// A function, from its values; as averages over the cells of the points. Its status is
@@ -57,13 +47,16 @@ struct OwnFunction {
 Method own_function(const OwnDensity& own, const OwnFunction& how, const DensityPoints& points,
                     std::vector<double> values);
 
-/// Samples, as a histogram over the cells of the comparison axes, with 95 % intervals and the
-/// errors by chance that are those of independent ones.
-/// @param y, v of each sample
-/// @param independent how many independent ones they are worth; 0: all of them
-/// @throws InputError when they are fewer than 100, of different numbers, not finite, or behind the
-///         wall; when more are said to be independent than there are
-Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<const double> v,
-                   double independent = 0);
+/// The integral of values as own_function takes them.
+/// @throws InputError as own_function
+double require_density(const OwnDensity& own, const DensityPoints& points,
+                       const std::vector<double>& values);
+
+/// The solution that own_function's method returns, from values that require_density took.
+/// @param mass their integral
+transform::Solution solution_of(const problem::Problem& problem, const Setting& setting,
+                                const OwnDensity& own, const OwnFunction& how,
+                                const DensityPoints& points, std::vector<double> values,
+                                double mass);
 
 }  // namespace fpkcheck::methods

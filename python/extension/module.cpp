@@ -28,6 +28,7 @@
 #include "methods/given/given_methods.hpp"
 #include "methods/given/label.hpp"
 #include "methods/given/own_density.hpp"
+#include "methods/given/own_samples.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "problem/case_file.hpp"
@@ -216,9 +217,10 @@ void bind_methods(py::module_& module) {
              py::arg("accuracy"), py::arg("place"));
   module.def("samples_method", samples_method, py::arg("y"), py::arg("v"), py::arg("label"),
              py::arg("equation"), py::arg("impact"), py::arg("independent"), py::arg("place"));
-  module.def("file_methods", [](const std::vector<std::string>& arguments) {
-    return methods::given_methods(arguments, registry());
-  });
+  module.def("file_methods",
+             [](const std::vector<std::string>& arguments, const std::string& case_name) {
+               return methods::given_methods(arguments, registry(), case_name);
+             });
 }
 
 // -- runs

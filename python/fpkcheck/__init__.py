@@ -10,8 +10,8 @@
 {'y': ..., 'ydot': ...}
 
 `Problem` says what is solved, `solve` solves it by any methods of the program and compares, `Run` is what came
-out, `load` reads what `fpkcheck run` or `Run.save` left in a directory. `Density` and `Samples` bring a density of
-one's own into the comparison. What NumPy can hold needs NumPy alone; tables with named axes need xarray.
+out, `load` reads what `fpkcheck run` or `Run.save` left in a directory. `Density`, `Samples` and `File` bring a
+density of one's own into the comparison. What NumPy can hold needs NumPy alone; tables with named axes need xarray.
 
 Input that cannot be used raises ValueError, in the one line that the program says; a file that cannot be written,
 RuntimeError. Ctrl-C is answered within half a second or so, by KeyboardInterrupt.
@@ -20,7 +20,7 @@ RuntimeError. Ctrl-C is answered within half a second or so, by KeyboardInterrup
 import atexit as _atexit
 
 from . import _fpkcheck
-from ._own import Density, Samples
+from ._own import Density, File, Samples
 from ._problem import Problem, load_case
 from ._run import Case, Curve, Run, Solution, StatedError, load
 from ._solve import methods, options, solve
@@ -30,6 +30,7 @@ __all__ = [
     "Case",
     "Curve",
     "Density",
+    "File",
     "Problem",
     "Run",
     "Samples",

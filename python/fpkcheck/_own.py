@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Union
@@ -110,6 +111,37 @@ class Samples:
             raise ValueError(f"samples '{label}': shape {samples.shape} (must be (n, 2): y and y')")
         y, v = np.ascontiguousarray(samples.T)
         return _fpkcheck.samples_method(y, v, label, self.equation, self.impact, self.independent or 0, place)
+
+
+@dataclass(frozen=True)
+class File:
+    """A density in a file (docs/foreign.md), with what is said of it.
+
+    Parameters
+    ----------
+    path : str or path
+        Columns of a marginal or of a joint density, netCDF-4, a closed form as JSON, or the ``summary.json`` or
+        ``joint.nc`` of a run.
+    equation, impact
+        As of `Density`; ``"exact"`` too.
+    order : int, optional
+        Where it stands among closures.
+    solution, case : str, optional
+        Of a file of a run: which density.
+    """
+
+    path: str | os.PathLike[str]
+    equation: str | None = None
+    impact: str | None = None
+    order: int | None = None
+    solution: str | None = None
+    case: str | None = None
+
+    def _argument(self, label: str) -> str:
+        """As `fpkcheck run --against` has it."""
+        said = {key: getattr(self, key) for key in ("equation", "impact", "order", "solution", "case")}
+        settings = "".join(f",{key}={value}" for key, value in said.items() if value is not None)
+        return f"{os.fspath(self.path)}:{label}{settings}"
 
 
 def _is_sampler(function: Callable[..., Any]) -> bool:

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _fpkcheck
-from ._own import Density, Samples, _as_own
+from ._own import Density, File, Samples, _as_own
 from ._problem import Problem, Value
 from ._run import Run
 
-Against = Union[str, "os.PathLike[str]", Sequence[Any], Density, Samples, NDArray[np.float64], Callable[..., Any]]
+Against = Union[str, "os.PathLike[str]", Sequence[Any], Density, File, Samples, NDArray[np.float64], Callable[..., Any]]
 
 
 def methods() -> dict[str, str]:
@@ -49,7 +49,8 @@ def _brought_along(against: Mapping[str, Against], problem: Problem) -> list[_fp
             all_own.append(own._method(label, problem._native, len(all_own)))
         else:
             files = what if isinstance(what, (list, tuple)) else [what]
-            all_own += _fpkcheck.file_methods([f"{os.fspath(file)}:{label}" for file in files])
+            each = [file if isinstance(file, File) else File(file) for file in files]
+            all_own += _fpkcheck.file_methods([file._argument(label) for file in each], problem.name)
     return all_own
 
 
@@ -79,7 +80,7 @@ def solve(
         unless given.
     against : mapping, optional
         Densities of one's own by the label that they get: a `Density`, a `Samples`, a function, an array of
-        samples, or the name of a file (or a list of two, of y and of y'; docs/foreign.md). Of one case.
+        samples, a `File`, or the name of one (or a list of two, of y and of y'; docs/foreign.md). Of one case.
     options : mapping, optional
         Options of the solvers: ``{"mcs.seed": 3, "fd.max_seconds": 5}``; without the solver's name, of all that
         have one of that name. `options` lists them.

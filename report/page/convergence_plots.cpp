@@ -41,7 +41,8 @@ struct Distances {
 bool has_orders(const Family& family) {
   return std::ranges::all_of(family.solutions, [](const Solution* solution) {
     const auto& identity = solution->identity;
-    return identity.role == transform::Role::closure && identity.order;
+    return identity.role == transform::Role::closure && identity.order &&
+           !transform::is_guest(identity);
   });
 }
 
@@ -107,6 +108,44 @@ std::vector<Level> levels(const Distances& distances) {
   return all;
 }
 
+/// A horizontal line across the plot.
+Json level_trace(const std::string& name, double l1, const Json& line, double from, double to) {
+  return {{"type", "scatter"},
+          {"mode", "lines"},
+          {"name", plotly_text(name)},
+          {"legendgroup", "level " + name},
+          {"x", {from, to}},
+          {"y", {l1, l1}},
+          {"line", line},
+          {"hovertemplate", "%{y:.3g}"}};
+}
+
+/// What somebody brought along, away from the reference.
+std::vector<const Solution*> guests(const Distances& distances) {
+  std::vector<const Solution*> found;
+  for (const auto& solution : distances.one.solutions) {
+    if (transform::is_guest(solution.identity) && distances.of(solution) > 0) {
+      found.push_back(&solution);
+    }
+  }
+  return found;
+}
+
+/// A guest at its order, or as a level where it has none.
+Json guest_trace(const Solution& guest, double l1, double from, double to) {
+  const auto& look = guest.identity.look;
+  Json trace = level_trace(legend_name(guest), l1,
+                           {{"color", look.colour}, {"width", 2}, {"dash", "longdash"}}, from, to);
+  if (!guest.identity.order) return trace;
+  trace["mode"] = "markers";
+  trace["x"] = {*guest.identity.order};
+  trace["y"] = {l1};
+  trace["marker"] = {
+      {"color", look.colour}, {"symbol", guest.is_ok() ? "star" : "star-open"}, {"size", 13}};
+  trace.erase("line");
+  return trace;
+}
+
 std::string order_figure(const Distances& distances) {
   Json data = Json::array();
   double first = 1e9, last = 0;
@@ -127,16 +166,21 @@ std::string order_figure(const Distances& distances) {
     trace["hovertemplate"] = "%{customdata}: %{y:.3g}<extra></extra>";
     data.push_back(trace);
   }
+  const auto brought_along = guests(distances);
+  for (const Solution* guest : brought_along) {
+    if (!guest->identity.order) continue;
+    first = std::min<double>(first, *guest->identity.order);
+    last = std::max<double>(last, *guest->identity.order);
+  }
+  for (const Solution* guest : brought_along) {
+    const double l1 = distances.of(*guest);
+    l1s.include(l1);
+    data.push_back(guest_trace(*guest, l1, first - 0.5, last + 0.5));
+  }
   for (const auto& [name, l1, dash] : levels(distances)) {
     l1s.include(l1);
-    data.push_back({{"type", "scatter"},
-                    {"mode", "lines"},
-                    {"name", plotly_text(name)},
-                    {"legendgroup", "level " + name},
-                    {"x", {first - 0.5, last + 0.5}},
-                    {"y", {l1, l1}},
-                    {"line", {{"color", "#555555"}, {"width", 1.5}, {"dash", dash}}},
-                    {"hovertemplate", "%{y:.3g}"}});
+    const Json line{{"color", "#555555"}, {"width", 1.5}, {"dash", dash}};
+    data.push_back(level_trace(name, l1, line, first - 0.5, last + 0.5));
   }
   const Json x_axis{{"range", {first - 0.5, last + 0.5}},
                     {"dtick", 2},

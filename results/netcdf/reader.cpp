@@ -26,7 +26,7 @@ void check_read(int status, const std::string& what) {
 
 NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
   // All that this program writes is HDF5; readers of the older forms trust their headers.
-  if (!bytes_.starts_with("\x89HDF\r\n\x1a\n")) throw std::runtime_error("no netCDF-4");
+  if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("no netCDF-4");
   // From memory: libnetcdf takes some paths for addresses in the network, and changes others.
   check_read(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
              "cannot be opened");

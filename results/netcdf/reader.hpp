@@ -1,9 +1,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fpkcheck::results {
+
+/// How the files that are read begin: HDF5.
+inline constexpr std::string_view kNetCdfMagic = "\x89HDF\r\n\x1a\n";
 
 /// A netCDF file being read from memory. Every member throws std::runtime_error on one line where
 /// the file is broken or lacks what is asked for.

@@ -223,10 +223,43 @@ def tables():
         "binary": bytes(range(128, 256)) * 10, "escape": rows("0,1", "1,\x1b[31m", "2,1", "3,1"),
         "longline": "1" * 1000000 + ",2\n", "longfield": rows("0,1", "1," + "x" * 9000),
         "rows": "".join(f"{k} 1\n" for k in range(100002)),
-        "huge": "# comment\n" * 2000000, "names": rows("a,b,c", "0,1", "1,1", "2,1", "3,1"),
+        "huge": "# comment\n" * 3500000, "names": rows("a,b,c", "0,1", "1,1", "2,1", "3,1"),
+    }
+    grid = [f"{y},{v},1" for y in range(4) for v in range(-2, 3)]
+    files |= {
+        "grid": rows("y,v,p", *grid), "hole": rows("y,v,p", *grid[:-1]),
+        "again": rows("y,v,p", *grid, "0,0,1"), "thin": rows("y,v,p", *grid[:15]),
+        "behind": rows("v,y,p", *grid), "empty_grid": rows("y,v,p", *(g[:-1] + "0" for g in grid)),
+        "spread": rows("y,v,p", *(f"{k},{k},1" for k in range(5000))),
+        "gridrows": "y,v,p\n" + "".join(f"{k},1,1\n" for k in range(1000002)),
+        "nul": b"y,v,p\n0,0,\0\n",
     }
     for name, contents in files.items():
         write(name + ".csv", contents)
+
+
+def forms():
+    good = {"coordinates": "y,v", "coefficients": [{"x1": 2, "x2": 0, "a": -1},
+                                                   {"x1": 0, "x2": 2, "a": -1}]}
+    box = {"support": {"y_max": 6, "v_max": 6}}
+    files = {
+        "form": good, "norm": good | box, "nocoordinates": {"coefficients": []},
+        "coordinates": good | {"coordinates": "\x1b[31m"}, "constant": good | {"C": 0},
+        "power": good | {"coefficients": [{"x1": 1e9, "x2": 0, "a": -1}]},
+        "nopower": good | {"coefficients": [{"x2": 0, "a": -1}]},
+        "steep": good | box | {"coefficients": [{"x1": 40, "x2": 0, "a": 1e9}]},
+        "half": good | {"support": {"y_max": 6}}, "polar": good | box | {"coordinates": "amplitude,phase"},
+        "dots": good | {"a.b": 1},
+    }
+    for name, contents in files.items():
+        write("form-" + name + ".json", json.dumps(contents))
+    summary = minimal_summary()
+    summary["cases"][0]["solutions"][0].update(good)
+    write("form-summary.json", json.dumps(summary))
+    write("form-nobody.json", json.dumps(minimal_summary()))
+    write("classic.nc", classic_netcdf(4))
+    write("cut.nc", b"\x89HDF\r\n\x1a\n" + b"x" * 1000)
+    write("three.csv", "0 0 1\n1 1 1\n")
 
 
 def plans():
@@ -260,5 +293,6 @@ def make(fpkcheck):
     case_files()
     summaries()
     tables()
+    forms()
     checkpoints(fpkcheck)
     runs(fpkcheck)

@@ -206,6 +206,44 @@ TEST_F(Program, ADensityFromAFileIsComparedWithTheMethods) {
   EXPECT_EQ(program({"report", path("out")}).exit_code, kDone);
 }
 
+TEST_F(Program, EvaluatesTheClosuresOfARunFromTheirCoefficients) {
+  const std::string out = path("out");
+  ASSERT_EQ(program({"epc", "case1", "--order", "4", "--accuracy", "1", "--formulation", "moment",
+                     "--out", out})
+                .exit_code,
+            kDone);
+  std::ofstream(path("at.csv")) << "y,v\n0,0\n0.5,-0.2\n-0.5,0\n";
+  const auto done = program({"evaluate", out, "epc-moment-n4", "--at", path("at.csv"), "--json"});
+  EXPECT_EQ(done.exit_code, kDone) << done.err;
+  EXPECT_EQ(done.err, "");
+  // The formula that docs/foreign.md has, below the confinement.
+  const auto summary = nlohmann::json::parse(std::ifstream(out + "/summary.json"));
+  const auto& closure = summary.at("cases").at(0).at("solutions").at(0);
+  double exponent = closure.at("log_C");
+  for (const auto& term : closure.at("coefficients")) {
+    exponent += term.at("a").get<double>() * std::pow(0.5, term.at("x1").get<int>()) *
+                std::pow(-0.2, term.at("x2").get<int>());
+  }
+  const auto p = nlohmann::json::parse(done.out).at("p");
+  EXPECT_NEAR(p.at(0).get<double>() / std::exp(closure.at("log_C").get<double>()), 1, 1e-12);
+  EXPECT_NEAR(p.at(1).get<double>() / std::exp(exponent), 1, 1e-12);
+  EXPECT_EQ(p.at(2), 0);
+  const auto grid = program({"evaluate", out});
+  EXPECT_EQ(grid.out.substr(0, 6), "y,v,p\n");
+  EXPECT_EQ(std::ranges::count(grid.out, '\n'), 1 + 41 * 81);
+}
+
+TEST_F(Program, EvaluatesAFormThatWasWrittenDown) {
+  std::ofstream(path("at.csv")) << "0.5 -0.2\n";
+  std::ofstream(path("form.json")) << R"({"coordinates": "x1,x2", "C": 0.25, "coefficients": [
+      {"x1": 1, "x2": 1, "a": 0.5}, {"x1": 0, "x2": 3, "a": 2}]})";
+  const auto done = program({"evaluate", path("form.json"), "--at", path("at.csv")});
+  EXPECT_EQ(done.exit_code, kDone) << done.err;
+  // Both points of the plane that (y, y') has.
+  const double p = 0.25 * (std::exp(-0.05 - 0.016) + std::exp(-0.05 + 0.016));
+  EXPECT_NEAR(std::stod(done.out.substr(done.out.rfind(',') + 1)), p, 1e-14) << done.out;
+}
+
 TEST_F(Program, ASecondRunLeavesNothingOfTheFirst) {
   const std::string out = path("out");
   ASSERT_EQ(program({"run", "case1", "case2", "--methods", "epc-gaussian-n2", "--accuracy", "1",

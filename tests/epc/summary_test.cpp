@@ -42,10 +42,11 @@ bool is_nothing(const Observations& observations, const char* path) {
 
 TEST(ClosureSummary, OfTheFormulationGaussianHasTheFieldsOfTheFiles) {
   const Observations seen = observed(2, {.order = 6});
-  EXPECT_EQ(outermost(seen), (std::vector<std::string>{
-                                 "order", "formulation", "iterations", "residual", "condition",
-                                 "coefficients", "support", "leading_form", "distance_to_previous",
-                                 "balances", "disc_sensitivity", "branch"}));
+  EXPECT_EQ(
+      outermost(seen),
+      (std::vector<std::string>{"order", "formulation", "iterations", "residual", "condition",
+                                "coordinates", "log_C", "coefficients", "support", "leading_form",
+                                "distance_to_previous", "balances", "disc_sensitivity", "branch"}));
   EXPECT_EQ(number_at(seen, "order"), 6);
   EXPECT_EQ(word(seen, "formulation"), "gaussian");
   EXPECT_EQ(word(seen, "leading_form"), "indefinite");
@@ -81,10 +82,11 @@ TEST(ClosureSummary, WithoutARootSaysHowFarTheBranchCame) {
 
 TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
   const Observations seen = observed(1, tests::closure(Formulation::moment, 4));
-  EXPECT_EQ(outermost(seen), (std::vector<std::string>{
-                                 "order", "formulation", "iterations", "residual", "condition",
-                                 "coefficients", "support", "leading_form", "distance_to_previous",
-                                 "balances", "tail", "quadrature_change", "homotopies"}));
+  EXPECT_EQ(outermost(seen),
+            (std::vector<std::string>{"order", "formulation", "iterations", "residual", "condition",
+                                      "coordinates", "log_C", "coefficients", "support",
+                                      "leading_form", "distance_to_previous", "balances", "tail",
+                                      "quadrature_change", "homotopies"}));
   EXPECT_EQ(word(seen, "formulation"), "moment");
   EXPECT_EQ(word(seen, "tail.kind"), "confined");
   // Of the exponent with its confinement, which holds down a Q_n that rises.

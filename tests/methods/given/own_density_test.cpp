@@ -9,6 +9,7 @@
 #include "exact/closed_forms.hpp"
 #include "methods/builtin.hpp"
 #include "methods/given/label.hpp"
+#include "methods/given/own_samples.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "parameters/input_error.hpp"

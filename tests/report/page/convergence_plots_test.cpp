@@ -28,6 +28,30 @@ TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
   EXPECT_EQ(trace_of(plots[1], "error of fd-kf, by its own account").at("y")[0], 3e-5);
 }
 
+TEST(OrderPlots, HaveGuestsAtTheirOrdersOrAsLevels) {
+  auto one = whole_case();
+  for (const char* id : {"fd-white", "fd-km4"}) {
+    auto& who = tests::solution_of(one, id).identity;
+    who.method = transform::kGivenInFile;
+    who.role = id == std::string("fd-white") ? transform::Role::given : transform::Role::closure;
+  }
+  auto& with_order = tests::solution_of(one, "fd-km4");
+  with_order.identity.order = 8;
+  with_order.identity.family = "file";
+  const auto plots = order_plots(one, "case-1");
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4", "mcs to fd-kf",
+                                       "error of fd-kf, by its own account"}));
+  const Json level = trace_of(plots[0], "fd-white"), mark = trace_of(plots[0], "fd-km4");
+  const double l1 = *one.l1("fd-white", "fd-kf", transform::Variable::y);
+  EXPECT_EQ(level.at("y"), Json({l1, l1}));
+  EXPECT_EQ(level.at("x"), Json({1.5, 8.5}));
+  EXPECT_EQ(level.at("mode"), "lines");
+  EXPECT_EQ(mark.at("x"), Json({8}));
+  EXPECT_EQ(mark.at("y"), Json({*one.l1("fd-km4", "fd-kf", transform::Variable::y)}));
+  EXPECT_EQ(mark.at("mode"), "markers");
+}
+
 TEST(OrderPlots, SayHowWellASimulationIsKnownToo) {
   auto one = whole_case();
   tests::solution_of(one, "fd-kf").error.reset();

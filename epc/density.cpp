@@ -1,0 +1,125 @@
+#include "epc/density.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "epc/gaussian/density.hpp"
+#include "epc/moment/density.hpp"
+#include "epc/polar/density.hpp"
+#include "parameters/input_error.hpp"
+#include "transform/panel_marginals.hpp"
+#include "transform/zhuravlev.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using transform::SmoothDensity;
+
+const problem::Problem& required(const problem::Problem* problem, const Frame& frame) {
+  if (problem != nullptr) return *problem;
+  throw InputError(
+      frame.variables == Variables::polar
+          ? "coordinates \"amplitude,phase\" are those of an oscillator (name its case)"
+          : "\"support.energy\" is the energy of an oscillator (name its case)");
+}
+
+SmoothDensity in_plane(const ClosedForm& form) {
+  const auto& [q, frame] = form;
+  if (frame.deviations) {
+    const gaussian::Support support(q, *frame.deviations);
+    return gaussian::density_of(q, support,
+                                frame.log_constant.value_or(gaussian::log_constant(support)));
+  }
+  const Box box = frame.box.value();
+  return transform::physical_density(
+      {.value =
+           [q, box, constant = frame.log_constant.value_or(0)](double x1, double x2) {
+             const bool inside = std::abs(x1) <= box.y_max && std::abs(x2) <= box.v_max;
+             return inside ? std::exp(q(x1, x2) + constant) : 0;
+           },
+       .x1_max = box.y_max,
+       .x2_max = box.v_max});
+}
+
+SmoothDensity in_physical_variables(const ClosedForm& form, const problem::Problem* problem) {
+  const auto& [q, frame] = form;
+  const double constant = frame.log_constant.value_or(0);
+  if (std::isfinite(frame.support)) {
+    return moment::density_of(q, moment::EnergyDomain(required(problem, frame), frame.support),
+                              {frame.level}, constant);
+  }
+  const Box box = frame.box.value();
+  return {.value =
+              [q, box, constant](double y, double v) {
+                const bool inside = y >= 0 && y <= box.y_max && std::abs(v) <= box.v_max;
+                return inside ? std::exp(q(y, v) + constant) : 0;
+              },
+          .y_max = box.y_max,
+          .v_max = box.v_max};
+}
+
+SmoothDensity in_polar_variables(const ClosedForm& form, const problem::Problem* problem) {
+  const auto& [q, frame] = form;
+  const polar::Coordinates coordinates(required(problem, frame));
+  const double constant = frame.log_constant.value_or(0);
+  if (std::isfinite(frame.support)) {
+    return polar::density_of(q, coordinates, frame.support, {frame.level}, constant);
+  }
+  const Box box = frame.box.value();
+  return {.value =
+              [q, coordinates, box, constant](double y, double v) {
+                const bool inside = y >= 0 && y <= box.y_max && std::abs(v) <= box.v_max;
+                return inside
+                           ? std::exp(q(coordinates.rho(y, v), coordinates.theta(y, v)) + constant)
+                           : 0;
+              },
+          .y_max = box.y_max,
+          .v_max = box.v_max};
+}
+
+SmoothDensity as_it_stands(const ClosedForm& form, const problem::Problem* problem) {
+  switch (form.frame.variables) {
+    case Variables::plane:
+      return in_plane(form);
+    case Variables::physical:
+      return in_physical_variables(form, problem);
+    case Variables::polar:
+      return in_polar_variables(form, problem);
+  }
+  return {};
+}
+
+bool has_support(const Frame& frame) {
+  return frame.deviations || std::isfinite(frame.support) || frame.box;
+}
+
+}  // namespace
+
+bool is_normalised(const ClosedForm& form) {
+  return form.frame.log_constant || has_support(form.frame);
+}
+
+SmoothDensity density(const ClosedForm& form, const problem::Problem* problem) {
+  ClosedForm whole = form;
+  Frame& frame = whole.frame;
+  const bool bounded = has_support(frame);
+  if (!bounded) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    frame.box = Box{kFar, kFar};
+  }
+  SmoothDensity result = as_it_stands(whole, problem);
+  if (frame.log_constant || frame.deviations || !bounded) return result;
+  const double mass =
+      transform::panel_marginals(result, result.y_max, result.v_max, transform::Panels::graded)
+          .mass;
+  if (!(mass > 0) || !std::isfinite(mass)) {
+    throw InputError(
+        fmt::format("the integral over the support is {:g} (must be positive and finite)", mass));
+  }
+  frame.log_constant = -std::log(mass);
+  return as_it_stands(whole, problem);
+}
+
+}  // namespace fpkcheck::epc

@@ -1,0 +1,117 @@
+#include "epc/form/closed_form.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using transform::Observations;
+
+// Beyond any that rounding lets one use, and bounded before there is room for them.
+constexpr int kHighestPower = 40;
+
+double required(const Observations& observations, const std::string& path) {
+  const auto value = transform::number(observations, path);
+  if (!value || !std::isfinite(*value)) {
+    throw InputError(fmt::format("\"{}\" is no number (must be one)", path));
+  }
+  return *value;
+}
+
+std::optional<double> positive_if_any(const Observations& observations, const std::string& path) {
+  if (transform::find(observations, path) == nullptr) return std::nullopt;
+  const double value = required(observations, path);
+  if (!(value > 0)) throw InputError(fmt::format("\"{}\" is {:g} (must be positive)", path, value));
+  return value;
+}
+
+Variables variables_in(const Observations& observations) {
+  const auto text = transform::word(observations, "coordinates");
+  if (!text) {
+    throw InputError(
+        "no \"coordinates\" (must be \"x1,x2\", \"y,v\" or \"amplitude,phase\"; a summary.json of "
+        "an earlier version: run again)");
+  }
+  const auto known = parameters::value_named<Variables>(*text);
+  if (!known) {
+    throw InputError(
+        fmt::format("coordinates {} (must be \"x1,x2\", \"y,v\" or \"amplitude,phase\")",
+                    parameters::in_quotes(*text)));
+  }
+  return *known;
+}
+
+int power(const Observations& observations, const std::string& path) {
+  const double value = required(observations, path);
+  if (value < 0 || value > kHighestPower || value != std::floor(value)) {
+    throw InputError(
+        fmt::format("\"{}\" is {:g} (must be an integer, 0 .. {})", path, value, kHighestPower));
+  }
+  return static_cast<int>(value);
+}
+
+// Files have them in their order, so that each is found from where the one before was.
+std::vector<Term> terms_in(const Observations& observations) {
+  std::vector<Term> terms;
+  constexpr std::size_t kMost = 2000;
+  for (std::size_t k = 0;; ++k) {
+    const std::string path = fmt::format("coefficients[{}].", k);
+    if (transform::find(observations, path + "x1") == nullptr &&
+        transform::find(observations, path + "a") == nullptr) {
+      break;
+    }
+    if (k == kMost) throw InputError(fmt::format("more than {} coefficients", kMost));
+    terms.push_back({power(observations, path + "x1"), power(observations, path + "x2"),
+                     required(observations, path + "a")});
+  }
+  if (terms.empty()) {
+    throw InputError("no coefficients (must be a list of {\"x1\": p, \"x2\": q, \"a\": value})");
+  }
+  return terms;
+}
+
+std::optional<double> log_constant_in(const Observations& observations) {
+  if (transform::find(observations, "log_C") != nullptr) return required(observations, "log_C");
+  const auto constant = positive_if_any(observations, "C");
+  if (!constant) return std::nullopt;
+  return std::log(*constant);
+}
+
+}  // namespace
+
+bool has_closed_form(const Observations& observations) {
+  return transform::find(observations, "coefficients[0].a") != nullptr;
+}
+
+ClosedForm closed_form_in(const Observations& observations) {
+  Frame frame{.variables = variables_in(observations),
+              .log_constant = log_constant_in(observations)};
+  const auto number = [&](const char* path) { return positive_if_any(observations, path); };
+  if (frame.variables == Variables::plane) {
+    const auto sigma1 = number("support.sigma1"), sigma2 = number("support.sigma2");
+    if (sigma1 && sigma2) frame.deviations = {*sigma1, *sigma2};
+  } else {
+    frame.support = number("support.energy").value_or(frame.support);
+    if (transform::word(observations, "tail.kind").value_or("confined") == "confined") {
+      frame.level = number("tail.level").value_or(frame.level);
+    }
+  }
+  if (!frame.deviations && !std::isfinite(frame.support)) {
+    const auto y_max = number("support.y_max"), v_max = number("support.v_max");
+    if (y_max.has_value() != v_max.has_value()) {
+      throw InputError("half a support (must have both \"y_max\" and \"v_max\")");
+    }
+    if (y_max) frame.box = Box{*y_max, *v_max};
+  }
+  return {Polynomial(terms_in(observations)), frame};
+}
+
+}  // namespace fpkcheck::epc

@@ -1,0 +1,29 @@
+#include "epc/gaussian/density.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "transform/zhuravlev.hpp"
+
+namespace fpkcheck::epc::gaussian {
+
+double log_constant(const Support& support) {
+  return -support.peak() - std::log(support.integral());
+}
+
+transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
+                                    double log_constant) {
+  const auto plane = [q, support, log_constant](double x1, double x2) {
+    return support.contains(x1, x2) ? std::exp(q(x1, x2) + log_constant) : 0;
+  };
+  const bool even =
+      std::ranges::all_of(q.terms(), [](const Term& t) { return (t.x1 + t.x2) % 2 == 0; });
+  if (even) {  // both points of (5) carry the same density
+    return {[plane](double y, double v) { return 2 * plane(y, v); }, support.x1_max(),
+            support.x2_max()};
+  }
+  return transform::physical_density(
+      {.value = plane, .x1_max = support.x1_max(), .x2_max = support.x2_max()});
+}
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "epc/form/polynomial.hpp"
+#include "epc/half_plane/confinement.hpp"
+#include "epc/moment/energy_domain.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::epc::moment {
+
+/// C exp(Q_n + confinement) in the domain, and 0 elsewhere.
+transform::SmoothDensity density_of(const Polynomial& q, const EnergyDomain& domain,
+                                    const half_plane::Confinement& confinement,
+                                    double log_constant);
+
+}  // namespace fpkcheck::epc::moment

@@ -1,0 +1,30 @@
+#include "results/json_values.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "parameters/input_error.hpp"
+#include "results/json.hpp"
+
+namespace fpkcheck::results {
+
+bool is_summary(const std::string& text, const std::string& where) {
+  std::istringstream in(text);
+  const Json json = parsed(in, where);
+  return json.is_object() && json.contains("schema");
+}
+
+transform::Observations values_in_json(const std::string& text, const std::string& where) {
+  std::istringstream in(text);
+  const Json json = parsed(in, where);
+  if (!json.is_object()) throw InputError(fmt::format("{} holds no JSON object", where));
+  try {
+    return observations_in(json);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  }
+}
+
+}  // namespace fpkcheck::results

@@ -1,0 +1,138 @@
+#include "epc/density.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "closures.hpp"
+#include "epc/solve.hpp"
+#include "paper_cases.hpp"
+#include "parameters/input_error.hpp"
+#include "transform/panel_marginals.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using transform::Observations;
+using transform::Observer;
+
+const transform::SmoothDensity& density_in(const Result& result) {
+  return std::get<transform::SmoothDensity>(*result.solution.density);
+}
+
+// From what files keep of it: the values of the solver's own density, in and outside its support.
+void expect_the_same_density(const problem::Problem& problem, const Options& options) {
+  const Result result = solve(problem, options);
+  ASSERT_TRUE(result.solution.density) << result.solution.reason;
+  const auto form = closed_form_in(result.solution.observations);
+  EXPECT_TRUE(is_normalised(form));
+  const auto& own = density_in(result);
+  const auto again = density(form, &problem);
+  EXPECT_EQ(again.y_max, own.y_max);
+  EXPECT_EQ(again.v_max, own.v_max);
+  double peak = 0;
+  for (int i = 0; i <= 20; ++i) {
+    for (int j = -20; j <= 20; ++j) {
+      const double y = 1.1 * own.y_max * i / 20, v = 1.1 * own.v_max * j / 20;
+      const double p = own.value(y, v);
+      EXPECT_NEAR(again.value(y, v), p, 1e-12 * p) << id(options) << ' ' << y << ' ' << v;
+      peak = std::max(peak, p);
+    }
+  }
+  EXPECT_GT(peak, 0.01);
+}
+
+TEST(ClosedForm, EvaluatesToTheSolversDensity) {
+  expect_the_same_density(tests::paper_case(2), {.order = 6});
+  expect_the_same_density(tests::paper_case(1), {.order = 4, .monomials = MonomialSet::general});
+  expect_the_same_density(tests::paper_case(1), tests::closure(Formulation::moment, 4));
+  expect_the_same_density(tests::paper_case(1), tests::closure(Formulation::polar, 4));
+  auto cut = tests::closure(Formulation::moment, 4);
+  cut.tail = Tail::cut;
+  expect_the_same_density(tests::paper_case(1), cut);
+}
+
+// exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
+constexpr double kA = 0.5, kB = 0.8;
+Observer bell(const char* coordinates) {
+  Observer observer;
+  observer.text("coordinates", std::string(coordinates))
+      .result("coefficients[0].x1", std::int64_t{2})
+      .result("coefficients[0].x2", std::int64_t{0})
+      .result("coefficients[0].a", -1 / (2 * kA * kA))
+      .result("coefficients[1].x1", std::int64_t{0})
+      .result("coefficients[1].x2", std::int64_t{2})
+      .result("coefficients[1].a", -1 / (2 * kB * kB));
+  return observer;
+}
+double exact_bell(double y, double v) {
+  return std::exp(-y * y / (2 * kA * kA) - v * v / (2 * kB * kB)) / (M_PI * kA * kB);
+}
+
+TEST(ClosedForm, OfAGaussianIsThatGaussian) {
+  const auto expect_exact = [](Observer observer, double relative) {
+    const auto p = density(closed_form_in(observer.take()), nullptr);
+    for (const double y : {0.0, 0.3, 1.1}) {
+      for (const double v : {-2.0, 0.0, 0.7}) {
+        EXPECT_NEAR(p.value(y, v) / exact_bell(y, v), 1, relative) << y << ' ' << v;
+      }
+    }
+  };
+  // Normalised by its constant, of the plane and of the half-plane.
+  expect_exact(bell("x1,x2").result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
+  expect_exact(bell("x1,x2").result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
+  expect_exact(bell("y,v").result("C", 1 / (M_PI * kA * kB)), 1e-14);
+  // Over a support: in it nearly all of the mass.
+  expect_exact(bell("x1,x2").result("support.sigma1", kA).result("support.sigma2", kB), 1e-12);
+  expect_exact(bell("x1,x2").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB),
+               1e-12);
+  expect_exact(bell("y,v").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB), 1e-12);
+}
+
+TEST(ClosedForm, WithoutConstantAndSupportIsNotNormalised) {
+  const auto form = closed_form_in(bell("y,v").take());
+  EXPECT_FALSE(is_normalised(form));
+  EXPECT_DOUBLE_EQ(density(form, nullptr).value(0, 0), 1);
+}
+
+std::string refusal(Observer observer, const problem::Problem* problem = nullptr) {
+  try {
+    density(closed_form_in(observer.take()), problem);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ClosedForm, ThatIsNotWholeIsRefused) {
+  EXPECT_NE(refusal(Observer()).find("no \"coordinates\""), std::string::npos);
+  EXPECT_NE(refusal(bell("q,p")).find("'q,p' (must be \"x1,x2\""), std::string::npos);
+  EXPECT_NE(refusal(Observer().text("coordinates", std::string("y,v"))).find("no coefficients"),
+            std::string::npos);
+  EXPECT_EQ(refusal(bell("y,v").result("C", -1.0)), "\"C\" is -1 (must be positive)");
+  EXPECT_NE(refusal(bell("y,v").result("support.y_max", 1.0)).find("half a support"),
+            std::string::npos);
+  EXPECT_NE(refusal(bell("y,v")
+                        .result("coefficients[2].x1", 0.5)
+                        .result("coefficients[2].x2", 0.0)
+                        .result("coefficients[2].a", 1.0))
+                .find("is 0.5 (must be an integer"),
+            std::string::npos);
+  EXPECT_NE(refusal(bell("y,v")
+                        .result("coefficients[2].x1", 30.0)
+                        .result("coefficients[2].x2", 0.0)
+                        .result("coefficients[2].a", 1.0)
+                        .result("support.y_max", 9.0)
+                        .result("support.v_max", 9.0))
+                .find("integral over the support is inf"),
+            std::string::npos);
+  // Amplitudes and energies are those of an oscillator.
+  EXPECT_NE(refusal(bell("amplitude,phase")).find("name its case"), std::string::npos);
+  EXPECT_NE(refusal(bell("y,v").result("support.energy", 1.0)).find("name its case"),
+            std::string::npos);
+  const auto problem = tests::paper_case(1);
+  EXPECT_EQ(refusal(bell("amplitude,phase"), &problem), "accepted");
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc
