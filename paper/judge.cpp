@@ -152,11 +152,8 @@ class Judge {
   }
 
   void judge_search(bool holds) {
-    const bool found = judgement_.status != Status::not_converged;
-    judgement_.outcome = !holds  ? Outcome::not_established
-                         : found ? Outcome::qualified
-                                 : Outcome::established;
-    if (!found) return;
+    judgement_.outcome = holds ? Outcome::established : Outcome::not_established;
+    if (judgement_.status == Status::not_converged) return;
     judgement_.note = fmt::format("{} a root{}",
                                   holds ? "plain Newton steps find none, but other means find"
                                         : "plain Newton steps from equivalent linearisation find",

@@ -41,7 +41,7 @@ struct Judgement {
   std::optional<transform::Status> status{};  ///< of the closure; of several the worst
   std::string reason{};                       ///< the closure's own words, where it is not `ok`
   Outcome outcome = Outcome::unjudged;
-  std::string note{};  ///< what must be said beside the outcome; empty for `established`
+  std::string note{};  ///< what must be said beside the outcome, if anything
 };
 
 /// All claims of the paper, judged by what a run found: by distances to the end of the error

@@ -114,11 +114,6 @@ std::string figure_text(const Claim& claim) {
                        : fmt::format("{}-{}", first, last);
 }
 
-std::size_t unjudged(std::span<const Judgement> judgements) {
-  return static_cast<std::size_t>(
-      std::ranges::count(judgements, Outcome::unjudged, &Judgement::outcome));
-}
-
 std::string closing_sentence(std::span<const Judgement> judgements) {
   std::vector<std::string> parts;
   for (const auto& [outcome, name, meaning] : kOutcomeNames) {

@@ -15,9 +15,6 @@ std::string table(std::span<const Judgement> judgements, const report::TextForma
 /// "44 claims of the paper: 36 established, ..."
 std::string closing_sentence(std::span<const Judgement> judgements);
 
-/// How many could not be judged.
-std::size_t unjudged(std::span<const Judgement> judgements);
-
 /// Where the paper says it: "1" or "1-4", "2ab", "2-5" or "" for the text alone.
 std::string cases_text(const Claim& claim);
 std::string figure_text(const Claim& claim);

@@ -159,7 +159,7 @@ TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
   eighth.observations = transform::Observer().work("plain_newton_converges", false).take();
   eighth.status = Status::ok;
   const auto otherwise = judged(run, 1, kNotFound);
-  EXPECT_EQ(otherwise.outcome, Outcome::qualified);
+  EXPECT_EQ(otherwise.outcome, Outcome::established);
   EXPECT_EQ(otherwise.note, "plain Newton steps find none, but other means find a root");
 }
 

@@ -57,7 +57,6 @@ TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
   EXPECT_EQ(closing_sentence(three),
             "3 claims of the paper: 1 established, 1 not established, 1 unjudged (a number that "
             "decides it is missing).");
-  EXPECT_EQ(unjudged(three), 1u);
 }
 
 }  // namespace
