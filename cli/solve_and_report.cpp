@@ -19,7 +19,6 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/standard_streams.hpp"
-#include "files/pending_files.hpp"
 #include "methods/complete_run.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
@@ -123,10 +122,7 @@ void write_stopped(const std::filesystem::path& directory, const results::Run& r
 // @return warnings about pictures, one line each
 std::vector<std::string> write_all(const std::filesystem::path& directory, const results::Run& run,
                                    const Supplement& supplement) {
-  auto warnings = report::write_report(directory, run);
-  files::PendingFiles pending;
-  for (const auto& [name, text] : supplement.files) pending.add(directory / name, text);
-  pending.commit();
+  auto warnings = report::write_report(directory, run, supplement.files);
   for (const auto& [name, script] : supplement.pictures) {
     const auto own = report::write_pictures(directory / "figures", name, script, "gnuplot");
     warnings.insert(warnings.end(), own.begin(), own.end());

@@ -7,6 +7,7 @@
 #include "cli/command_line.hpp"
 #include "cli/interruption.hpp"
 #include "methods/method.hpp"
+#include "report/report.hpp"
 #include "report/text/format.hpp"
 #include "results/run.hpp"
 
@@ -21,13 +22,13 @@ enum class Required {
 
 /// What a command makes of a run that came to its end, beside what every run leaves.
 struct Supplement {
-  struct Named {
-    std::string name, text;
+  struct Picture {
+    std::string stem, script;  ///< of gnuplot
   };
-  std::string text;             ///< printed after the table
-  std::string json;             ///< printed instead of the summary
-  std::vector<Named> files;     ///< written beside the others
-  std::vector<Named> pictures;  ///< gnuplot scripts, drawn into figures/ by their names
+  std::string text;  ///< printed after the table
+  std::string json;  ///< printed instead of the summary
+  std::vector<report::FileBeside> files;
+  std::vector<Picture> pictures;  ///< drawn into figures/
   /// What makes the exit code other than 0, a line each.
   std::vector<std::string> failures;
 };
