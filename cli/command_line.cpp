@@ -17,17 +17,25 @@ namespace po = boost::program_options;
 
 po::options_description with_common_options(const po::options_description& own,
                                             CommonArguments& common, const char* what_out_does) {
+  po::options_description with_cases;
+  for (const auto& option : own.options()) with_cases.add(option);
+  with_cases.add_options()(
+      "set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
+      "override a key of the case, e.g. --set system.restitution=0.9; may be repeated");
+  return with_output_options(with_cases, common, what_out_does);
+}
+
+po::options_description with_output_options(const po::options_description& own,
+                                            CommonArguments& common, const char* what_out_does) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
   // One by one: a nested group would be printed after the others, and in its own width.
   for (const auto& option : own.options()) all.add(option);
   all.add_options()  //
-      ("set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
-       "override a key of the case, e.g. --set system.restitution=0.9; may be repeated")(
-          "out",
-          po::value<std::string>()->value_name("DIR")->notifier(
-              [&common](const std::string& value) { common.out = value; }),
-          what_out_does)("quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
+      ("out",
+       po::value<std::string>()->value_name("DIR")->notifier(
+           [&common](const std::string& value) { common.out = value; }),
+       what_out_does)("quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
           "json", po::bool_switch(&common.json),
           "print the summary as JSON on standard output, and nothing else there")("help,h",
                                                                                   "this text");

@@ -26,6 +26,11 @@ boost::program_options::options_description with_common_options(
         "write summary.json, marginals.csv, smooth.csv, joint.nc and figures/ there (run: default "
         "fpkcheck-out)");
 
+/// The same without --set, for cases that are what they are.
+boost::program_options::options_description with_output_options(
+    const boost::program_options::options_description& own, CommonArguments& common,
+    const char* what_out_does);
+
 /// Parses, with the positional arguments going to `positional`. Options are not guessed from
 /// prefixes.
 /// @param usage first lines of the help text

@@ -18,6 +18,7 @@ struct Call {
 /// @return an ExitCode
 /// @throws InputError for bad input or usage, before anything is solved or written
 int run_command(const Call& call);
+int paper_command(const Call& call);
 int bounds_command(const Call& call);
 int reference_command(const Call& call);
 int study_command(const Call& call);

@@ -86,4 +86,9 @@ po::options_description options_of_a_run(const methods::Registry& registry,
   return shared;
 }
 
+int threads_in(const Values& given) {
+  const auto threads = std::ranges::find(given, "threads", &NamedValue::name);
+  return threads == given.end() ? 0 : static_cast<int>(std::get<std::int64_t>(threads->value));
+}
+
 }  // namespace fpkcheck::cli

@@ -26,4 +26,7 @@ boost::program_options::options_description options_for(const parameters::Descri
 boost::program_options::options_description options_of_a_run(const methods::Registry& registry,
                                                              parameters::Values& given);
 
+/// What `--threads` of them gave, for methods side by side; 0 without.
+int threads_in(const parameters::Values& given);
+
 }  // namespace fpkcheck::cli

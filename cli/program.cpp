@@ -51,6 +51,7 @@ Command command_of(const methods::Solver& solver) {
 std::vector<Command> commands(const methods::Registry& registry) {
   std::vector<Command> all{
       {"run", "all methods on all cases, compared: tables, report.html, pictures", run_command}};
+  all.push_back({"paper", "the paper's claims one by one, and its figures", paper_command});
   for (const auto& solver : registry.solvers()) all.push_back(command_of(solver));
   all.push_back(
       {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});

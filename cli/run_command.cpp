@@ -58,13 +58,6 @@ std::string all_methods(const methods::Registry& registry) {
   return list;
 }
 
-int threads_in(const parameters::Values& given) {
-  for (const auto& [name, value] : given) {
-    if (name == "threads") return static_cast<int>(std::get<std::int64_t>(value));
-  }
-  return 0;
-}
-
 }  // namespace
 
 int run_command(const Call& call) {

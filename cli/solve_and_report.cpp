@@ -22,6 +22,7 @@
 #include "methods/complete_run.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
+#include "report/figure/drawing.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
 #include "results/run_json.hpp"
@@ -118,6 +119,18 @@ void write_stopped(const std::filesystem::path& directory, const results::Run& r
                         directory.string(), directory.string()));
 }
 
+// Everything that a run leaves in its directory.
+// @return warnings about pictures, one line each
+std::vector<std::string> write_all(const std::filesystem::path& directory, const results::Run& run,
+                                   const Supplement& supplement) {
+  auto warnings = report::write_report(directory, run, supplement.files);
+  for (const auto& [name, script] : supplement.pictures) {
+    const auto own = report::write_pictures(directory / "figures", name, script, "gnuplot");
+    warnings.insert(warnings.end(), own.begin(), own.end());
+  }
+  return warnings;
+}
+
 }  // namespace
 
 report::TextFormat terminal_format() {
@@ -185,17 +198,19 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     }
   }
 
+  const Supplement supplement =
+      control.supplement && !stopped ? control.supplement(run) : Supplement{};
   if (common.json) {
-    put_out(results::summary_text(run) + '\n');
+    put_out((supplement.json.empty() ? results::summary_text(run) : supplement.json) + '\n');
   } else if (!common.quiet) {
-    put_out(report::table(run, terminal_format()));
+    put_out(report::table(run, terminal_format()) + supplement.text);
   }
   if (stopped) return kNotReached;  // the caller says by what
 
   bool all_drawn = true;
   if (common.out) {
     const process::FilesInHand in_hand;
-    for (const auto& warning : report::write_report(*common.out, run)) {
+    for (const auto& warning : write_all(*common.out, run, supplement)) {
       complain(warning);
       all_drawn = false;
     }
@@ -210,17 +225,20 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
       return std::ranges::any_of(run.cases,
                                  [&](const results::Case& one) { return !(one.*list).empty(); });
     };
+    std::string others;
+    for (const auto& file : supplement.files) others += ", " + file.name;
     put_out(fmt::format(
         "\n{}{:.1f} s.\n",
         common.out
-            ? fmt::format("Wrote report.html, summary.json, marginals.csv{}{} and {} to {} in ",
+            ? fmt::format("Wrote report.html, summary.json, marginals.csv{}{}{} and {} to {} in ",
                           any(&results::Case::smooth) ? ", smooth.csv" : "",
-                          any(&results::Case::joints) ? ", joint.nc" : "",
+                          any(&results::Case::joints) ? ", joint.nc" : "", others,
                           all_drawn ? "figures/" : "what could be drawn", *common.out)
             : "Done in ",
         elapsed.count()));
   }
-  const auto failed = failures(run, control.required);
+  auto failed = failures(run, control.required);
+  failed.insert(failed.end(), supplement.failures.begin(), supplement.failures.end());
   if (common.quiet) {
     for (const auto& line : failed) complain(line);
   }

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "cli/command_line.hpp"
 #include "cli/interruption.hpp"
 #include "methods/method.hpp"
+#include "report/report.hpp"
 #include "report/text/format.hpp"
+#include "results/run.hpp"
 
 namespace fpkcheck::cli {
 
@@ -17,11 +20,25 @@ enum class Required {
               ///< impact carry is the question
 };
 
+/// What a command makes of a run that came to its end, beside what every run leaves.
+struct Supplement {
+  struct Picture {
+    std::string stem, script;  ///< of gnuplot
+  };
+  std::string text;  ///< printed after the table
+  std::string json;  ///< printed instead of the summary
+  std::vector<report::FileBeside> files;
+  std::vector<Picture> pictures;  ///< drawn into figures/
+  /// What makes the exit code other than 0, a line each.
+  std::vector<std::string> failures;
+};
+
 struct SolveControl {
   Required required = Required::all;
   int threads = 0;  ///< for methods side by side; 0 for one per processor
   OnInterruption on_interruption = OnInterruption::give_up;
   bool with_dual = false;  ///< bounds, and every density's own error, by the backward equation
+  std::function<Supplement(const results::Run&)> supplement = {};  ///< may be none
 };
 
 /// Solves the cases by the methods, prints the table (or the JSON), and writes the report when a

@@ -159,6 +159,7 @@ transform::Observations observations(const Summary& summary, const transform::Mo
       .result("distance_to_previous", value_of(summary.distance_to_previous));
   observe(observer, summary.balances);
   if (summary.formulation == Formulation::gaussian) {
+    observer.work("plain_newton_converges", summary.plain_newton_converges);
     observer.result("disc_sensitivity", value_of(summary.disc_sensitivity));
     observe_branch(summary.branch, observer);
   }

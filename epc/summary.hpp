@@ -91,6 +91,8 @@ struct Summary {
   /// gaussian::JumpRemainder is a deviation smaller.
   std::optional<double> disc_sensitivity = {};
   Branch branch = {};  ///< of gaussian: followed where Newton's method alone finds no root
+  /// Of gaussian: whether plain Newton steps from equivalent linearisation, as in the paper, do.
+  bool plain_newton_converges = false;
   std::optional<HalfPlaneSummary> half_plane = {};
 };
 

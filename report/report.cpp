@@ -30,11 +30,13 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 
 }  // namespace
 
-std::vector<std::string> write_report(const fs::path& directory, const results::Run& run) {
+std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
+                                      const std::vector<FileBeside>& beside) {
   const auto earlier = earlier_run(directory);
   files::PendingFiles files;
   results::add_run(files, directory, run);
   files.add(directory / kPageFile, page(run));
+  for (const auto& [name, text] : beside) files.add(directory / name, text);
   files.commit();
   if (earlier) remove_pictures(directory, *earlier);
   return draw_pictures(directory, run);

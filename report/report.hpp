@@ -9,14 +9,21 @@
 
 namespace fpkcheck::report {
 
+/// A file that a command adds to those of a run.
+struct FileBeside {
+  std::string name, text;
+};
+
 /// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json, report.html
 /// and figures/ into a directory that results::make_writable prepared. The files replace those of
 /// an earlier run together, or not at all; its pictures and joint densities are removed.
 /// When the program is told to stop (process/stop.hpp), pictures are left out without a word.
+/// @param beside replace theirs together with these
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,
-                                      const results::Run& run);
+                                      const results::Run& run,
+                                      const std::vector<FileBeside>& beside = {});
 
 /// A report made again from a directory.
 struct ReportAgain {

@@ -56,7 +56,9 @@ class Seeker {
 
   Search search() {
     if (options_.order > 2) search_.previous = previous();
-    attempt(newton_from(linearised_, false)) || attempt(newton_from(linearised_, true)) ||
+    const NewtonResult plain = newton_from(linearised_, false);
+    search_.plain_newton_converges = plain.converged;
+    attempt(plain) || attempt(newton_from(linearised_, true)) ||
         (search_.previous && attempt(newton_from(padded(), true))) || follow() ||
         (search_.previous &&
          attempt(add_equations(projection_, coefficients_, padded(), options_.tolerance)));

@@ -21,6 +21,8 @@ struct Search {
   int iterations = 0;              ///< Newton steps, all attempts together
   std::string failure;             ///< one sentence when no root was found
   Branch branch;                   ///< when it was followed
+  /// Whether the first of the ways below, the paper's, found a root.
+  bool plain_newton_converges = false;
   /// For `kf`: the relative change of the scaled coefficients when the disc of JumpRemainder is a
   /// deviation smaller.
   std::optional<double> disc_sensitivity;

@@ -95,6 +95,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   result.summary.iterations = search.iterations;
   result.summary.residual = search.residual;
   result.summary.branch = search.branch;
+  result.summary.plain_newton_converges = search.plain_newton_converges;
   result.summary.disc_sensitivity = search.disc_sensitivity;
   if (search.root) {
     result.summary.condition = search.condition;

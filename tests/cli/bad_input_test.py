@@ -19,7 +19,7 @@ BYTES = 500 * 2**20
 LONGEST_MESSAGE = 400
 PLACES = {"{long}": "x" * 100000, "{esc}": "\x1b", "{newline}": "\n"}
 # Those of them that begin with a command that has --out.
-WITH_OUT = ("run", "epc", "fd", "mcs", "bounds", "study", "check", "reference", "sweep")
+WITH_OUT = ("run", "paper", "epc", "fd", "mcs", "bounds", "study", "check", "reference", "sweep")
 
 
 def lines():

@@ -109,6 +109,7 @@ TEST(GaussianClosure, OrderEightOfThePaperCasesIsNotPassedOff) {
   for (int number = 1; number <= 4; ++number) {
     const auto [solution, summary] = solve(tests::paper_case(number), {.order = 8});
     EXPECT_NE(solution.status, Status::ok) << number;
+    EXPECT_EQ(summary.plain_newton_converges, number == 4);
     EXPECT_FALSE(solution.reason.empty());
     EXPECT_EQ(solution.reason.find('\n'), std::string::npos);
     if (solution.status == Status::not_converged) {
@@ -164,6 +165,7 @@ TEST(GaussianClosure, OrderEightIsReachedWhereImpulsesAreFrequent) {
 TEST(GaussianClosure, FollowsTheBranchWherePlainNewtonStepsAreLost) {
   const problem::Problem p = tests::make_problem({.restitution = 0.5});
   const Result result = solve(p, {.order = 4});
+  EXPECT_FALSE(result.summary.plain_newton_converges);
   EXPECT_GT(result.summary.iterations, 30);
   EXPECT_LT(result.summary.residual, 1e-10);
   EXPECT_NE(result.solution.status, Status::not_converged) << result.solution.reason;

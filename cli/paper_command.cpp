@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/parameter_options.hpp"
+#include "cli/solve_and_report.hpp"
+#include "paper/claims.hpp"
+#include "paper/figures.hpp"
+#include "paper/files.hpp"
+#include "paper/judge.hpp"
+#include "paper/table.hpp"
+#include "parameters/input_error.hpp"
+#include "problem/named_cases.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kPaperUsage = R"(usage: fpkcheck paper [options]
+
+The numerical part of the paper that this program checks (Stochastic response of a vibro-impact
+Duffing system under external Poisson impulses): solves its four cases by its closures of order 2,
+4, 6 and 8, by finite differences and by simulation as `run` does, and judges what its sections 3
+and 4 say of them: a row a claim, with the numbers that decide it, what the claim asks of them, and
+what came out. Draws its Figs. 2-5 too.
+  established       the numbers are what the paper says
+  established, but  they are, of something that is no probability density
+  not established   they are not
+  unjudged          a number is missing
+Exit code 0 when every claim was judged, whatever came out, and finite differences and simulation
+reached their solutions; else 1.
+
+DIR gets what a run leaves, claims.csv, claims.json, and the paper's figures as
+figures/paper-fig-2.png (and .svg) .. -5. Of --json, `claims` has the table.
+
+examples:
+  fpkcheck paper
+  fpkcheck paper --out results --seed 7
+)";
+constexpr const char* kDefaultPaperDirectory = "fpkcheck-paper";
+
+Supplement claims_of(const results::Run& run) {
+  const auto judgements = paper::judge(run);
+  Supplement supplement{
+      .text = '\n' + paper::table(judgements, terminal_format()),
+      .json = paper::summary_with_claims(judgements, run),
+      .files = {{paper::kClaimsCsv, paper::claims_csv(judgements)},
+                {paper::kClaimsJson, paper::claims_json(judgements, run.program) + '\n'}},
+      .pictures = {},
+      .failures = {}};
+  for (auto& [stem, script] : paper::figures(run)) supplement.pictures.push_back({stem, script});
+  for (const auto& one : judgements) {
+    if (one.outcome != paper::Outcome::unjudged) continue;
+    supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
+                                              paper::cases_text(one.claim), words(one.claim),
+                                              one.note));
+  }
+  return supplement;
+}
+
+}  // namespace
+
+int paper_command(const Call& call) {
+  CommonArguments common;
+  parameters::Values given;
+  auto options = options_of_a_run(call.registry, given);
+  if (!parse(
+          call.arguments, kPaperUsage,
+          with_output_options(options, common, "write all files there (default: fpkcheck-paper)"),
+          common.cases)) {
+    return kDone;
+  }
+  if (!common.cases.empty()) {
+    throw InputError("paper takes no case (its cases are the paper's four)");
+  }
+  for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
+  if (!common.out) common.out = kDefaultPaperDirectory;
+  return solve_and_report(common, call.registry.select(paper::kMethods, given),
+                          {.required = Required::references,
+                           .threads = threads_in(given),
+                           .with_dual = true,
+                           .supplement = claims_of},
+                          call.command_line);
+}
+
+}  // namespace fpkcheck::cli

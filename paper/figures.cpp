@@ -1,0 +1,83 @@
+#include "paper/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "paper/claims.hpp"
+#include "report/figure/content.hpp"
+#include "report/figure/ranges.hpp"
+#include "report/figure/script.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+using results::Case;
+
+constexpr int kOrders[] = {2, 4, 6};
+constexpr const char* kSimulation = "mcs";
+
+// Ids here, and what the paper calls them.
+std::vector<std::pair<std::string, std::string>> names_in_the_paper() {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const int order : kOrders) {
+    names.emplace_back(closure_id(order), fmt::format("EPC (n = {})", order));
+  }
+  names.emplace_back(kSimulation, "MCS");
+  return names;
+}
+
+// The case as the paper's figure shows it: four solutions under other names, and their curves.
+Case as_in_the_paper(const Case& one, int figure) {
+  Case shown{.problem = one.problem,
+             .solutions = {},
+             .pairs = {},
+             .budget = {},
+             .limits = {},
+             .curves = {},
+             .joints = {}};
+  shown.problem.name = fmt::format("Fig. {} ({})", figure, one.name());
+  for (const auto& [id, paper_name] : names_in_the_paper()) {
+    const auto* solution = one.find(id);
+    if (solution == nullptr) continue;
+    shown.solutions.push_back(*solution);
+    shown.solutions.back().identity.id = paper_name;
+    for (const auto variable : transform::kVariables) {
+      const auto* curve = one.curve(id, variable);
+      if (curve == nullptr) continue;
+      shown.curves.push_back(*curve);
+      shown.curves.back().solution = paper_name;
+    }
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::vector<Figure> figures(const results::Run& run) {
+  std::vector<Figure> all;
+  for (int number = 1; number <= 4; ++number) {
+    const auto one = std::ranges::find(run.cases, case_name(number), &Case::name);
+    if (one == run.cases.end()) continue;
+    const int figure = Claim::figure(number);
+    const Case shown = as_in_the_paper(*one, figure);
+    auto content = report::figure_content(shown);
+    if (content.sides.empty()) continue;
+    // The paper has no differences.
+    content.reference.clear();
+    for (auto& side : content.sides) {
+      for (auto& drawn : side.curves) drawn.difference = {};
+      // Nor does it judge what it draws: the peaks of all are seen.
+      const auto all_curves = report::figure_ranges(side.curves);
+      side.ranges.linear_top = std::max(side.ranges.linear_top, all_curves.linear_top);
+      side.ranges.largest_density =
+          std::max(side.ranges.largest_density, all_curves.largest_density);
+    }
+    const std::string stem = fmt::format("paper-fig-{}", figure);
+    all.push_back({stem, report::figure_script(shown.problem, content, stem)});
+  }
+  return all;
+}
+
+}  // namespace fpkcheck::paper

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "cli/program.hpp"
+#include "cli/solve_and_report.hpp"
+#include "methods/builtin.hpp"
+#include "temporary_directory.hpp"
+
+/// What a command adds to a run (Supplement), of which `paper` is the one that does.
+namespace fpkcheck::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Said {
+  int exit_code;
+  std::string out, err;
+};
+
+Said solve(const CommonArguments& common, const Supplement& supplement) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exit_code = solve_and_report(
+      common, methods::builtin().select("epc-gaussian-n2", {{"accuracy", parameters::Value()}}),
+      {.supplement =
+           [&](const results::Run& run) {
+             EXPECT_EQ(run.cases.size(), 1u);
+             return supplement;
+           }},
+      "fpkcheck paper");
+  std::fflush(stdout);
+  return {exit_code, testing::internal::GetCapturedStdout(),
+          testing::internal::GetCapturedStderr()};
+}
+
+TEST(RunSupplement, IsPrintedAfterTheTableAndWrittenBesideTheFiles) {
+  const tests::TemporaryDirectory directory;
+  CommonArguments common;
+  common.cases = {"case1"};
+  common.out = directory.path().string();
+  const auto said = solve(common, {.text = "\nand more\n",
+                                   .json = {},
+                                   .files = {{"more.csv", "a,b\n"}},
+                                   .pictures = {{"more", "# nothing to draw\n"}},
+                                   .failures = {}});
+  EXPECT_EQ(said.exit_code, kDone);
+  EXPECT_LT(said.out.find("epc-gaussian-n2"), said.out.find("\nand more\n"));
+  EXPECT_NE(said.out.find(", more.csv and "), std::string::npos) << said.out;
+  std::ifstream written(directory.path() / "more.csv");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "a,b\n");
+  EXPECT_TRUE(fs::exists(directory.path() / "figures" / "more.gp"));
+  // A script that draws nothing is said to have drawn nothing.
+  EXPECT_NE(said.err.find("more.png"), std::string::npos) << said.err;
+}
+
+TEST(RunSupplement, ReplacesTheSummaryAndItsFailuresDecideTheExitCode) {
+  CommonArguments common;
+  common.cases = {"case1"};
+  common.json = true;
+  const Supplement supplement{
+      .text = "not this", .json = "{}", .files = {}, .pictures = {}, .failures = {"why"}};
+  const auto json = solve(common, supplement);
+  EXPECT_EQ(json.exit_code, kNotReached);
+  EXPECT_EQ(json.out, "{}\n");
+  common.json = false;
+  common.quiet = true;
+  const auto quiet = solve(common, supplement);
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_NE(quiet.err.find("why"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fpkcheck::cli
