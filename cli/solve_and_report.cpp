@@ -22,6 +22,7 @@
 #include "methods/complete_run.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
+#include "report/figure/curve_choice.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
 #include "results/run_json.hpp"
@@ -137,6 +138,9 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                      const SolveControl& control, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
   const auto problems = load_cases(common);
+  std::vector<transform::Identity> identities;
+  for (const auto& method : methods) identities.push_back(method.identity);
+  report::require_curves(common.figures.curves, identities);
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
@@ -194,7 +198,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   bool all_drawn = true;
   if (common.out) {
     const process::FilesInHand in_hand;
-    for (const auto& warning : report::write_report(*common.out, run)) {
+    for (const auto& warning : report::write_report(*common.out, run, common.figures)) {
       complain(warning);
       all_drawn = false;
     }

@@ -30,23 +30,24 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 
 }  // namespace
 
-std::vector<std::string> write_report(const fs::path& directory, const results::Run& run) {
+std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
+                                      const FigureOptions& figures) {
   const auto earlier = earlier_run(directory);
   files::PendingFiles files;
   results::add_run(files, directory, run);
   files.add(directory / kPageFile, page(run));
   files.commit();
   if (earlier) remove_pictures(directory, *earlier);
-  return draw_pictures(directory, run);
+  return draw_pictures(directory, run, figures);
 }
 
 ReportAgain report_again(const fs::path& directory, const results::Run& run,
-                         const TextFormat& format) {
+                         const TextFormat& format, const FigureOptions& figures) {
   // All of it before anything is written.
   const std::string html = page(run);
   ReportAgain again{table(run, format), {}};
   files::write_file(directory / kPageFile, html);
-  again.warnings = draw_pictures(directory, run);
+  again.warnings = draw_pictures(directory, run, figures);
   return again;
 }
 
