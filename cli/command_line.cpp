@@ -68,7 +68,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   std::vector<problem::Problem> problems;
   std::set<std::string> names;
   for (const auto& name : common.cases) {
-    problems.push_back(problem::load_case(name, common.overrides));
+    problems.push_back(problem::load_case(name, common.overrides, problem::Naming::of_changes));
     // Pictures are filed under a plainer name, so that is what must not be shared.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice (name it once)", parameters::shown(name)));
@@ -81,7 +81,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   }
   for (const auto& name : names) {
     // What pictures and variables of a case are called besides its name.
-    for (const char* addition : {"-budget", "-sources", "_bounds"}) {
+    for (const char* addition : {"-budget", "-sources", "-tex", "_bounds"}) {
       if (!names.contains(name + addition)) continue;
       throw InputError(
           fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "

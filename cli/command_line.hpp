@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "problem/problem.hpp"
+#include "report/figure/options.hpp"
 
 namespace fpkcheck::cli {
 
@@ -16,6 +17,7 @@ struct CommonArguments {
   std::optional<std::string> out;
   bool quiet = false;
   bool json = false;
+  report::FigureOptions figures = {};  ///< of commands that draw (cli/figure_options.hpp)
 };
 
 /// Adds --set, --out, --quiet, --json and --help to a command's own options.

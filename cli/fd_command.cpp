@@ -3,6 +3,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
@@ -51,6 +52,7 @@ int fd_command(const Call& call, const methods::Solver& solver) {
   Values values = solver.usual_options, over_time;
   auto own = options_for(*solver.parameters, values);
   own.add(options_for(fd_fpk::transient_description(), names_with_flags(), over_time));
+  own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
     return kDone;
   }

@@ -10,6 +10,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
@@ -96,6 +97,7 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
                                      .warn = [](const std::string& text) { complain(text); }};
   auto own = options_for(*solver.parameters, values);
   own.add(file_options(control));
+  own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
     return kDone;
   }

@@ -2,6 +2,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/solve_and_report.hpp"
 #include "paper/claims.hpp"
@@ -30,7 +31,7 @@ Exit code 0 when every claim was judged, whatever came out, and finite differenc
 reached their solutions; else 1.
 
 DIR gets what a run leaves, claims.csv, claims.json, and the paper's figures as
-figures/paper-fig-2.png (and .svg) .. -5. Of --json, `claims` has the table.
+figures/paper-fig-2.png .. -5. Of --json, `claims` has the table.
 
 examples:
   fpkcheck paper
@@ -38,7 +39,7 @@ examples:
 )";
 constexpr const char* kDefaultPaperDirectory = "fpkcheck-paper";
 
-Supplement claims_of(const results::Run& run) {
+Supplement claims_of(const results::Run& run, report::FigureWidth width) {
   const auto judgements = paper::judge(run);
   Supplement supplement{
       .text = '\n' + paper::table(judgements, terminal_format()),
@@ -47,7 +48,8 @@ Supplement claims_of(const results::Run& run) {
                 {paper::kClaimsJson, paper::claims_json(judgements, run.program) + '\n'}},
       .pictures = {},
       .failures = {}};
-  for (auto& [stem, script] : paper::figures(run)) supplement.pictures.push_back({stem, script});
+  for (auto& [stem, script] : paper::figures(run, width))
+    supplement.pictures.push_back({stem, script});
   for (const auto& one : judgements) {
     if (one.outcome != paper::Outcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
@@ -63,6 +65,7 @@ int paper_command(const Call& call) {
   CommonArguments common;
   parameters::Values given;
   auto options = options_of_a_run(call.registry, given);
+  options.add(figure_options(common.figures));
   if (!parse(
           call.arguments, kPaperUsage,
           with_output_options(options, common, "write all files there (default: fpkcheck-paper)"),
@@ -74,12 +77,13 @@ int paper_command(const Call& call) {
   }
   for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
   if (!common.out) common.out = kDefaultPaperDirectory;
-  return solve_and_report(common, call.registry.select(paper::kMethods, given),
-                          {.required = Required::references,
-                           .threads = threads_in(given),
-                           .with_dual = true,
-                           .supplement = claims_of},
-                          call.command_line);
+  return solve_and_report(
+      common, call.registry.select(paper::kMethods, given),
+      {.required = Required::references,
+       .threads = threads_in(given),
+       .with_dual = true,
+       .supplement = [&](const results::Run& run) { return claims_of(run, common.figures.width); }},
+      call.command_line);
 }
 
 }  // namespace fpkcheck::cli

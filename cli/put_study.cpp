@@ -15,7 +15,8 @@
 namespace fpkcheck::cli {
 namespace {
 
-void write(const std::filesystem::path& directory, const study::Output& output) {
+void write(const std::filesystem::path& directory, const study::Output& output,
+           const report::FigureOptions& options) {
   const process::FilesInHand in_hand;
   files::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
@@ -24,15 +25,17 @@ void write(const std::filesystem::path& directory, const study::Output& output) 
   note_kept("all was written but the picture");
   if (output.figure.empty()) return;
   report::remove_pictures_of(directory / "figures", output.stem);
-  for (const auto& warning :
-       report::write_pictures(directory / "figures", output.stem, output.figure, "gnuplot")) {
+  for (const auto& warning : report::write_pictures(directory / "figures", output.stem,
+                                                    output.figure, options, "gnuplot")) {
     complain(warning);
   }
 }
 
-std::string files_of(const study::Output& output) {
-  return output.figure.empty() ? fmt::format("{}.json and .csv", output.stem)
-                               : fmt::format("{0}.json, .csv and figures/{0}.png", output.stem);
+std::string files_of(const study::Output& output, const report::FigureOptions& options) {
+  std::string files = fmt::format("{}.json", output.stem);
+  if (output.figure.empty()) return files + " and .csv";
+  return files +
+         fmt::format(", .csv and figures/{}.{}", output.stem, name(options.formats.front()));
 }
 
 }  // namespace
@@ -44,12 +47,13 @@ void put_study(const CommonArguments& common, const study::Output& output,
   } else if (!common.quiet) {
     put_out(output.table);
   }
-  if (common.out) write(*common.out, output);
+  if (common.out) write(*common.out, output, common.figures);
   if (common.quiet || common.json) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   put_out(fmt::format(
       "\n{}{:.1f} s.\n",
-      common.out ? fmt::format("Wrote {} to {} in ", files_of(output), *common.out) : "Done in ",
+      common.out ? fmt::format("Wrote {} to {} in ", files_of(output, common.figures), *common.out)
+                 : "Done in ",
       elapsed.count()));
 }
 

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::cli {
 
-/// Prints a study's table or its JSON, writes STEM.json, STEM.csv and figures/STEM.png, .svg, .gp
+/// Prints a study's table or its JSON, writes STEM.json, STEM.csv and figures/STEM.gp with its pictures
 /// when a directory was given, and closes with what was written where.
 void put_study(const CommonArguments& common, const study::Output& output,
                std::chrono::steady_clock::time_point begin);

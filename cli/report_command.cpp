@@ -1,11 +1,13 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
 #include "process/files_in_hand.hpp"
+#include "report/figure/curve_choice.hpp"
 #include "report/report.hpp"
 #include "results/saved_run.hpp"
 
@@ -24,6 +26,9 @@ int report_command(const Call& call) {
   std::vector<std::string> directories;
   po::options_description options("options", 96);
   bool quiet = false;
+  report::FigureOptions figures;
+  const auto of_figures = case_figure_options(figures);
+  for (const auto& option : of_figures.options()) options.add(option);
   options.add_options()("quiet,q", po::bool_switch(&quiet), "no table")("help,h", "this text");
   if (!parse(call.arguments, kReportUsage, options, directories)) return kDone;
   if (directories.size() != 1) {
@@ -31,8 +36,14 @@ int report_command(const Call& call) {
   }
   results::Run run = results::load_run(directories.front());
   call.registry.introduce(run);
+  std::vector<transform::Identity> there;
+  for (const auto& one : run.cases) {
+    for (const auto& solution : one.solutions) there.push_back(solution.identity);
+  }
+  report::require_curves(figures.curves, there);
   const process::FilesInHand in_hand;
-  const auto [table, warnings] = report::report_again(directories.front(), run, terminal_format());
+  const auto [table, warnings] =
+      report::report_again(directories.front(), run, terminal_format(), figures);
   note_kept("the page was written, not all pictures");
   if (!quiet) put_out(table);
   for (const auto& warning : warnings) complain(warning);

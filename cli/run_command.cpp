@@ -5,6 +5,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
@@ -39,6 +40,7 @@ examples:
   fpkcheck run mine.ini --out results --seed 7
   fpkcheck run case1 --against measured_y.csv:lab --against measured_v.csv:lab
   fpkcheck run case1 --against mine.csv:mine,equation=km4,impact=delta,order=6
+  fpkcheck run case1 --figures pdf,tex --figure-width 85 --curves epc-gaussian,mcs
 
 A FILE of --against has the columns "abscissa density", "abscissa density standard_error" or
 "lower upper density_or_count" of p(y) or p(y'), with a line of names or not; or the columns y,v,p
@@ -75,6 +77,7 @@ int run_command(const Call& call) {
       "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
       "compare a density from a file as well, see above; of one case; may be repeated: marginals "
       "of y and y' of the same LABEL (default: the file's name) are one solution");
+  own.add(case_figure_options(common.figures));
   own.add(options_of_a_run(call.registry, given));
   if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
     return kDone;

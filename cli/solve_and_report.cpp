@@ -22,6 +22,7 @@
 #include "methods/complete_run.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
+#include "report/figure/curve_choice.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
@@ -122,10 +123,12 @@ void write_stopped(const std::filesystem::path& directory, const results::Run& r
 // Everything that a run leaves in its directory.
 // @return warnings about pictures, one line each
 std::vector<std::string> write_all(const std::filesystem::path& directory, const results::Run& run,
+                                   const report::FigureOptions& figures,
                                    const Supplement& supplement) {
-  auto warnings = report::write_report(directory, run, supplement.files);
+  auto warnings = report::write_report(directory, run, figures, supplement.files);
   for (const auto& [name, script] : supplement.pictures) {
-    const auto own = report::write_pictures(directory / "figures", name, script, "gnuplot");
+    const auto own =
+        report::write_pictures(directory / "figures", name, script, figures, "gnuplot");
     warnings.insert(warnings.end(), own.begin(), own.end());
   }
   return warnings;
@@ -151,6 +154,9 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                      const SolveControl& control, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
   const auto problems = load_cases(common);
+  std::vector<transform::Identity> identities;
+  for (const auto& method : methods) identities.push_back(method.identity);
+  report::require_curves(common.figures.curves, identities);
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
@@ -210,7 +216,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   bool all_drawn = true;
   if (common.out) {
     const process::FilesInHand in_hand;
-    for (const auto& warning : write_all(*common.out, run, supplement)) {
+    for (const auto& warning : write_all(*common.out, run, common.figures, supplement)) {
       complain(warning);
       all_drawn = false;
     }

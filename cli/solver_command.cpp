@@ -1,5 +1,6 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
@@ -9,7 +10,8 @@ namespace fpkcheck::cli {
 int solver_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
   parameters::Values values = solver.usual_options;
-  const auto own = options_for(*solver.parameters, values);
+  auto own = options_for(*solver.parameters, values);
+  own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
     return kDone;
   }

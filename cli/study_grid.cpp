@@ -1,6 +1,7 @@
 #include <chrono>
 
 #include "cli/command_line.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
@@ -54,6 +55,7 @@ int study_grid(const Call& call) {
   for (const auto& solver : call.registry.solvers()) {
     own.add(options_for(*solver.parameters, solver.set_by_a_run, options.simulation));
   }
+  own.add(figure_options(common.figures));
   if (!parse(call.arguments, kGridUsage,
              with_common_options(own, common, "write study-grid.json, .csv and a picture there"),
              common.cases)) {
@@ -75,7 +77,9 @@ int study_grid(const Call& call) {
                                        [&](const auto& progress) { line.show(progress); });
   throw_if_interrupted();
   line.clear();
-  put_study(common, study::output(found, call.command_line, terminal_format()), begin);
+  put_study(common,
+            study::output(found, call.command_line, terminal_format(), common.figures.width),
+            begin);
   return exit_code_of_study(common, study::reached(found));
 }
 

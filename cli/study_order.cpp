@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "cli/command_line.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/lists.hpp"
 #include "cli/program.hpp"
@@ -62,6 +63,7 @@ int study_order(const Call& call) {
           "formulations",
           po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
           all.c_str());
+  own.add(figure_options(common.figures));
   if (!parse(call.arguments, kOrderUsage,
              with_common_options(own, common, "write study-order.json, .csv and a picture there"),
              common.cases)) {
@@ -76,7 +78,9 @@ int study_order(const Call& call) {
                                          [&](const auto& progress) { line.show(progress); });
   throw_if_interrupted();
   line.clear();
-  put_study(common, study::output(found, call.command_line, terminal_format()), begin);
+  put_study(common,
+            study::output(found, call.command_line, terminal_format(), common.figures.width),
+            begin);
   return exit_code_of_study(common, study::reached(found));
 }
 

@@ -10,6 +10,7 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
+#include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
@@ -117,6 +118,7 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
            [&](const std::string& list) { arguments.ranks = integers("--ranks", list); }),
        "of --dry-run: what so many processes of one thread would take, e.g. 2,64,1024");
   // Threads are the sweep's own here: a point has one.
+  own.add(figure_options(arguments.common.figures));
   own.add(options_of_a_run(registry, arguments.given));
   return own;
 }
@@ -218,7 +220,8 @@ void put_results(const SweepArguments& arguments, const sweep::SweepResults& res
   } else if (!arguments.common.quiet) {
     put_out(sweep::table(results, terminal_format()));
   }
-  for (const auto& warning : sweep::write_report(directory, results, call.command_line)) {
+  for (const auto& warning :
+       sweep::write_report(directory, results, call.command_line, arguments.common.figures)) {
     complain(warning);
   }
   if (process::stop_requested()) return;  // the caller says by what

@@ -45,7 +45,8 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
   }
   if (common.out) {
     const process::FilesInHand in_hand;
-    for (const auto& warning : study::write_transient(*common.out, run)) complain(warning);
+    for (const auto& warning : study::write_transient(*common.out, run, common.figures))
+      complain(warning);
     note_kept("all was written but the picture");
   }
   if (!common.quiet && !common.json) {

@@ -56,7 +56,7 @@ Solver epc_solver() {
                        "Exponential-polynomial closure of the paper: p = C exp(Q_n) with a "
                        "polynomial of degree n, projected with Gaussian weights.",
                        {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"},
-                       kOrange, "circle"),
+                       kOrange, "triangle-up"),
                    family("epc-moment",
                           "The same form, made to meet the exact moment equations of the impact "
                           "process on the half-plane y >= 0.",

@@ -15,11 +15,15 @@ constexpr const char* kSkyBlue = "#56B4E9";
 constexpr const char* kBlue = "#0072B2";
 constexpr const char* kGreen = "#009E73";
 
+// With the order, more ink.
+constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
+                             "(10,4,2,4,2,4)", "(20,4,2,4)", "(20,6)"};
+
+constexpr const char* kOfEquations = "triangle-down";
+
 }  // namespace
 
 Look closure_look(const Ramp& ramp, const Identity& identity, const std::string& symbol) {
-  constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
-                               "(10,4,2,4,2,4)", "(20,4,2,4)", "(20,6)"};
   const auto step = static_cast<std::size_t>(std::max(2, identity.order.value_or(2)) / 2 - 1);
   const auto shade = std::min(step, kDashes.size() - 1);
   return {.colour = ramp[shade],
@@ -36,9 +40,9 @@ Look equation_look(const Identity& identity) {
             .width = 1.5,
             .as_points = false,
             .layer = 1,
-            .symbol = "triangle-up"};
+            .symbol = kOfEquations};
   if (identity.impact == Impact::delta) {
-    look.width = 1;
+    look.dash = "(6,2)";
   } else if (identity.equation == Equation::kf) {
     look.colour = kSkyBlue;
     look.width = 5;
@@ -47,23 +51,41 @@ Look equation_look(const Identity& identity) {
     look.colour = kBlue;
   } else if (identity.equation == Equation::white) {
     look.colour = kGreen;
+    look.dash = "(1,2)";
+    look.width = 2;
   }
   return look;
 }
 
+Look scheme_look(std::size_t place) {
+  constexpr std::array kBlues{"#9ECAE1", "#4292C6", "#08519C", "#08306B"};
+  const auto shade = std::min(place, kBlues.size() - 1);
+  return {.colour = kBlues[shade],
+          .dash = kDashes[shade],
+          .width = 2,
+          .as_points = false,
+          .layer = 1,
+          .symbol = kOfEquations};
+}
+
 Look simulation_look(const Identity&) {
-  return {
-      .colour = kBlack, .dash = "solid", .width = 1, .as_points = true, .layer = 3, .symbol = "x"};
+  return {.colour = kBlack,
+          .dash = "solid",
+          .width = 1,
+          .as_points = true,
+          .layer = 3,
+          .symbol = "circle"};
 }
 
 Look given_look(std::size_t place) {
   constexpr std::array kColours{"#DC050C", "#882E72", "#777777"};
+  constexpr std::array kOfFiles{"(4,3)", "(8,3)", "(4,3,1,3)"};
   return {.colour = kColours[place % kColours.size()],
-          .dash = "(4,3)",
+          .dash = kOfFiles[place % kOfFiles.size()],
           .width = 2.5,
           .as_points = false,
           .layer = 4,
-          .symbol = "x"};
+          .symbol = "pentagon"};
 }
 
 }  // namespace fpkcheck::methods

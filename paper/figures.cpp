@@ -55,7 +55,7 @@ Case as_in_the_paper(const Case& one, int figure) {
 
 }  // namespace
 
-std::vector<Figure> figures(const results::Run& run) {
+std::vector<Figure> figures(const results::Run& run, report::FigureWidth width) {
   std::vector<Figure> all;
   for (int number = 1; number <= 4; ++number) {
     const auto one = std::ranges::find(run.cases, case_name(number), &Case::name);
@@ -75,7 +75,7 @@ std::vector<Figure> figures(const results::Run& run) {
           std::max(side.ranges.largest_density, all_curves.largest_density);
     }
     const std::string stem = fmt::format("paper-fig-{}", figure);
-    all.push_back({stem, report::figure_script(shown.problem, content, stem)});
+    all.push_back({stem, report::figure_script(shown.problem, content, stem, width)});
   }
   return all;
 }

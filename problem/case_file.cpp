@@ -127,34 +127,62 @@ void require_presentable(const std::string& name) {
       kLongest));
 }
 
+// ", r = 0.9, laplace impulses": each parameter that is not as the file has it. Here, where both
+// are known, and once: tables, pictures, the page and JSON name a case by Problem::name, and files
+// by its plain form (results::file_stem).
+std::string changes(const Settings& of_file, const Problem& problem) {
+  constexpr std::size_t kLongest = 100;
+  std::string text;
+  int count = 0;
+  for (const auto& shown : shown_parameters(problem)) {
+    const std::string key = shown.section + '.' + shown.name;
+    const auto& parameter = case_parameter(key, key);
+    const auto before = of_file.find(key);
+    const auto value =
+        before == of_file.end() ? parameter.fallback : parameter.parsed(before->second.text);
+    if (value == shown.value) continue;
+    ++count;
+    // All digits: what differs is called differently.
+    const auto* number = std::get_if<double>(&shown.value);
+    text += number == nullptr ? fmt::format(", {} impulses", std::get<std::string>(shown.value))
+                              : fmt::format(", {} = {}", shown.symbol, *number);
+  }
+  return text.size() <= kLongest ? text : fmt::format(", {} keys changed", count);
+}
+
 }  // namespace
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
-                  const std::vector<std::string>& overrides) {
+                  const std::vector<std::string>& overrides, Naming naming) {
   const std::string where = fmt::format("case {}", shown(source));
-  return case_from(parameters::ini_settings(ini, where), name, where, overrides);
+  return case_from(parameters::ini_settings(ini, where), name, where, overrides, naming);
 }
 
 Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
-                  const std::string& where, const std::vector<std::string>& overrides) {
+                  const std::string& where, const std::vector<std::string>& overrides,
+                  Naming naming) {
   require_presentable(name);
-  Settings settings = known_settings(lines);
+  const Settings of_file = known_settings(lines);
+  Settings settings = of_file;
   apply(overrides, where, settings);
   try {
-    return {name, System(section(system_description(), settings)),
-            ImpulseTrain(section(impulse_description(), settings))};
+    Problem problem{name, System(section(system_description(), settings)),
+                    ImpulseTrain(section(impulse_description(), settings))};
+    if (naming == Naming::of_changes) problem.name += changes(of_file, problem);
+    return problem;
   } catch (const InputError& error) {
     throw InputError(
         fmt::format("{}: {}", place_of(error.what(), settings).value_or(where), error.what()));
   }
 }
 
-Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
+                  Naming naming) {
   std::vector<std::string> names;
   for (const auto& [name, text] : named_cases()) {
     if (name == name_or_path) {
       std::istringstream ini(text);
-      return read_case(ini, name, name, overrides);
+      return read_case(ini, name, name, overrides, naming);
     }
     names.push_back(name);
   }
@@ -166,7 +194,7 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
   }
   const std::string name = std::filesystem::path(name_or_path).stem().string();
   std::istringstream ini(*text);
-  return read_case(ini, name, name_or_path, overrides);
+  return read_case(ini, name, name_or_path, overrides, naming);
 }
 
 }  // namespace fpkcheck::problem

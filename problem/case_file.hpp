@@ -11,21 +11,29 @@
 
 namespace fpkcheck::problem {
 
+/// What a case is called of which overrides change something.
+enum class Naming {
+  of_file,     ///< as the file: for who says elsewhere what was changed, or varies it (sweeps)
+  of_changes,  ///< "case1, r = 0.9": by the symbols of what is not as the file has it
+};
+
 /// Reads a case: a name ("case1" .. "case4") or the path of an ini file.
 /// @param overrides "key=value" pairs that replace what the file says, e.g. "system.cubic=1.0"
 /// @throws InputError on one line: the key, the value, the file and what is allowed; also for a
 /// file whose name, which becomes the case's, cannot be shown
-Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {});
+Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
+                  Naming naming = Naming::of_file);
 
 /// As load_case, from a stream.
 /// @param source how messages name the stream
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
-                  const std::vector<std::string>& overrides = {});
+                  const std::vector<std::string>& overrides = {}, Naming naming = Naming::of_file);
 
 /// As load_case, from lines that were read already.
 /// @param where how messages name what is set by no line: "case mine.ini"
 Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
-                  const std::string& where, const std::vector<std::string>& overrides = {});
+                  const std::string& where, const std::vector<std::string>& overrides = {},
+                  Naming naming = Naming::of_file);
 
 /// What the key of a case file, "system.damping", sets.
 /// @param where how the message begins

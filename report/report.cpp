@@ -31,6 +31,7 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 }  // namespace
 
 std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
+                                      const FigureOptions& figures,
                                       const std::vector<FileBeside>& beside) {
   const auto earlier = earlier_run(directory);
   files::PendingFiles files;
@@ -39,16 +40,16 @@ std::vector<std::string> write_report(const fs::path& directory, const results::
   for (const auto& [name, text] : beside) files.add(directory / name, text);
   files.commit();
   if (earlier) remove_pictures(directory, *earlier);
-  return draw_pictures(directory, run);
+  return draw_pictures(directory, run, figures);
 }
 
 ReportAgain report_again(const fs::path& directory, const results::Run& run,
-                         const TextFormat& format) {
+                         const TextFormat& format, const FigureOptions& figures) {
   // All of it before anything is written.
   const std::string html = page(run);
   ReportAgain again{table(run, format), {}};
   files::write_file(directory / kPageFile, html);
-  again.warnings = draw_pictures(directory, run);
+  again.warnings = draw_pictures(directory, run, figures);
   return again;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/figure/options.hpp"
 #include "report/text/format.hpp"
 #include "results/run.hpp"
 
@@ -22,7 +23,7 @@ struct FileBeside {
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,
-                                      const results::Run& run,
+                                      const results::Run& run, const FigureOptions& figures = {},
                                       const std::vector<FileBeside>& beside = {});
 
 /// A report made again from a directory.
@@ -37,6 +38,6 @@ struct ReportAgain {
 /// @param format    of the table
 /// @throws std::runtime_error when a file cannot be written
 ReportAgain report_again(const std::filesystem::path& directory, const results::Run& run,
-                         const TextFormat& format = {});
+                         const TextFormat& format = {}, const FigureOptions& figures = {});
 
 }  // namespace fpkcheck::report

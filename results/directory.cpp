@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <system_error>
 #include <vector>
@@ -29,11 +28,15 @@ std::vector<fs::path> missing_parts(const fs::path& directory) {
 
 }  // namespace
 
-std::string file_stem(std::string case_name) {
-  std::ranges::replace_if(
-      case_name,
-      [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_' && c != '.'; }, '_');
-  return case_name;
+std::string file_stem(const std::string& case_name) {
+  std::string stem;
+  bool replaced = false;
+  for (const unsigned char c : case_name) {
+    const bool kept = std::isalnum(c) || c == '-' || c == '_' || c == '.';
+    if (kept || !replaced) stem += kept ? static_cast<char>(c) : '_';
+    replaced = !kept;
+  }
+  return stem;
 }
 
 MadeDirectories::~MadeDirectories() {

@@ -8,8 +8,9 @@
 namespace fpkcheck::results {
 
 /// The name, without extension, under which something of a case is filed: letters, digits, '-', '_'
-/// and '.' of its name, and '_' for everything else.
-std::string file_stem(std::string case_name);
+/// and '.' of its name, and one '_' for whatever stands between them: "case1, r = 0.9" is filed as
+/// "case1_r_0.9".
+std::string file_stem(const std::string& case_name);
 
 /// Directories that were made for results. Those that nothing was put into go with their owner.
 class MadeDirectories {

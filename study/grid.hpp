@@ -7,6 +7,7 @@
 #include "methods/registry.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
+#include "report/figure/options.hpp"
 #include "study/output.hpp"
 #include "study/record.hpp"
 #include "transform/richardson.hpp"
@@ -87,7 +88,8 @@ std::string csv(const GridStudy& study);
 /// Grids, limits and other methods, and which method is the quickest for which accuracy.
 std::string table(const GridStudy& study, const report::TextFormat& format);
 /// L1 distance over the cell width by order, and over the time by all methods.
-std::string figure(const GridStudy& study, const std::string& file_stem);
+std::string figure(const GridStudy& study, const std::string& file_stem,
+                   report::FigureWidth width = report::FigureWidth::screen);
 
 Record record(const GridRow& row);
 Record record(const GridLimit& limit);

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "methods/look.hpp"
 #include "report/figure/frame.hpp"
-#include "report/figure/gnuplot.hpp"
+#include "report/figure/legend_strip.hpp"
+#include "report/figure/panel_grid.hpp"
+#include "report/figure/text.hpp"
 #include "study/grid.hpp"
 #include "study/picture.hpp"
 
@@ -14,10 +17,6 @@ namespace fpkcheck::study {
 namespace {
 
 using transform::Variable;
-
-// Orders of the scheme: shades of one hue with marks that stay apart in grey print too.
-const std::vector<SeriesLook> kSchemes{
-    {"#9ECAE1", 7, 6}, {"#4292C6", 5, 4}, {"#08519C", 9, 8}, {"#08306B", 13, 12}};
 
 template <class Row>
 bool is_drawn(const Row& row) {
@@ -37,7 +36,12 @@ std::vector<Series> grids(const GridStudy& study) {
       study.rows, "grid_",
       [](const GridRow& row) { return fmt::format("finite differences, order {}", row.order); },
       [](const GridRow& row) { return point(row, row.refinement); });
-  for (std::size_t k = 0; k < all.size(); ++k) all[k].look = kSchemes[k % kSchemes.size()];
+  std::vector<transform::Identity> schemes;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    schemes.push_back({.id = all[k].label, .method = "fd", .look = methods::scheme_look(k)});
+  }
+  const auto looks = series_looks(schemes);
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].look = looks[k];
   return all;
 }
 
@@ -47,6 +51,8 @@ std::string label_of(const OtherRow& row) {
   return fmt::format("closure, {}{}", who.formulation.empty() ? who.family : who.formulation,
                      who.order ? ", n = 2, 4, .." : "");
 }
+
+constexpr const char* kSlope = "with lines dt (6,6) lc rgb '#AAAAAA'";
 
 std::string drawn_with(const SeriesLook& look) {
   return fmt::format("with linespoints lc rgb '{}' lw 2 dt {} pt {} ps 1.2", look.colour, look.dash,
@@ -59,8 +65,8 @@ std::string slopes(const GridStudy& study, double MarginalL1::*variable) {
   std::set<int> drawn;
   for (const auto& row : study.rows) {
     if (!is_drawn(row) || !drawn.insert(row.order).second) continue;
-    text += fmt::format(", {:.6g}*(x/{:.6g})**(-{}) with lines dt (6,6) lc rgb '#AAAAAA' notitle",
-                        (*row.l1).*variable, row.refinement, row.order);
+    text += fmt::format(", {:.6g}*(x/{:.6g})**(-{}) {} notitle", (*row.l1).*variable,
+                        row.refinement, row.order, kSlope);
   }
   return text;
 }
@@ -78,9 +84,10 @@ std::string panel(const std::vector<Series>& all, const std::string& title, Vari
                          drawn_with(series.look));
   }
   if (plots.empty()) return "";
-  return fmt::format(
-      "set title '{}'\n{}set ylabel \"{{/:Italic L}}_1 distance of {} to the limit\"\nplot {}\n\n",
-      title, margins(place), density_of(variable), plots + beside);
+  return fmt::format("set title '{}'\n{}set ylabel {}\nplot {}\n\n", title, margins(place),
+                     report::gnuplot_text(fmt::format(
+                         "{{/:Italic L}}_1 distance of {} to the limit", density_of(variable))),
+                     plots + beside);
 }
 
 // With room for the marks; distances by the points alone, so that the dashed lines do not stretch
@@ -99,24 +106,21 @@ std::string ranges_of_grids(const GridStudy& study) {
                      least / 2, most * 2);
 }
 
-std::string legend(const std::vector<Series>& all) {
-  std::string plots;
+report::Legend legend(const std::vector<Series>& all) {
+  report::Legend legend{{}, 4};
   for (const auto& series : all) {
     if (series.points.empty()) continue;
-    plots += fmt::format("{}NaN {} title {}", plots.empty() ? "" : ", ", drawn_with(series.look),
-                         report::gnuplot_literal(series.label));
+    legend.entries.push_back({fmt::format("NaN {}", drawn_with(series.look)), series.label});
   }
-  return fmt::format(
-      "unset title\nunset xlabel\nunset ylabel\nunset border\nunset tics\nunset grid\n"
-      "unset logscale\n{}"
-      "set key center center horizontal maxcols 4 Left reverse samplen 3 spacing 1.2\n"
-      "plot [0:1] [0:1] {}\n",
-      margins({0.02, 0.98, 0.11, 0.005}), plots);
+  legend.entries.push_back({fmt::format("NaN {}", kSlope), "the order of the scheme"});
+  return legend;
 }
 
 }  // namespace
 
-std::string figure(const GridStudy& study, const std::string& file_stem) {
+std::string figure(const GridStudy& study, const std::string& file_stem,
+                   report::FigureWidth width) {
+  constexpr int kOnScreen = 1300;
   const auto fd = grids(study);
   auto all = fd;
   for (auto& series : series_of(study.others, "other_", label_of,
@@ -124,28 +128,38 @@ std::string figure(const GridStudy& study, const std::string& file_stem) {
     all.push_back(std::move(series));
   }
   if (std::ranges::all_of(all, &std::string::empty, &Series::points)) return "";
-  std::string text = report::figure_output(file_stem, {.width = 1300, .height = 950});
+  const report::Legend entries = legend(all);
+  const bool narrow = width == report::FigureWidth::one_column;
+  report::PanelGrid grid = report::panel_grid(width, kOnScreen);
+  grid.columns = narrow ? 1 : 2;
+  grid.rows = 4 / grid.columns;
+  grid.panel_height = narrow ? 180 : 285;
+  grid.legend_height = report::legend_height(entries, grid.width);
+  const auto title = report::figure_title(study.problem, grid.size());
+  grid.title_height = title.height;
+  const auto place = [&](std::size_t panel) { return grid.place(panel); };
+
+  std::string text = report::figure_output(file_stem, grid.size());
   for (const auto& series : all) text += data_block(series.block, series.points);
   text += fmt::format(
       "set tics out nomirror\nset border 3\nset grid lc rgb '#DDDDDD' lt 1 dt solid lw 0.6\n"
-      "set logscale xy\nset format y '10^{{%L}}'\n"
-      "set multiplot title {} font ',14'\n\n",
-      report::figure_title(study.problem));
-  text += "set xlabel 'cells in a direction, relative to the automatic grid'\nset format x '%g'\n" +
-          ranges_of_grids(study) +
-          "set xtics (0.125, 0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4, 5.66, 8)\n";
-  constexpr double kLeft[] = {0.075, 0.565}, kRight[] = {0.485, 0.975};
-  text += panel(fd, "(a) grids: displacement; dashed: the order of the scheme", Variable::y,
-                by_fineness, {kLeft[0], kRight[0], 0.91, 0.61}, slopes(study, &MarginalL1::y));
-  text += panel(fd, "(b) grids: velocity", Variable::ydot, by_fineness,
-                {kLeft[1], kRight[1], 0.91, 0.61}, slopes(study, &MarginalL1::ydot));
+      "unset key\n{}set logscale xy\nset format y {}\n{}",
+      report::PanelGrid::kLabels, report::kPowersOfTen, title.command);
+  text += fmt::format(
+      "set xlabel 'cells in a direction, relative to the automatic grid'\nset format x '%g'\n"
+      "{}set xtics ({})\n",
+      ranges_of_grids(study), "0.125, 0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4, 5.66, 8");
+  text += panel(fd, "(a) grids: displacement", Variable::y, by_fineness, place(0),
+                slopes(study, &MarginalL1::y));
+  text += panel(fd, "(b) grids: velocity", Variable::ydot, by_fineness, place(1),
+                slopes(study, &MarginalL1::ydot));
   text += "set autoscale\n";
-  text += "set xlabel 'wall-clock time of one solve, ms'\nset xtics autofreq\nset format x '%g'\n";
-  text += panel(all, "(c) error against cost: displacement", Variable::y, by_time,
-                {kLeft[0], kRight[0], 0.50, 0.19});
-  text += panel(all, "(d) error against cost: velocity", Variable::ydot, by_time,
-                {kLeft[1], kRight[1], 0.50, 0.19});
-  return text + legend(all) + "unset multiplot\nunset output\n";
+  text +=
+      "set xlabel 'wall-clock time of one solve, ms'\nset xtics autofreq\n"
+      "set format x '%g'\n";
+  text += panel(all, "(c) error against cost: displacement", Variable::y, by_time, place(2));
+  text += panel(all, "(d) error against cost: velocity", Variable::ydot, by_time, place(3));
+  return text + report::legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::study

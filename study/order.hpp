@@ -7,6 +7,7 @@
 #include "methods/registry.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
+#include "report/figure/options.hpp"
 #include "study/output.hpp"
 #include "study/record.hpp"
 
@@ -73,7 +74,8 @@ std::string csv(const OrderStudy& study);
 /// The rows, reasons, folds met, and what the orders are worth.
 std::string table(const OrderStudy& study, const report::TextFormat& format);
 /// L1 distances over the order, and below them the branches that were followed.
-std::string figure(const OrderStudy& study, const std::string& file_stem);
+std::string figure(const OrderStudy& study, const std::string& file_stem,
+                   report::FigureWidth width = report::FigureWidth::screen);
 
 Record record(const OrderRow& row);
 

@@ -7,6 +7,9 @@
 
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
+#include "report/figure/legend_strip.hpp"
+#include "report/figure/panel_grid.hpp"
+#include "report/figure/text.hpp"
 #include "study/order.hpp"
 #include "study/picture.hpp"
 
@@ -25,22 +28,28 @@ std::vector<Series> formulations_of(const OrderStudy& study, bool ok) {
       });
 }
 
+std::string with_line(const SeriesLook& look) {
+  return fmt::format("with linespoints lc rgb '{}' lw 2 dt {} pt {} ps 1.3", look.colour, look.dash,
+                     look.filled);
+}
+
 std::string distance_panel(const OrderStudy& study, const char* title, Variable variable,
                            const Place& place) {
   const auto ok = formulations_of(study, true), others = formulations_of(study, false);
   std::string plots;
   for (std::size_t f = 0; f < ok.size(); ++f) {
     const SeriesLook& look = ok[f].look;
-    // A legend even where no order is ok: a point that is off the picture.
     plots += fmt::format(
-        "{0}${1} using 1:{2} with linespoints lc rgb '{3}' lw 2 dt {4} pt {5} ps 1.3 title {6}, "
-        "${7} using 1:{2} with points lc rgb '{3}' lw 2 pt {8} ps 1.3 notitle",
-        f == 0 ? "" : ", ", ok[f].block, variable == Variable::y ? 2 : 3, look.colour, look.dash,
-        look.filled, report::gnuplot_literal(ok[f].label), others[f].block, look.open);
+        "{0}${1} using 1:{2} {3} notitle, ${4} using 1:{2} with points lc rgb '{5}' lw 2 pt {6} ps "
+        "1.3 notitle",
+        f == 0 ? "" : ", ", ok[f].block, variable == Variable::y ? 2 : 3, with_line(look),
+        others[f].block, look.colour, look.open);
   }
-  return fmt::format(
-      "set title '{}'\n{}set ylabel \"{{/:Italic L}}_1 distance of {} to \".{}\nplot {}\n\n", title,
-      margins(place), density_of(variable), report::gnuplot_literal(study.reference.id()), plots);
+  return fmt::format("set title '{}'\n{}set ylabel {}\nplot {}\n\n", title, margins(place),
+                     report::gnuplot_text(fmt::format("{{/:Italic L}}_1 distance of {} to {}",
+                                                      density_of(variable),
+                                                      report::without_marks(study.reference.id()))),
+                     plots);
 }
 
 // "fraction norm fold" of the rows that followed a branch, in the branch's order.
@@ -62,49 +71,89 @@ std::vector<Series> branches(const OrderStudy& study) {
       });
 }
 
-std::string branch_panel(const std::vector<Series>& all) {
+std::string with_branch(const SeriesLook& look) {
+  return fmt::format("with lines lc rgb '{}' lw 2 dt {}", look.colour, look.dash);
+}
+
+std::string branch_panel(const std::vector<Series>& all, char letter, const Place& place) {
   std::string plots;
   for (const auto& one : all) {
     plots += fmt::format(
-        "{0}${1} using 1:2 with lines lc rgb '{2}' lw 2 dt {5} title {3}, "
-        "${1} using ($3 == 1 ? $1 : NaN):2 with points lc rgb '{2}' lw 2 pt {4} ps 1.4 notitle",
-        plots.empty() ? "" : ", ", one.block, one.look.colour, report::gnuplot_literal(one.label),
-        one.look.open, one.look.dash);
+        "{0}${1} using 1:2 {2} notitle, "
+        "${1} using ($3 == 1 ? $1 : NaN):2 with points lc rgb '{3}' lw 2 pt {4} ps 1.4 notitle",
+        plots.empty() ? "" : ", ", one.block, with_branch(one.look), one.look.colour,
+        one.look.open);
   }
   return fmt::format(
-      "set title '(c) branches from the exact density without losses; marks: folds'\n{}"
+      "set title '({}) branches from the exact density without losses'\n{}"
       "unset logscale y\nset format y '%g'\nset autoscale\n"
       "set xrange [0:1.02]\nset xtics 0.1\n"
       "set xlabel 'fraction of the way to the full problem'\n"
       "set ylabel 'norm of the coefficients'\n"
       "plot {}\n\n",
-      margins({0.09, 0.97, 0.42, 0.08}), plots);
+      letter, margins(place), plots);
+}
+
+report::Legend legend(const std::vector<Series>& ok, const std::vector<Series>& others,
+                      const std::vector<Series>& followed) {
+  report::Legend legend{{}, 4};
+  for (const auto& one : ok) {
+    legend.entries.push_back({fmt::format("NaN {}", with_line(one.look)), one.label});
+  }
+  const bool any_open =
+      std::ranges::any_of(others, [](const Series& one) { return !one.points.empty(); });
+  if (any_open) {
+    legend.entries.push_back({"NaN with points lc rgb '#444444' lw 2 pt 6 ps 1.3", "open: not ok"});
+  }
+  for (const auto& one : followed) {
+    legend.entries.push_back(
+        {fmt::format("NaN {}", with_branch(one.look)), "branch: " + one.label});
+  }
+  if (!followed.empty()) {
+    legend.entries.push_back(
+        {"NaN with points lc rgb '#444444' lw 2 pt 6 ps 1.4", "open, on a branch: a fold"});
+  }
+  return legend;
 }
 
 }  // namespace
 
-std::string figure(const OrderStudy& study, const std::string& file_stem) {
-  const auto followed = branches(study);
-  const bool with_branches = !followed.empty();
+std::string figure(const OrderStudy& study, const std::string& file_stem,
+                   report::FigureWidth width) {
+  constexpr int kOnScreen = 1100;
+  const auto ok = formulations_of(study, true), others = formulations_of(study, false),
+             followed = branches(study);
+  const bool narrow = width == report::FigureWidth::one_column;
+  const report::Legend entries = legend(ok, others, followed);
+  report::PanelGrid grid = report::panel_grid(width, kOnScreen);
+  grid.columns = narrow ? 1 : 2;
+  const int of_orders = narrow ? 2 : 1;  // rows
+  grid.rows = of_orders + (followed.empty() ? 0 : 1);
+  grid.panel_height = narrow ? 200 : 300;
+  grid.legend_height = report::legend_height(entries, grid.width);
+  const auto title = report::figure_title(study.problem, grid.size());
+  grid.title_height = title.height;
+
   int highest = 2;
   for (const auto& row : study.rows) highest = std::max(highest, row.order);
-  const double top = with_branches ? 0.91 : 0.86, bottom = with_branches ? 0.55 : 0.13;
-  std::string text =
-      report::figure_output(file_stem, {.width = 1100, .height = with_branches ? 950 : 560});
-  for (const auto& all : {formulations_of(study, true), formulations_of(study, false), followed}) {
+  std::string text = report::figure_output(file_stem, grid.size());
+  for (const auto& all : {ok, others, followed}) {
     for (const auto& one : all) text += data_block(one.block, one.points);
   }
   text += fmt::format(
-      "set tics out nomirror\nset grid ytics lc rgb '#DDDDDD'\nset key top right\n"
-      "set logscale y\nset format y '10^{{%L}}'\n"
-      "set xrange [1:{}]\nset xtics 2\nset xlabel 'order {{/:Italic n}}'\n"
-      "set multiplot title {} font ',14'\n\n",
-      highest + 1, report::figure_title(study.problem));
-  text += distance_panel(study, "(a) displacement", Variable::y, {0.09, 0.49, top, bottom});
-  text += distance_panel(study, "(b) velocity; open marks: not ok", Variable::ydot,
-                         {0.57, 0.97, top, bottom});
-  if (with_branches) text += branch_panel(followed);
-  return text + "unset multiplot\nunset output\n";
+      "set tics out nomirror\nset grid ytics lc rgb '#DDDDDD'\nunset key\n{}"
+      "set logscale y\nset format y {}\n"
+      "set xrange [1:{}]\nset xtics 2\nset xlabel {}\n{}",
+      report::PanelGrid::kLabels, report::kPowersOfTen, highest + 1,
+      report::gnuplot_text("order {/:Italic n}"), title.command);
+  text += distance_panel(study, "(a) displacement", Variable::y, grid.place(std::size_t{0}));
+  text += distance_panel(study, "(b) velocity", Variable::ydot, grid.place(std::size_t{1}));
+  if (!followed.empty()) {
+    Place across = grid.place(of_orders, 0);
+    across.right = grid.place(of_orders, grid.columns - 1).right;
+    text += branch_panel(followed, 'c', across);
+  }
+  return text + report::legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::study

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "report/figure/options.hpp"
 #include "report/text/format.hpp"
 
 namespace fpkcheck::study {
@@ -17,10 +18,12 @@ struct Output {
 
 /// @param command the command line of the run
 /// @param format where rows do not fit, the least important columns go
+/// @param width where the picture is to stand
 template <class Study>
-Output output(const Study& study, const std::string& command, const report::TextFormat& format) {
+Output output(const Study& study, const std::string& command, const report::TextFormat& format,
+              report::FigureWidth width = report::FigureWidth::screen) {
   const std::string stem = std::string("study-") + Study::kName;
-  return {stem, json(study, command), csv(study), table(study, format), figure(study, stem)};
+  return {stem, json(study, command), csv(study), table(study, format), figure(study, stem, width)};
 }
 
 }  // namespace fpkcheck::study

@@ -7,6 +7,7 @@
 #include "fd_fpk/regularisation_study.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
+#include "report/figure/options.hpp"
 #include "study/output.hpp"
 #include "study/record.hpp"
 
@@ -42,7 +43,9 @@ std::string csv(const RegularisationStudy& study);
 /// The rows, remarks on what is missing, and what the numbers say.
 std::string table(const RegularisationStudy& study, const report::TextFormat& format);
 /// There is none.
-inline std::string figure(const RegularisationStudy&, const std::string&) { return {}; }
+inline std::string figure(const RegularisationStudy&, const std::string&, report::FigureWidth) {
+  return {};
+}
 
 Record record(const RegularisationRow& row);
 

@@ -134,7 +134,12 @@ void bind_problems(py::module_& module) {
     return names;
   });
   module.def("keys", keys);
-  module.def("load_case", problem::load_case, py::arg("name_or_path"), py::arg("settings"));
+  module.def(
+      "load_case",
+      [](const std::string& name_or_path, const std::vector<std::string>& settings) {
+        return problem::load_case(name_or_path, settings, problem::Naming::of_changes);
+      },
+      py::arg("name_or_path"), py::arg("settings"));
   module.def("problem_of", problem_of, py::arg("name"), py::arg("settings"));
   module.def("axes_of", [](const problem::Problem& problem) {
     const auto axes = compare::comparison_axes(problem);

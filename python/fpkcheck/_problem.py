@@ -112,7 +112,7 @@ class Problem:
 
     @property
     def name(self) -> str:
-        """The case's name."""
+        """The case's name, with what was changed of a case that is loaded: "case1, r = 0.95"."""
         return self._native.name
 
     @property

@@ -11,8 +11,9 @@
 
 #include "report/budget/part_look.hpp"
 #include "report/figure/frame.hpp"
-#include "report/figure/gnuplot.hpp"
 #include "report/figure/legend_strip.hpp"
+#include "report/figure/panel_grid.hpp"
+#include "report/figure/text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -23,11 +24,7 @@ using compare::ClosureBudget;
 using transform::Status;
 using transform::Variable;
 
-constexpr int kWidth = 1500;
-// Fractions of the width, pixels from the top, and of the unit between two closures.
-constexpr double kLefts[] = {0.065, 0.565}, kPanelWidth = 0.42;
-constexpr double kTops[] = {81, 485}, kPanelHeight = 280;
-constexpr int kLegendTop = 879;
+// Of the unit between two closures.
 constexpr double kGroupWidth = 0.8;
 // Parts that are smaller than this share of the largest total would stretch the axis for nothing.
 constexpr double kSmallestShare = 1e-4;
@@ -40,17 +37,16 @@ struct BudgetPanel {
   double BudgetRow::*total;
   double BudgetPart::*part;
   const char* block;  ///< its prefix of data blocks
-  int column, row;
 };
 constexpr std::array kPanels{
-    BudgetPanel{"(a) displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance",
-                Variable::y, &BudgetRow::total, &BudgetPart::l1, "y_l1", 0, 0},
-    BudgetPanel{"(b) displacement, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
-                Variable::y, &BudgetRow::total_tail, &BudgetPart::tail, "y_tail", 1, 0},
-    BudgetPanel{"(c) velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance",
-                Variable::ydot, &BudgetRow::total, &BudgetPart::l1, "v_l1", 0, 1},
-    BudgetPanel{"(d) velocity, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
-                Variable::ydot, &BudgetRow::total_tail, &BudgetPart::tail, "v_tail", 1, 1}};
+    BudgetPanel{"displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
+                &BudgetRow::total, &BudgetPart::l1, "y_l1"},
+    BudgetPanel{"displacement, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+                Variable::y, &BudgetRow::total_tail, &BudgetPart::tail, "y_tail"},
+    BudgetPanel{"velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance", Variable::ydot,
+                &BudgetRow::total, &BudgetPart::l1, "v_l1"},
+    BudgetPanel{"velocity, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+                Variable::ydot, &BudgetRow::total_tail, &BudgetPart::tail, "v_tail"}};
 
 std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {
   return fmt::format("${}_{}{}", panel.block, part, ok ? "" : "_not_ok");
@@ -137,24 +133,21 @@ std::string tic_label(const results::Case& one, const ClosureBudget& budget) {
   return budget.status == Status::ok ? label : label + " *";
 }
 
-std::string axes(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets,
-                 const results::Case& one, const FigureSize& size) {
+std::string axes(const BudgetPanel& panel, char letter, const std::vector<ClosureBudget>& budgets,
+                 const results::Case& one, const Place& place_of_panel) {
   std::vector<std::string> tics;
   for (std::size_t place = 0; place < budgets.size(); ++place) {
     tics.push_back(
         fmt::format("{} {}", gnuplot_literal(tic_label(one, budgets[place])), place + 1));
   }
-  const double left = kLefts[panel.column], top = kTops[panel.row];
   const Range y = range(panel, budgets);
   return fmt::format(
-      "set title \"{}\"\nset ylabel \"{}\"\n"
-      "set lmargin at screen {:.3f}\nset rmargin at screen {:.3f}\n"
-      "set tmargin at screen {:.3f}\nset bmargin at screen {:.3f}\n"
+      "set title {}\nset ylabel {}\n{}"
       "set xtics ({}) rotate by 35 right\n"
       "set xrange [0.4:{:.1f}]\nset yrange [{:g}:{:g}]\n",
-      panel.title, panel.label, left, left + kPanelWidth, 1 - top / size.height,
-      1 - (top + kPanelHeight) / size.height, fmt::join(tics, ", "),
-      static_cast<double>(budgets.size()) + 0.6, y.from, y.to);
+      gnuplot_text(fmt::format("({}) {}", letter, panel.title)), gnuplot_text(panel.label),
+      margins(place_of_panel), fmt::join(tics, ", "), static_cast<double>(budgets.size()) + 0.6,
+      y.from, y.to);
 }
 
 std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names) {
@@ -192,22 +185,37 @@ Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
 
 bool has_budget(const results::Case& one) { return !one.budget.empty(); }
 
-std::string budget_script(const results::Case& one, const std::string& file_stem) {
+std::string budget_script(const results::Case& one, const std::string& file_stem,
+                          FigureWidth width) {
+  constexpr int kOnScreen = 1500, kRotatedTics = 120;
   const auto budgets = compare::closure_budgets(one.budget, one.solutions);
   const auto names = compare::part_names(budgets);
   const bool any_not_ok =
       std::ranges::any_of(budgets, [](const auto& budget) { return budget.status != Status::ok; });
   const Legend entries = legend(names, any_not_ok);
-  const FigureSize size{.width = kWidth, .height = kLegendTop + legend_height(entries, kWidth)};
-  std::string text = figure_output(file_stem, size) + "# Columns: place, value, width\n";
+  PanelGrid grid = panel_grid(width, kOnScreen);
+  // One column of a journal has no room for the tails as well.
+  const bool narrow = width == FigureWidth::one_column;
+  grid.columns = narrow ? 1 : 2;
+  grid.rows = 2;
+  grid.panel_height = width == FigureWidth::screen ? 280 : 180;
+  grid.below = kRotatedTics;
+  grid.legend_height = legend_height(entries, grid.width);
+  const FigureTitle title = figure_title(one.problem, grid.size());
+  grid.title_height = title.height;
+  std::string text = figure_output(file_stem, grid.size()) + "# Columns: place, value, width\n";
   for (const auto& panel : kPanels) text += data(panel, budgets, names);
   text += fmt::format(
       "\nset grid ytics linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
-      "set tics nomirror\nset border 3\nset logscale y\nset format y '10^{{%L}}'\n"
-      "set multiplot title {} font ',14'\n\n",
-      figure_title(one.problem));
-  for (const auto& panel : kPanels) text += axes(panel, budgets, one, size) + plot(panel, names);
-  return text + legend_strip(entries, size) + "unset multiplot\nunset output\n";
+      "set tics nomirror\nset border 3\nset logscale y\nset format y {}\n{}{}",
+      kPowersOfTen, PanelGrid::kLabels, title.command);
+  for (std::size_t k = 0; k < kPanels.size(); ++k) {
+    if (narrow && k % 2 == 1) continue;
+    const std::size_t place = narrow ? k / 2 : k;
+    text += axes(kPanels[k], static_cast<char>('a' + place), budgets, one, grid.place(place)) +
+            plot(kPanels[k], names);
+  }
+  return text + legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::report

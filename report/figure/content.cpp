@@ -56,11 +56,13 @@ Difference smooth_difference(const Curve* curve, const Curve& reference) {
   return result;
 }
 
-FigureSide make_side(const Case& one, Variable variable, const std::string& reference) {
+FigureSide make_side(const Case& one, Variable variable, const std::string& reference,
+                     const std::optional<std::set<std::string>>& shown) {
   FigureSide side{variable, {}, {}};
   const Curve *subtracted = one.curve(reference, variable),
               *smooth = smooth_reference(one, reference, variable);
   for (const auto& solution : one.solutions) {
+    if (shown && !shown->contains(solution.id())) continue;
     if (const Curve* curve = one.curve(solution.id(), variable)) {
       side.curves.push_back(
           {&solution, curve,
@@ -80,14 +82,20 @@ FigureSide make_side(const Case& one, Variable variable, const std::string& refe
 
 }  // namespace
 
-FigureContent figure_content(const Case& one) {
+FigureContent figure_content(const Case& one, const std::optional<std::set<std::string>>& shown) {
   FigureContent content{.reference = reference_id(one), .smooth_differences = false, .sides = {}};
   content.smooth_differences = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
     return smooth_reference(one, content.reference, variable) != nullptr;
   });
   for (const auto variable : transform::kVariables) {
-    auto side = make_side(one, variable, content.reference);
+    auto side = make_side(one, variable, content.reference, shown);
     if (!side.curves.empty()) content.sides.push_back(std::move(side));
+  }
+  for (const auto& solution : one.solutions) {
+    const bool has_curve = std::ranges::any_of(transform::kVariables, [&](Variable variable) {
+      return one.curve(solution.id(), variable) != nullptr;
+    });
+    if (has_curve && shown && !shown->contains(solution.id())) ++content.left_out;
   }
   return content;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,11 @@ struct FigureContent {
   /// that their sizes are shown, on a logarithmic axis.
   bool smooth_differences = false;
   std::vector<FigureSide> sides;  ///< y and ydot, without a side that has no curve
+  std::size_t left_out = 0;       ///< solutions that have curves and are not shown
 };
 
-FigureContent figure_content(const results::Case& one);
+/// @param shown ids of the solutions to show; without it all
+FigureContent figure_content(const results::Case& one,
+                             const std::optional<std::set<std::string>>& shown = {});
 
 }  // namespace fpkcheck::report

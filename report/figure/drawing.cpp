@@ -1,14 +1,18 @@
 #include "report/figure/drawing.hpp"
 
 #include <fmt/format.h>
+#include <stdlib.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <fstream>
 #include <future>
 #include <iterator>
 
 #include "files/pending_files.hpp"
 #include "parameters/shown.hpp"
 #include "process/stop.hpp"
+#include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 
 namespace fpkcheck::report {
@@ -24,34 +28,106 @@ std::string first_line(const std::string& text) {
              : parameters::shown(text.substr(start, text.find('\n', start) - start));
 }
 
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// @param target that gnuplot writes
+// @param picture that messages name
+void let_draw(const std::string& gnuplot, const fs::path& script, const std::string& format,
+              const fs::path& target, const fs::path& picture) {
+  const auto outcome = run_gnuplot(gnuplot,
+                                   {"format=" + gnuplot_string(format),
+                                    "target=" + gnuplot_string(fs::absolute(target).string())},
+                                   script);
+  if (!outcome.found) throw GnuplotMissing(fmt::format("'{}' was not found", gnuplot));
+  std::error_code error;
+  const auto size = fs::file_size(target, error);
+  if (outcome.exit_code != 0 || error || size == 0) {
+    throw std::runtime_error(fmt::format("{} was not drawn: gnuplot ended with code {} ({})",
+                                         picture.string(), outcome.exit_code,
+                                         first_line(outcome.message)));
+  }
+}
+
+// gnuplot counts an SVG in pixels, and scales neither tics nor marks: so its picture is for a
+// screen, and told here how large it is on paper.
+std::string in_millimetres(std::string svg, double across) {
+  int width = 0, height = 0;
+  const auto at = svg.find(" width=\"");
+  if (at == std::string::npos ||
+      std::sscanf(svg.c_str() + at, " width=\"%d\" height=\"%d\"", &width, &height) != 2) {
+    return svg;
+  }
+  const auto end = svg.find('\n', at);
+  return svg.replace(
+      at, end - at,
+      fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", across, across * height / width));
+}
+
+/// A directory of the system's for temporary files, with nothing in it.
+class Workplace {
+ public:
+  Workplace() {
+    std::string name = (fs::temp_directory_path() / "fpkcheck-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    path_ = name;
+  }
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+  ~Workplace() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// gnuplot would call what a STEM.tex includes STEM.pdf, as the picture in that format, and names it
+// with its directory: here it is STEM-tex.pdf, and LaTeX's \graphicspath finds it.
+void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
+  const Workplace workplace;
+  const fs::path drawn = workplace.path() / "drawn.tex", art = workplace.path() / "drawn.pdf";
+  let_draw(gnuplot, script, "tex", drawn, picture);
+  const std::string included = picture.stem().string() + "-tex.pdf";
+  std::string text = bytes_of(drawn);
+  const std::string name = (workplace.path() / "drawn").string();
+  if (const auto at = text.find(name); at != std::string::npos) {
+    text.replace(at, name.size(), included);
+  }
+  files::PendingFiles files;
+  files.add(picture, text);
+  files.add(picture.parent_path() / included, bytes_of(art));
+  files.commit();
+}
+
 }  // namespace
 
-void draw(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
+void draw(const std::string& gnuplot, const fs::path& script, const fs::path& picture,
+          FigureWidth width) {
+  const std::string format = picture.extension().string().substr(1);
+  if (format == name(FigureFormat::tex)) {
+    draw_latex(gnuplot, script, picture);
+    return;
+  }
   files::replace_file(picture, [&](const fs::path& temporary) {
-    const std::string format = picture.extension().string().substr(1);
-    const auto outcome = run_gnuplot(gnuplot,
-                                     {"format=" + gnuplot_string(format),
-                                      "target=" + gnuplot_string(fs::absolute(temporary).string())},
-                                     script);
-    if (!outcome.found) {
-      throw GnuplotMissing(fmt::format("'{}' was not found", gnuplot));
-    }
-    std::error_code error;
-    const auto size = fs::file_size(temporary, error);
-    if (outcome.exit_code != 0 || error || size == 0) {
-      throw std::runtime_error(fmt::format("{} was not drawn: gnuplot ended with code {} ({})",
-                                           picture.string(), outcome.exit_code,
-                                           first_line(outcome.message)));
-    }
+    let_draw(gnuplot, script, format, temporary, picture);
+    if (format != name(FigureFormat::svg) || width == FigureWidth::screen) return;
+    const std::string svg = in_millimetres(bytes_of(temporary), millimetres(width));
+    std::ofstream(temporary, std::ios::binary | std::ios::trunc) << svg;
   });
 }
 
-std::vector<std::string> draw_both(const std::string& gnuplot, const fs::path& figures,
-                                   const std::string& stem) {
+std::vector<std::string> draw_all(const std::string& gnuplot, const fs::path& figures,
+                                  const std::string& stem, const FigureOptions& options) {
   // What went wrong, or nothing.
-  const auto attempt = [&](const char* format) -> std::vector<std::string> {
+  const auto attempt = [&](FigureFormat format) -> std::vector<std::string> {
     try {
-      draw(gnuplot, figures / (stem + ".gp"), figures / (stem + format));
+      draw(gnuplot, figures / (stem + ".gp"), figures / fmt::format("{}.{}", stem, name(format)),
+           options.width);
     } catch (const GnuplotMissing&) {
       throw;
     } catch (const std::runtime_error& error) {
@@ -59,19 +135,23 @@ std::vector<std::string> draw_both(const std::string& gnuplot, const fs::path& f
     }
     return {};
   };
-  auto svg = std::async(std::launch::async, attempt, ".svg");
-  auto warnings = attempt(".png");
-  std::ranges::move(svg.get(), std::back_inserter(warnings));
+  std::vector<std::future<std::vector<std::string>>> others;
+  for (std::size_t k = 1; k < options.formats.size(); ++k) {
+    others.push_back(std::async(std::launch::async, attempt, options.formats[k]));
+  }
+  auto warnings = attempt(options.formats.front());
+  for (auto& other : others) std::ranges::move(other.get(), std::back_inserter(warnings));
   return warnings;
 }
 
 std::vector<std::string> write_pictures(const fs::path& figures, const std::string& stem,
-                                        const std::string& script, const std::string& gnuplot) {
+                                        const std::string& script, const FigureOptions& options,
+                                        const std::string& gnuplot) {
   fs::create_directories(figures);
   files::write_file(figures / (stem + ".gp"), script);
   try {
     if (process::stop_requested()) return {};
-    auto warnings = draw_both(gnuplot, figures, stem);
+    auto warnings = draw_all(gnuplot, figures, stem, options);
     return process::stop_requested() ? std::vector<std::string>() : warnings;
   } catch (const GnuplotMissing& missing) {
     return {fmt::format("no picture: {} (install gnuplot, then `cd {} && gnuplot {}.gp` draws it)",
@@ -81,8 +161,8 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
 
 void remove_pictures_of(const fs::path& figures, const std::string& stem) {
   std::error_code ignored;
-  for (const char* extension : {".png", ".svg", ".gp"}) {
-    fs::remove(figures / (stem + extension), ignored);
+  for (const char* ending : {".png", ".svg", ".pdf", ".tex", "-tex.pdf", ".gp"}) {
+    fs::remove(figures / (stem + ending), ignored);
   }
 }
 

@@ -1,37 +1,138 @@
 #include "report/figure/frame.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "report/figure/gnuplot.hpp"
+#include "report/figure/text.hpp"
 
 namespace fpkcheck::report {
+namespace {
+
+constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
+// Letters of 11 points are these pixels high on a screen of 96 dots per inch, and so many points on
+// paper: 7 are the least that journals print.
+constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
+// Pixels of a PNG for print, an inch.
+constexpr double kPrintedDots = 300;
+
+// Points that a pixel of the layout takes on paper; on a screen, of which a PDF has the size that
+// its letters ask for.
+constexpr double kPoint = kLetterPoints / kLetterPixels;
+
+double dots(FigureWidth medium) {
+  return medium == FigureWidth::screen ? 1 : kPoint * kPrintedDots / kPointsPerInch;
+}
+
+std::string svg_terminal(const FigureSize& size) {
+  return fmt::format(
+      "set terminal svg size {},{} enhanced font 'sans-serif,14' background rgb 'white'",
+      size.width, size.height);
+}
+
+std::string png_terminal(const FigureSize& size) {
+  const double scale = dots(size.medium);
+  const std::string scaled =
+      scale == 1 ? ""
+                 : fmt::format(" fontscale {0:.4g} linewidth {0:.4g} pointscale {0:.4g}", scale);
+  return fmt::format(
+      "pngcairo size {:.0f},{:.0f} enhanced font 'sans-serif,11'{} background rgb "
+      "'white'",
+      scale * size.width, scale * size.height, scaled);
+}
+
+// In inches. Cairo takes fonts for those of a screen, and half the width for that of a line.
+std::string cairo_scale(const FigureSize& size) {
+  return fmt::format("size {:.4f},{:.4f} linewidth {:.4g} pointscale {:.4g}",
+                     size.width * kPoint / kPointsPerInch, size.height * kPoint / kPointsPerInch,
+                     2 * kPoint, kPoint);
+}
+
+}  // namespace
+
+int figure_width(FigureWidth medium, int on_screen) {
+  if (medium == FigureWidth::screen) return on_screen;
+  return static_cast<int>(millimetres(medium) / kMillimetresPerInch * kPointsPerInch / kPoint);
+}
+
+double millimetres(FigureWidth medium) {
+  switch (medium) {
+    case FigureWidth::screen:
+      return 0;
+    case FigureWidth::two_columns:
+      return 170;
+    case FigureWidth::one_column:
+      return 85;
+  }
+  return 0;
+}
 
 std::string figure_output(const std::string& file_stem, const FigureSize& size) {
   return fmt::format(
-      "# Drawn by: gnuplot {0}.gp, or gnuplot -e \"format='svg'\" {0}.gp\n"
+      "# Drawn by: gnuplot {0}.gp, or gnuplot -e \"format='svg'\" {0}.gp; likewise pdf, and tex\n"
+      "# for LaTeX: {0}.tex with a {0}.pdf that it includes\n"
       "if (!exists(\"format\")) format = 'png'\n"
-      "if (format ne 'png' && format ne 'svg') exit error \"format = '\".format.\"' "
-      "(must be png or svg)\"\n"
+      "if (format ne 'png' && format ne 'svg' && format ne 'pdf' && format ne 'tex') "
+      "exit error \"format = '\".format.\"' (must be png, svg, pdf or tex)\"\n"
       "if (!exists(\"target\")) target = {1}.'.'.format\n"
+      "say(enhanced, latex) = format eq 'tex' ? latex : enhanced\n"
       "set encoding utf8\n"
       "if (format eq 'svg') {{\n"
-      "  set terminal svg size {2},{3} enhanced font 'sans-serif,14' background rgb 'white'\n"
-      "}} else {{\n"
-      "  if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) {{\n"
-      "    set terminal pngcairo size {2},{3} enhanced font 'sans-serif,11' background rgb "
+      "  {2}\n"
+      "}}\n"
+      "if (format eq 'pdf') {{\n"
+      "  set terminal pdfcairo {3} enhanced font 'sans-serif,11' fontscale {4:.4g} background rgb "
       "'white'\n"
+      "}}\n"
+      "if (format eq 'tex') {{\n"
+      "  set terminal cairolatex pdf input header '\\fontsize{{{5:g}}}{{{9:g}}}\\selectfont' {3} "
+      "font ',{5:g}' background rgb 'white'\n"
+      "}}\n"
+      "if (format eq 'png') {{\n"
+      "  if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) {{\n"
+      "    set terminal {6}\n"
       "  }} else {{\n"
-      "    set terminal png size {2},{3} enhanced\n"
+      "    set terminal png size {7},{8} enhanced\n"
       "  }}\n"
       "}}\n"
       "set output target\n\n",
-      file_stem, gnuplot_string(file_stem), size.width, size.height);
+      file_stem, gnuplot_string(file_stem), svg_terminal(size), cairo_scale(size), kPoint,
+      kLetterPoints, png_terminal(size), size.width, size.height, 1.2 * kLetterPoints);
+}
+
+FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
+  constexpr int kLine = 24, kFirstLine = 36;
+  // Smaller on paper, where room is dear.
+  const int points = size.medium == FigureWidth::screen ? 14 : 11;
+  const double letter = 0.6 * points * 96 / kPointsPerInch;
+  std::vector<std::string> lines{""};
+  for (const auto& part : parts) {
+    const auto letters = static_cast<double>(lines.back().size() + part.size());
+    if (!lines.back().empty() && letters * letter > size.width) lines.emplace_back();
+    lines.back() += part;
+  }
+  // The end of a line is one in double quotes alone.
+  std::vector<std::string> shown;
+  for (auto& line : lines) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    shown.push_back(gnuplot_literal(line));
+  }
+  return {
+      fmt::format("set multiplot title {} font ',{}'\n\n", fmt::join(shown, ".\"\\n\"."), points),
+      kFirstLine + static_cast<int>(lines.size() - 1) * kLine};
 }
 
 // Upright: viewers of SVG drop the spaces beside a change of font.
-std::string figure_title(const problem::Problem& problem) {
-  return gnuplot_literal(
-      fmt::format("{}: {}", problem.name, problem::parameters_text(problem, true)));
+FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
+  std::vector<std::string> parts{problem.name + ": "};
+  const std::string parameters = problem::parameters_text(problem, true);
+  for (std::size_t from = 0; from < parameters.size();) {
+    const auto end = parameters.find(' ', parameters.find_first_of(",;", from));
+    const auto to = end == std::string::npos ? parameters.size() : end + 1;
+    parts.push_back(parameters.substr(from, to - from));
+    from = to;
+  }
+  return figure_title(parts, size);
 }
 
 }  // namespace fpkcheck::report

@@ -198,6 +198,4 @@ std::string without_marks(const std::string& text) {
   return escaped;
 }
 
-std::string gnuplot_literal(const std::string& text) { return gnuplot_string(without_marks(text)); }
-
 }  // namespace fpkcheck::report

@@ -28,7 +28,4 @@ std::string gnuplot_string(const std::string& text);
 /// A text with the marks of enhanced text escaped, as a part of one: it is shown letter by letter.
 std::string without_marks(const std::string& text);
 
-/// Both: a text shown letter by letter, as a string constant.
-std::string gnuplot_literal(const std::string& text);
-
 }  // namespace fpkcheck::report

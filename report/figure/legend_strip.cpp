@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/figure/gnuplot.hpp"
+#include "report/figure/text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -43,7 +43,7 @@ std::string legend_strip(const Legend& legend, const FigureSize& size) {
       "unset logscale\n"
       "set lmargin at screen {}\nset rmargin at screen {}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
-      "set key center center horizontal maxcols {} Left reverse samplen {} spacing 1.2\n"
+      "set key center center horizontal maxcols {} Left reverse samplen {} spacing (format eq 'tex' ? 1.8 : 1.2)\n"
       "plot [0:1] [0:1] {}\n",
       kStripLeft, kStripRight, top / size.height, bottom / size.height, columns(legend, size.width),
       legend.sample_length, fmt::join(plots, ", \\\n     "));

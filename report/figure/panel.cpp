@@ -5,39 +5,57 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "report/figure/gnuplot.hpp"
+#include "report/figure/script_parts.hpp"
+#include "report/figure/text.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
 using transform::Variable;
 
-std::string title(Panel panel, const FigureSide& side, const std::string& reference) {
-  const bool of_y = side.variable == Variable::y;
-  const auto variable = parameters::meaning_of(side.variable);
+std::string title(Panel panel, const FigureSide& side, char letter, const std::string& reference,
+                  bool briefly) {
+  const std::string variable(parameters::meaning_of(side.variable));
+  const auto named = [&](const std::string& what) {
+    return fmt::format("({}) {}{}", letter, briefly ? "" : variable + ", ", what);
+  };
   switch (panel) {
     case Panel::linear:
-      return fmt::format("({}) {}", of_y ? 'a' : 'c', variable);
+      return fmt::format("({}) {}", letter, variable);
     case Panel::logarithmic:
-      return fmt::format("({}) {}, logarithmic", of_y ? 'b' : 'd', variable);
+      return briefly ? fmt::format("({}) {}", letter, variable) : named("logarithmic");
     case Panel::difference:
-      return fmt::format("({}) {}, difference from {}", of_y ? 'e' : 'f', variable, reference);
+      return named("difference from " + reference);
     case Panel::smooth_difference:
-      return fmt::format("({}) {}, |difference from {}|", of_y ? 'e' : 'f', variable, reference);
+      return named("|difference from " + reference + "|");
   }
   return "";
+}
+
+// Of 1, 2 or 5 with zeros: as many tics as a narrow panel has room for.
+double tic_step(double from, double to) {
+  constexpr double kMostTics = 6;
+  const double least = (to - from) / kMostTics;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0}) {
+    if (digit * power >= least) return digit * power;
+  }
+  return 10 * power;
 }
 
 std::string axes(Panel panel, const FigureSide& side) {
   const FigureRanges& r = side.ranges;
   const bool in_the_tail = panel == Panel::logarithmic;
+  const double from = in_the_tail ? r.logarithmic_from : r.linear_from,
+               to = in_the_tail ? r.logarithmic_to : r.linear_to;
   const std::string variable = side.variable == Variable::y ? "{/:Italic y}" : "{/:Italic y}'";
   std::string density = "{/:Italic p}(" + variable + ")";
   std::string text =
-      fmt::format("set xrange [{:.4g}:{:.4g}]\nset xlabel {}\n",
-                  in_the_tail ? r.logarithmic_from : r.linear_from,
-                  in_the_tail ? r.logarithmic_to : r.linear_to, gnuplot_string(variable));
+      fmt::format("set xrange [{:.4g}:{:.4g}]\nset xlabel {}\n", from, to, gnuplot_text(variable));
+  text += fmt::format("set xtics {:g}\n", tic_step(from, to));
   switch (panel) {
     case Panel::linear:
       text += fmt::format("set yrange [0:{:.4g}]\n", 1.08 * r.linear_top);
@@ -47,9 +65,8 @@ std::string axes(Panel panel, const FigureSide& side) {
       }
       break;
     case Panel::logarithmic:
-      text +=
-          fmt::format("set logscale y\nset format y '10^{{%T}}'\nset yrange [smallest:{:.4g}]\n",
-                      3 * r.largest_density);
+      text += fmt::format("set logscale y\nset format y {}\nset yrange [smallest:{:.4g}]\n",
+                          kPowersOfTen, 3 * r.largest_density);
       break;
     case Panel::difference: {
       // Nothing but the reference itself: any range shows it.
@@ -59,14 +76,14 @@ std::string axes(Panel panel, const FigureSide& side) {
       break;
     }
     case Panel::smooth_difference: {
-      const auto [from, to] = difference_decades(r);
-      text += fmt::format("set logscale y\nset format y '10^{{%T}}'\nset yrange [{:.0e}:{:.0e}]\n",
-                          from, to);
+      const auto [least, most] = difference_decades(r);
+      text += fmt::format("set logscale y\nset format y {}\nset yrange [{:.0e}:{:.0e}]\n",
+                          kPowersOfTen, least, most);
       density = "|Δ" + density + "|";
       break;
     }
   }
-  return text + fmt::format("set ylabel {}\n", gnuplot_string(density));
+  return text + fmt::format("set ylabel {}\n", gnuplot_text(density));
 }
 
 std::string using_columns(Panel panel, bool with_interval) {
@@ -83,11 +100,16 @@ std::string using_columns(Panel panel, bool with_interval) {
   return "";
 }
 
-std::string plot(Panel panel, const FigureSide& side) {
-  // More points than these would hide the lines.
-  constexpr std::size_t kPointsOnACurve = 35;
+std::string plot(Panel panel, const FigureSide& side, const std::string& reference) {
+  // More points than these would hide the lines; of marks, fewer do.
+  constexpr std::size_t kPointsOnACurve = 35, kMarksOnACurve = 8;
   std::vector<std::string> parts;
   const bool of_differences = panel == Panel::difference || panel == Panel::smooth_difference;
+  const auto marked =
+      std::max<std::size_t>(1, std::ranges::count_if(side.curves, [](const DrawnCurve& drawn) {
+                              return is_marked(drawn.solution->identity);
+                            }));
+  std::size_t place = 0;  // among those that are marked
   for (const auto& drawn : side.curves) {
     const Difference& difference = drawn.difference;
     if (of_differences && difference.empty()) continue;
@@ -95,13 +117,22 @@ std::string plot(Panel panel, const FigureSide& side) {
         panel != Panel::linear &&
         (of_differences ? !difference.lower.empty() : !drawn.curve->lower.empty());
     const auto points = (of_differences ? difference.abscissa : drawn.curve->abscissa).size();
-    const auto step = std::max<std::size_t>(1, points / kPointsOnACurve);
     const std::string block =
         of_differences ? difference_block_name(side, drawn) : block_name(side, drawn);
+    const bool own_width = panel == Panel::smooth_difference && drawn.solution->id() == reference;
+    const bool as_points = drawn.look().as_points && !own_width;
+    const auto step = std::max<std::size_t>(1, points / kPointsOnACurve);
     parts.push_back(fmt::format("{}{} using {} {} notitle", block,
-                                drawn.look().as_points ? fmt::format(" every {}", step) : "",
+                                as_points ? fmt::format(" every {}", step) : "",
                                 using_columns(panel, with_interval),
-                                drawn_with(drawn.look(), with_interval)));
+                                own_width ? kOwnWidth : drawn_with(drawn.look(), with_interval)));
+    if (as_points || own_width || !is_marked(drawn.solution->identity)) continue;
+    // Curves that nearly coincide take turns.
+    const auto between = std::max<std::size_t>(1, points / kMarksOnACurve);
+    parts.push_back(fmt::format("{} every {}::{} using {} with points {} linecolor rgb {} notitle",
+                                block, between, place++ * between / marked,
+                                using_columns(panel, false), marked_with(*drawn.solution),
+                                gnuplot_string(drawn.look().colour)));
   }
   return fmt::format("plot {}\n", fmt::join(parts, ", \\\n     "));
 }
@@ -128,14 +159,26 @@ std::string drawn_with(const transform::Look& look, bool with_interval) {
     return fmt::format("with {} pointtype 6 pointsize dot linewidth {} linecolor rgb {}",
                        with_interval ? "yerrorbars" : "points", look.width, colour);
   }
-  const bool lengths = look.dash.find_first_not_of("(),.0123456789") == std::string::npos;
   return fmt::format("with lines linewidth {} dashtype {} linecolor rgb {}", look.width,
-                     lengths && !look.dash.empty() ? look.dash : "solid", colour);
+                     dash_type(look), colour);
 }
 
-std::string panel_commands(Panel panel, const FigureSide& side, const std::string& reference) {
-  return fmt::format("set title {}\n", gnuplot_literal(title(panel, side, reference))) +
-         axes(panel, side) + plot(panel, side) + "unset label 1\nunset logscale\nset format y\n\n";
+bool is_marked(const transform::Identity& identity) {
+  return !identity.look.as_points &&
+         (identity.role == transform::Role::closure || identity.role == transform::Role::given);
+}
+
+std::string marked_with(const transform::Solution& solution) {
+  const auto [filled, open] = point_types(solution.identity.look.symbol);
+  return fmt::format("pointtype {} pointsize mark", solution.is_ok() ? filled : open);
+}
+
+std::string panel_commands(Panel panel, const FigureSide& side, char letter,
+                           const std::string& reference, bool briefly) {
+  return fmt::format("set title {}\n",
+                     gnuplot_literal(title(panel, side, letter, reference, briefly))) +
+         axes(panel, side) + plot(panel, side, reference) +
+         "unset label 1\nunset logscale\nset format y\n\n";
 }
 
 }  // namespace fpkcheck::report

@@ -5,6 +5,7 @@
 #include "files/pending_files.hpp"
 #include "process/stop.hpp"
 #include "report/budget/figure.hpp"
+#include "report/figure/curve_choice.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/figure/script.hpp"
 #include "report/figure/sources_script.hpp"
@@ -23,22 +24,25 @@ struct Picture {
 };
 
 // @param warnings gets a line for each case of which there is nothing to draw
-std::vector<Picture> pictures_of(const results::Run& run, std::vector<std::string>& warnings) {
+std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& options,
+                                 std::vector<std::string>& warnings) {
   std::vector<Picture> pictures;
   for (const auto& one : run.cases) {
-    const FigureContent content = figure_content(one);
+    const FigureContent content = figure_content(one, chosen_curves(one, options.curves));
     const std::string stem = results::file_stem(one.name());
     if (content.sides.empty()) {
-      warnings.push_back(
-          fmt::format("no picture of {}: none of its solutions has a density", one.name()));
+      warnings.push_back(fmt::format(
+          "no picture of {}: none of its solutions {}", one.name(),
+          content.left_out == 0 ? "has a density" : "that --curves names has a density"));
       continue;
     }
-    pictures.push_back({stem, figure_script(one.problem, content, stem)});
+    const auto width = options.width;
+    pictures.push_back({stem, figure_script(one.problem, content, stem, width)});
     if (has_budget(one)) {
-      pictures.push_back({budget_stem(stem), budget_script(one, budget_stem(stem))});
+      pictures.push_back({budget_stem(stem), budget_script(one, budget_stem(stem), width)});
     }
     if (has_sources(one)) {
-      pictures.push_back({sources_stem(stem), sources_script(one, sources_stem(stem))});
+      pictures.push_back({sources_stem(stem), sources_script(one, sources_stem(stem), width)});
     }
   }
   return pictures;
@@ -56,10 +60,10 @@ void remove_pictures(const fs::path& directory, const results::Run& run) {
 }
 
 std::vector<std::string> draw_pictures(const fs::path& directory, const results::Run& run,
-                                       const std::string& gnuplot) {
+                                       const FigureOptions& options, const std::string& gnuplot) {
   const fs::path figures = directory / "figures";
   std::vector<std::string> warnings;
-  const auto pictures = pictures_of(run, warnings);
+  const auto pictures = pictures_of(run, options, warnings);
   fs::create_directories(figures);
   remove_pictures(directory, run);
   for (const auto& [stem, script] : pictures) {
@@ -68,7 +72,7 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   try {
     for (const auto& picture : pictures) {
       if (process::stop_requested()) return {};
-      const auto own = draw_both(gnuplot, figures, picture.stem);
+      const auto own = draw_all(gnuplot, figures, picture.stem, options);
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
   } catch (const GnuplotMissing& missing) {

@@ -9,20 +9,14 @@
 #include "report/figure/frame.hpp"
 #include "report/figure/legend_strip.hpp"
 #include "report/figure/panel.hpp"
+#include "report/figure/panel_grid.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
-constexpr int kWidth = 1500;
-// Fractions of the width, and pixels from the top: the first and the last end of a panel, and the
-// legend.
-constexpr double kLeft = 0.055, kRight = 0.99, kColumnGap = 0.075;
-constexpr double kTop = 86, kBottom = 765, kRowGap = 119;
-constexpr int kLegendTop = 860;
-
-std::string data_block(const std::string& name, const std::vector<double>& abscissa,
-                       const std::vector<double>& values, const std::vector<double>& lower,
-                       const std::vector<double>& upper) {
+std::string curve_block(const std::string& name, const std::vector<double>& abscissa,
+                        const std::vector<double>& values, const std::vector<double>& lower,
+                        const std::vector<double>& upper) {
   const auto at = [](const std::vector<double>& of, std::size_t k) {
     return of.empty() ? std::numeric_limits<double>::quiet_NaN() : of[k];
   };
@@ -42,10 +36,10 @@ std::string data(const FigureContent& content) {
     for (const auto& drawn : side.curves) {
       const results::Curve& c = *drawn.curve;
       const Difference& d = drawn.difference;
-      text += data_block(block_name(side, drawn), c.abscissa, c.density, c.lower, c.upper);
+      text += curve_block(block_name(side, drawn), c.abscissa, c.density, c.lower, c.upper);
       if (d.empty()) continue;
       text +=
-          data_block(difference_block_name(side, drawn), d.abscissa, d.values, d.lower, d.upper);
+          curve_block(difference_block_name(side, drawn), d.abscissa, d.values, d.lower, d.upper);
     }
   }
   return text;
@@ -63,30 +57,44 @@ std::string settings() {
       kSmallestDrawnDensity);
 }
 
-std::string panels(const FigureContent& content, const FigureSize& size) {
+/// A panel of the figure, and the letter that it is known by.
+struct PlacedPanel {
+  Panel panel;
+  std::size_t side;
+  char letter;
+};
+
+// Row by row. Letters as in the paper; where it is not all that the paper shows, in their order.
+std::vector<PlacedPanel> placed_panels(const FigureContent& content, FigureWidth width) {
   std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
   if (!content.reference.empty()) {
     shown.push_back(content.smooth_differences ? Panel::smooth_difference : Panel::difference);
+    if (width == FigureWidth::one_column) shown.erase(shown.begin());
   }
-  const double columns = static_cast<double>(shown.size());
-  const double rows = static_cast<double>(content.sides.size());
-  const double width = (kRight - kLeft - (columns - 1) * kColumnGap) / columns;
-  const double height = (kBottom - kTop - (rows - 1) * kRowGap) / rows;
-  std::string text;
-  for (std::size_t row = 0; row < content.sides.size(); ++row) {
-    const double top = kTop + static_cast<double>(row) * (height + kRowGap);
-    for (std::size_t column = 0; column < shown.size(); ++column) {
-      const double left = kLeft + static_cast<double>(column) * (width + kColumnGap);
-      text += fmt::format(
-          "set lmargin at screen {:.4f}\n"
-          "set rmargin at screen {:.4f}\n"
-          "set tmargin at screen {:.4f}\n"
-          "set bmargin at screen {:.4f}\n",
-          left, left + width, 1 - top / size.height, 1 - (top + height) / size.height);
-      text += panel_commands(shown[column], content.sides[row], content.reference);
+  std::vector<PlacedPanel> placed;
+  for (std::size_t side = 0; side < content.sides.size(); ++side) {
+    const bool of_y = content.sides[side].variable == transform::Variable::y;
+    for (const Panel panel : shown) {
+      const char letter = panel == Panel::linear        ? (of_y ? 'a' : 'c')
+                          : panel == Panel::logarithmic ? (of_y ? 'b' : 'd')
+                                                        : (of_y ? 'e' : 'f');
+      placed.push_back({panel, side, letter});
     }
   }
-  return text;
+  if (width == FigureWidth::one_column) {
+    for (std::size_t k = 0; k < placed.size(); ++k) placed[k].letter = static_cast<char>('a' + k);
+  }
+  return placed;
+}
+
+PanelGrid grid_for(std::size_t panels, std::size_t sides, FigureWidth width) {
+  constexpr int kOnScreen = 1500;
+  const bool narrow = width == FigureWidth::one_column;
+  PanelGrid grid = panel_grid(width, kOnScreen);
+  grid.columns = narrow ? 1 : static_cast<int>(panels / sides);
+  grid.rows = static_cast<int>(panels) / grid.columns;
+  grid.panel_height = width == FigureWidth::screen ? 280 : narrow ? 140 : 210;
+  return grid;
 }
 
 std::string legend_label(const DrawnCurve& drawn) {
@@ -97,18 +105,32 @@ std::string legend_label(const DrawnCurve& drawn) {
   return label;
 }
 
+std::string legend_plot(const DrawnCurve& drawn) {
+  const bool with_interval = !drawn.curve->lower.empty();
+  std::string plot = fmt::format("{} {}", with_interval ? "'+' using 1:(NaN):(0):(0)" : "NaN",
+                                 drawn_with(drawn.look(), with_interval));
+  if (!is_marked(drawn.solution->identity)) return plot;
+  const std::string lines = "with lines ";
+  return plot.replace(plot.find(lines), lines.size(), "with linespoints ") + ' ' +
+         marked_with(*drawn.solution);
+}
+
 Legend legend(const FigureContent& content) {
   Legend legend{{}, 5};
   std::set<std::string> listed;
   for (const auto& side : content.sides) {
     for (const auto& drawn : side.curves) {
       if (!listed.insert(drawn.curve->solution).second) continue;
-      const bool with_interval = !drawn.curve->lower.empty();
-      legend.entries.push_back(
-          {fmt::format("{} {}", with_interval ? "'+' using 1:(NaN):(0):(0)" : "NaN",
-                       drawn_with(drawn.look(), with_interval)),
-           legend_label(drawn)});
+      legend.entries.push_back({legend_plot(drawn), legend_label(drawn)});
     }
+  }
+  if (content.smooth_differences && listed.contains(content.reference)) {
+    legend.entries.push_back({fmt::format("NaN {}", kOwnWidth),
+                              fmt::format("half of the interval of {}", content.reference)});
+  }
+  if (content.left_out > 0) {
+    legend.entries.push_back(
+        {"NaN with lines linetype nodraw", fmt::format("{} more: --curves all", content.left_out)});
   }
   return legend;
 }
@@ -116,12 +138,24 @@ Legend legend(const FigureContent& content) {
 }  // namespace
 
 std::string figure_script(const problem::Problem& problem, const FigureContent& content,
-                          const std::string& file_stem) {
+                          const std::string& file_stem, FigureWidth width) {
   const Legend entries = legend(content);
-  const FigureSize size{.width = kWidth, .height = kLegendTop + legend_height(entries, kWidth)};
-  return figure_output(file_stem, size) + "dot = format eq 'svg' ? 0.45 : 0.6\n\n" + data(content) +
-         settings() + fmt::format("set multiplot title {} font ',14'\n\n", figure_title(problem)) +
-         panels(content, size) + legend_strip(entries, size) + "unset multiplot\nunset output\n";
+  const auto placed = placed_panels(content, width);
+  PanelGrid grid = grid_for(placed.size(), content.sides.size(), width);
+  grid.legend_height = legend_height(entries, grid.width);
+  const FigureTitle title = figure_title(problem, grid.size());
+  grid.title_height = title.height;
+  std::string panels;
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    const auto& [panel, side, letter] = placed[k];
+    panels +=
+        margins(grid.place(k)) + panel_commands(panel, content.sides[side], letter,
+                                                content.reference, width != FigureWidth::screen);
+  }
+  return figure_output(file_stem, grid.size()) +
+         "dot = format eq 'svg' ? 0.45 : 0.6\nmark = format eq 'svg' ? 0.8 : 1.1\n\n" +
+         data(content) + settings() + PanelGrid::kLabels + title.command + panels +
+         legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::report

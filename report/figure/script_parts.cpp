@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <string_view>
 #include <utility>
 
 namespace fpkcheck::report {
@@ -24,15 +23,27 @@ std::string density_of(transform::Variable variable) {
                                             : "{/:Italic p}({/:Italic y}')";
 }
 
+PointTypes point_types(const std::string& symbol) {
+  constexpr std::pair<std::string_view, PointTypes> kShapes[] = {
+      {"circle", {7, 6}},          {"square", {5, 4}},    {"triangle-up", {9, 8}},
+      {"triangle-down", {11, 10}}, {"diamond", {13, 12}}, {"pentagon", {15, 14}}};
+  for (const auto& [shape, types] : kShapes) {
+    if (shape == symbol) return types;
+  }
+  constexpr int kCross = 2, kPlus = 1;
+  return {kCross, kPlus};
+}
+
+std::string dash_type(const transform::Look& look) {
+  const bool lengths = look.dash.find_first_not_of("(),.0123456789") == std::string::npos;
+  return lengths && !look.dash.empty() ? look.dash : "solid";
+}
+
 std::vector<SeriesLook> series_looks(std::span<const transform::Identity> identities) {
-  constexpr std::array<std::pair<int, int>, 6> kMarks{
-      {{7, 6}, {5, 4}, {9, 8}, {11, 10}, {13, 12}, {15, 14}}};
   std::vector<SeriesLook> looks;
   for (const auto& one : identities) {
-    const auto of_its_family = std::ranges::count(identities.first(looks.size()), one.family,
-                                                  &transform::Identity::family);
-    const auto& [filled, open] = kMarks[looks.size() % kMarks.size()];
-    looks.push_back({one.look.colour, filled, open, 1 + static_cast<int>(of_its_family)});
+    const auto [filled, open] = point_types(one.look.symbol);
+    looks.push_back({one.look.colour, filled, open, dash_type(one.look)});
   }
   return looks;
 }

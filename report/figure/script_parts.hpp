@@ -23,14 +23,24 @@ std::string data_block(const std::string& name, const std::string& rows);
 /// "p(y)" in enhanced text, y or y'.
 std::string density_of(transform::Variable variable);
 
-/// Marks differ by shape as well as by colour, for grey print.
+/// Point types of gnuplot: filled where a density may be trusted, else open.
+struct PointTypes {
+  int filled, open;
+};
+/// Those that look as a marker of plotly.js (transform::Look::symbol) does.
+PointTypes point_types(const std::string& symbol);
+
+/// The dash type of a look, "solid" where it is none: a look may come from a file.
+std::string dash_type(const transform::Look& look);
+
+/// Marks tell families by their shape, dashes the members of one, for grey print.
 struct SeriesLook {
   std::string colour;
-  int filled, open;  ///< point types: filled where a density may be trusted
-  int dash = 1;      ///< dash type of the line
+  int filled, open;            ///< PointTypes
+  std::string dash = "solid";  ///< dash type of the line
 };
 
-/// Series look as the methods they stand for; those of one family differ in their dashes.
+/// Series look as the methods they stand for.
 std::vector<SeriesLook> series_looks(std::span<const transform::Identity> identities);
 
 }  // namespace fpkcheck::report

@@ -11,6 +11,8 @@
 #include "compare/reference.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
+#include "report/figure/panel_grid.hpp"
+#include "report/figure/text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -19,10 +21,8 @@ using results::Case;
 using results::ErrorSource;
 using transform::Moments;
 
-constexpr std::size_t kMostMaps = 4;
-constexpr FigureSize kSourcesSize{.width = 1500, .height = 860};
-constexpr double kFirstLeft = 0.04, kMapWidth = 0.165, kBetweenColumns = 0.08, kBarWidth = 0.008;
-constexpr double kFirstTop = 0.87, kMapHeight = 0.32, kBetweenRows = 0.15;
+constexpr std::size_t kMostMaps = 4, kMostInAColumn = 2;
+constexpr int kColourBar = 12, kBesideMap = 80;  // pixels: a colour bar, and with its tics
 // Cells farther out than this share of the largest value add nothing that is seen.
 constexpr double kVisibleShare = 1e-3;
 
@@ -34,18 +34,18 @@ struct MapRow {
 constexpr MapRow kRows[] = {{"y2", "E[{/:Italic y}²]", &Moments::y2},
                             {"v2", "E[{/:Italic y}'²]", &Moments::v2}};
 
-std::vector<std::string> shown_sources(const Case& one) {
+std::vector<std::string> shown_sources(const Case& one, std::size_t most = kMostMaps) {
   std::vector<std::string> ids;
   std::set<std::string> formulations;
   const auto add = [&](const transform::Solution& solution) {
     const bool whole = std::ranges::all_of(kRows, [&](const MapRow& row) {
       return one.error_source(solution.id(), row.moment) != nullptr;
     });
-    if (whole && ids.size() < kMostMaps) ids.push_back(solution.id());
+    if (whole && ids.size() < most) ids.push_back(solution.id());
   };
   for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
     const auto& identity = rank.solution->identity;
-    if (ids.size() + 1 < kMostMaps && formulations.insert(identity.formulation).second) {
+    if (ids.size() + 1 < most && formulations.insert(identity.formulation).second) {
       add(*rank.solution);
     }
   }
@@ -122,28 +122,38 @@ std::string colour_tics(double limit) {
 }
 
 std::string source_panel(const Case& one, const std::string& id, std::size_t column,
-                         std::size_t row, const VisiblePart& part) {
-  const MapRow& what = kRows[row];
+                         const MapRow& what, const VisiblePart& part, const PanelGrid& grid,
+                         const Place& place) {
   const auto* own = one.own_error(id);
   const double error = own == nullptr ? 0 : own->error.*what.member;
-  const double left = kFirstLeft + static_cast<double>(column) * (kMapWidth + kBetweenColumns);
-  const double top = kFirstTop - static_cast<double>(row) * (kMapHeight + kBetweenRows);
   const ErrorSource& source = *one.error_source(id, what.moment);
   const auto& y = source.density.y_edges;
   const auto& v = source.density.v_edges;
   const double dy = y[1] - y[0], dv = v[1] - v[0];  // uniform cells
   return fmt::format(
-      "set title {}\nset ylabel {} offset 1\n"
-      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
-      "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
+      "set title {}\nset ylabel {}\n{}"
       "set xrange [0:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\nset cbtics ({})\n"
-      "set colorbox user origin screen {:.4f},{:.4f} size screen {},{:.4f}\n"
+      "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n"
       "plot {} matrix using ({:.6g}+{:.6g}*$1):({:.6g}+{:.6g}*$2):3 with image notitle\n\n",
-      gnuplot_string(fmt::format("{} of {}: {:+.1e}", what.symbol, without_marks(id), error)),
-      gnuplot_string(column == 0 ? "{/:Italic y}'" : ""), left, left + kMapWidth, top,
-      top - kMapHeight, y[part.y], v[part.v_begin], v[part.v_end], colour_tics(limit_of(source)),
-      left + kMapWidth + 0.006, top - kMapHeight, kBarWidth, kMapHeight,
+      gnuplot_text(fmt::format("{} of {}: {:+.1e}", what.symbol, without_marks(id), error)),
+      gnuplot_text("{/:Italic y}'"), margins(place), y[part.y], v[part.v_begin], v[part.v_end],
+      colour_tics(limit_of(source)), place.right + 8.0 / grid.width, place.bottom,
+      static_cast<double>(kColourBar) / grid.width, place.top - place.bottom,
       source_block_name(column, what), y[0] + dy / 2, dy, v[part.v_begin] + dv / 2, dv);
+}
+
+// A column for each density on a screen; on paper a row, or a map below another.
+PanelGrid grid_for(std::size_t densities, FigureWidth width) {
+  constexpr int kOnScreen = 1500, kMoments = static_cast<int>(std::size(kRows));
+  PanelGrid grid = panel_grid(width, kOnScreen);
+  const int count = static_cast<int>(densities);
+  grid.columns = width == FigureWidth::screen        ? std::max<int>(count, kMostMaps)
+                 : width == FigureWidth::two_columns ? kMoments
+                                                     : 1;
+  grid.rows = width == FigureWidth::screen ? kMoments : count * kMoments / grid.columns;
+  grid.panel_height = width == FigureWidth::screen ? 275 : 190;
+  grid.beside = kBesideMap;
+  return grid;
 }
 
 }  // namespace
@@ -157,25 +167,31 @@ bool has_sources(const Case& one) {
   });
 }
 
-std::string sources_script(const Case& one, const std::string& file_stem) {
-  const auto ids = shown_sources(one);
+std::string sources_script(const Case& one, const std::string& file_stem, FigureWidth width) {
+  const auto ids =
+      shown_sources(one, width == FigureWidth::one_column ? kMostInAColumn : kMostMaps);
+  PanelGrid grid = grid_for(ids.size(), width);
+  const FigureTitle title = figure_title(one.problem, grid.size());
+  grid.title_height = title.height;
   std::string blocks, panels;
   const VisiblePart part = visible_part(one, ids);
   for (std::size_t column = 0; column < ids.size(); ++column) {
     for (std::size_t row = 0; row < std::size(kRows); ++row) {
       blocks += source_block(*one.error_source(ids[column], kRows[row].moment),
                              source_block_name(column, kRows[row]), part);
-      panels += source_panel(one, ids[column], column, row, part);
+      const Place place = width == FigureWidth::screen
+                              ? grid.place(static_cast<int>(row), static_cast<int>(column))
+                              : grid.place(column * std::size(kRows) + row);
+      panels += source_panel(one, ids[column], column, kRows[row], part, grid, place);
     }
   }
-  return figure_output(file_stem, kSourcesSize) +
+  return figure_output(file_stem, grid.size()) +
          "# A line for each y', from the lowest; values are sign(e) sqrt(|e|/largest)\n" + blocks +
          "\nset palette defined (0 '#053061', 0.2 '#2166ac', 0.4 '#92c5de', 0.5 '#ffffff', "
          "0.6 '#f4a582', 0.8 '#b2182b', 1 '#67001f')\n"
-         "set cbrange [-1:1]\nset cbtics font ',8'\nset tics nomirror out\nset border 3\n"
-         "set xlabel '{/:Italic y}'\n" +
-         fmt::format("set multiplot title {} font ',14'\n\n", figure_title(one.problem)) + panels +
-         "unset multiplot\nunset output\n";
+         "set cbrange [-1:1]\nset cbtics font ',10'\nset tics nomirror out\nset border 3\n" +
+         PanelGrid::kLabels + fmt::format("set xlabel {}\n", gnuplot_text("{/:Italic y}")) +
+         title.command + panels + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::report

@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "report/figure/frame.hpp"
+#include "report/figure/panel_grid.hpp"
+#include "report/figure/text.hpp"
 #include "study/picture.hpp"
 
 namespace fpkcheck::study {
@@ -88,34 +89,42 @@ std::string settings() {
          "set palette defined (0 '#FFFFFF', 0.04 '#E4F0EE', 0.12 '#A9DAC9', 0.3 '#45B29D', "
          "0.5 '#2A788E', 0.75 '#3B4A8C', 1 '#3A0F4F')\n"
          "set tics out nomirror\n"
-         "set xlabel '{/:Italic t}'\n";
+         "set xlabel say('{/:Italic t}', '$t$')\n";
 }
 
-std::string panel(const Map& map, double until, double top, double bottom) {
+std::string panel(const Map& map, double until, const report::Place& place) {
   const double time_step = until / static_cast<double>(map.times.size() - 1);
   const double height = (map.to - map.from) / kHeights;
   return fmt::format(
       "set title '{0}'\n{1}"
       "set xrange [0:{2:.6g}]\nset yrange [{3:.6g}:{4:.6g}]\nset cbrange [0:{5:.6g}]\n"
-      "set ylabel \"{6}\"\nset cblabel \"{{/:Italic p}}({6}, {{/:Italic t}})\"\n"
-      "plot ${7} using ($2*{8:.8g}):({9:.8g}+$1*{10:.8g}):3 matrix with image notitle\n\n",
-      map.title, margins({0.07, 0.88, top, bottom}), until, map.from, map.to, map.largest,
-      map.symbol, map.block, time_step, map.from + height / 2, height);
+      "set ylabel {6}\nset cblabel {7}\n"
+      "plot ${8} using ($2*{9:.8g}):({10:.8g}+$1*{11:.8g}):3 matrix with image notitle\n\n",
+      map.title, margins(place), until, map.from, map.to, map.largest,
+      report::gnuplot_text(map.symbol),
+      report::gnuplot_text(fmt::format("{{/:Italic p}}({}, {{/:Italic t}})", map.symbol)),
+      map.block, time_step, map.from + height / 2, height);
 }
 
 }  // namespace
 
-std::string transient_figure(const TransientRun& run, const std::string& file_stem) {
+std::string transient_figure(const TransientRun& run, const std::string& file_stem,
+                             report::FigureWidth width) {
+  constexpr int kOnScreen = 1100, kColourBar = 130;
   const Map y =
       map_of(run, {"p_y", "(a) displacement", "{/:Italic y}"}, run.result.y_edges, &Snapshot::y);
   const Map v =
       map_of(run, {"p_ydot", "(b) velocity", "{/:Italic y}'"}, run.result.v_edges, &Snapshot::v);
   const double until = run.result.snapshots.back().time;
-  return report::figure_output(file_stem, {.width = 1100, .height = 950}) + data(y) + data(v) +
-         settings() +
-         fmt::format("set multiplot title {} font ',14'\n\n", report::figure_title(run.problem)) +
-         panel(y, until, 0.89, 0.56) + panel(v, until, 0.41, 0.08) +
-         "unset multiplot\nunset output\n";
+  report::PanelGrid grid = report::panel_grid(width, kOnScreen);
+  grid.rows = 2;
+  grid.panel_height = width == report::FigureWidth::one_column ? 200 : 310;
+  grid.beside = kColourBar;
+  const auto title = report::figure_title(run.problem, grid.size());
+  grid.title_height = title.height;
+  return report::figure_output(file_stem, grid.size()) + data(y) + data(v) + settings() +
+         report::PanelGrid::kLabels + title.command + panel(y, until, grid.place(0, 0)) +
+         panel(v, until, grid.place(1, 0)) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::study

@@ -62,6 +62,7 @@ std::string transient_picture_stem(const std::string& case_name) {
 }
 
 std::vector<std::string> write_transient(const fs::path& directory, const TransientRun& run,
+                                         const report::FigureOptions& options,
                                          const std::string& gnuplot) {
   const fs::path figures = directory / "figures";
   const std::string stem = transient_picture_stem(run.problem.name);
@@ -73,7 +74,8 @@ std::vector<std::string> write_transient(const fs::path& directory, const Transi
   }
   write_transient_netcdf(directory / kFile, run);
   if (run.result.snapshots.size() < 2) return {"no picture: there is a density at t = 0 only"};
-  return report::write_pictures(figures, stem, transient_figure(run, stem), gnuplot);
+  return report::write_pictures(figures, stem, transient_figure(run, stem, options.width), options,
+                                gnuplot);
 }
 
 }  // namespace fpkcheck::study

@@ -6,6 +6,7 @@
 
 #include "fd_fpk/transient.hpp"
 #include "problem/problem.hpp"
+#include "report/figure/options.hpp"
 
 namespace fpkcheck::study {
 
@@ -31,10 +32,11 @@ std::string transient_json(const TransientRun& run);
 std::string transient_table(const TransientRun& run, std::size_t width);
 
 /// A gnuplot script that draws (a) p(y, t) and (b) p(y', t) as colour maps over time. It holds its
-/// data, and draws FILE_STEM.png or, with format='svg', FILE_STEM.svg; the gnuplot variable
+/// data, and draws FILE_STEM.png or, with format='svg', 'pdf' or 'tex', that; the gnuplot variable
 /// `target` names another file.
 /// @param run with at least two snapshots
-std::string transient_figure(const TransientRun& run, const std::string& file_stem);
+std::string transient_figure(const TransientRun& run, const std::string& file_stem,
+                             report::FigureWidth width = report::FigureWidth::screen);
 
 /// Writes a density over time as netCDF-4 (an HDF5 file), following the CF conventions:
 ///
@@ -54,7 +56,7 @@ void write_transient_netcdf(const std::filesystem::path& file, const TransientRu
 /// The name under which a case's picture over time is filed in figures/, without extension.
 std::string transient_picture_stem(const std::string& case_name);
 
-/// Writes transient.nc and figures/transient-CASE.png, .svg and .gp into a directory that
+/// Writes transient.nc and figures/transient-CASE.gp with its pictures into a directory that
 /// make_writable prepared. Each file is either whole or absent; those of an earlier run of the case
 /// do not stay when there is nothing to put in their place.
 /// @param gnuplot the program that draws
@@ -62,6 +64,7 @@ std::string transient_picture_stem(const std::string& case_name);
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_transient(const std::filesystem::path& directory,
                                          const TransientRun& run,
+                                         const report::FigureOptions& figures = {},
                                          const std::string& gnuplot = "gnuplot");
 
 }  // namespace fpkcheck::study

@@ -1,5 +1,6 @@
 #include "sweep/report/sweep_files.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -46,10 +47,16 @@ void write_tables(const fs::path& directory, const SweepResults& results,
 }
 
 std::vector<std::string> write_report(const fs::path& directory, const SweepResults& results,
-                                      const std::string& command, const std::string& gnuplot) {
-  const auto pictures = sweep_pictures(results);
+                                      const std::string& command,
+                                      const report::FigureOptions& options,
+                                      const std::string& gnuplot) {
+  const auto pictures = sweep_pictures(results, options.width);
   const fs::path figures = directory / "figures";
-  auto warnings = draw_sweep(figures, pictures, gnuplot);
+  report::FigureOptions drawn = options;
+  for (const auto format : {report::FigureFormat::png, report::FigureFormat::svg}) {  // of the page
+    if (std::ranges::count(drawn.formats, format) == 0) drawn.formats.push_back(format);
+  }
+  auto warnings = draw_sweep(figures, pictures, drawn, gnuplot);
   if (process::stop_requested()) return warnings;
   files::write_file(directory / kPage,
                     sweep_page(results, drawn_pictures(figures, pictures), command));

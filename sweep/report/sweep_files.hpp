@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/figure/options.hpp"
 #include "sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -15,12 +16,13 @@ namespace fpkcheck::sweep {
 void write_tables(const std::filesystem::path& directory, const SweepResults& results,
                   const std::string& command);
 
-/// Draws what there is to draw into DIRECTORY/figures and puts it on a page, report.html; without
-/// gnuplot the page has no pictures.
+/// Draws what there is to draw into DIRECTORY/figures, in the formats that are asked for and as the
+/// SVG that is put on a page, report.html; without gnuplot the page has no pictures.
 /// @return warnings, one line each: pictures that could not be drawn, and why
 /// @throws std::runtime_error on one line
 std::vector<std::string> write_report(const std::filesystem::path& directory,
                                       const SweepResults& results, const std::string& command,
+                                      const report::FigureOptions& figures = {},
                                       const std::string& gnuplot = "gnuplot");
 
 }  // namespace fpkcheck::sweep

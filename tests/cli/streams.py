@@ -40,7 +40,7 @@ def main():
             expect(filecmp.cmp(os.path.join(usual, "marginals.csv"),
                                os.path.join(out, "marginals.csv"), shallow=False),
                    f"{name}: marginals.csv differs")
-            size = os.path.getsize(os.path.join(out, "figures", "case1.svg"))
+            size = os.path.getsize(os.path.join(out, "figures", "case1.png"))
             expect(size > 1000, f"{name}: the picture has {size} bytes")
         quiet = subprocess.run([program, "epc", "case1", "--order", "8", "-q"],
                                capture_output=True, text=True, timeout=120)

@@ -57,6 +57,34 @@ TEST(CaseFile, OverridesReplaceAndComplete) {
             0.2);
 }
 
+std::string name_of(const std::vector<std::string>& overrides, const std::string& text = kGood) {
+  std::istringstream ini(text);
+  return read_case(ini, "a", "a.ini", overrides, Naming::of_changes).name;
+}
+
+TEST(CaseFile, IsNamedByWhatTheOverridesChange) {
+  EXPECT_EQ(name_of({}), "a");
+  EXPECT_EQ(name_of({"system.restitution=0.8"}), "a, r = 0.8");
+  EXPECT_EQ(name_of({"impulse.law=laplace", "impulse.rate=2", "system.damping=0.2"}),
+            "a, c = 0.2, lambda = 2, laplace impulses");
+  // What it has already is no change, however it is written, nor what is usual.
+  EXPECT_EQ(name_of({"system.restitution=0.90", "impulse.mean=0"}), "a");
+  EXPECT_EQ(name_of({"system.damping=0.2"}, "[system]\n" + kGood.substr(kGood.find("stiffness"))),
+            "a, c = 0.2");
+  // The last digit tells two cases apart.
+  EXPECT_EQ(name_of({"system.damping=0.1000000000000001"}), "a, c = 0.1000000000000001");
+  EXPECT_EQ(read(kGood, {"system.restitution=0.8"}).name, "a");
+}
+
+TEST(CaseFile, WhoseChangesWouldMakeNoNameIsNamedByTheirNumber) {
+  std::vector<std::string> all;
+  for (const char* key : {"system.damping", "system.stiffness", "system.cubic",
+                          "system.restitution", "impulse.rate", "impulse.intensity"}) {
+    all.push_back(std::string(key) + "=0.12345678901234567");
+  }
+  EXPECT_EQ(name_of(all), "a, 6 keys changed");
+}
+
 TEST(CaseFile, NamesTheKeyTheValueAndTheFileInOneLine) {
   const std::string out_of_range = message(kGood, {"system.restitution=1.5"});
   EXPECT_NE(out_of_range.find("system.restitution = 1.5"), std::string::npos) << out_of_range;

@@ -25,6 +25,7 @@ std::string refusal_to_write(const fs::path& directory) {
 
 TEST(FileStem, KeepsWhatEveryFileSystemTakes) {
   EXPECT_EQ(file_stem("it's a-1.x_/"), "it_s_a-1.x__");
+  EXPECT_EQ(file_stem("case1, r = 0.9"), "case1_r_0.9");
 }
 
 TEST(RunDirectory, IsMadeWithItsParentsAndLeftEmpty) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "legend_of_script.hpp"
 #include "made_up.hpp"
 #include "report/figure/drawing.hpp"
 #include "saved_run.hpp"
@@ -24,11 +25,21 @@ TEST(GridFigure, HasALineForEachSchemeEachFormulationAndTheSimulation) {
   EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#CC79A7'"));
 }
 
+TEST(GridFigure, TellsWhatEveryLineIs) {
+  for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
+    const auto script = figure(tests::made_up_grid_study(), "study-grid", width);
+    EXPECT_GT(tests::drawn_by(script).size(), 10u);
+    const auto untold = tests::without_entry(script);
+    EXPECT_TRUE(untold.empty()) << untold.front();
+  }
+}
+
 TEST(GridFigure, CanBeDrawn) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings = report::write_pictures(
-      directory.path(), "study-grid", figure(tests::made_up_grid_study(), "study-grid"), "gnuplot");
+  const auto warnings = report::write_pictures(directory.path(), "study-grid",
+                                               figure(tests::made_up_grid_study(), "study-grid"),
+                                               {.formats = {report::FigureFormat::svg}}, "gnuplot");
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const std::string svg = tests::contents(directory.path() / "study-grid.svg");
   for (const char* text : {"(a) grids: displacement", "(d) error against cost", "simulation"}) {

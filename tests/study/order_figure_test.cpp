@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "legend_of_script.hpp"
 #include "made_up.hpp"
 #include "report/figure/drawing.hpp"
 #include "saved_run.hpp"
@@ -17,9 +18,9 @@ TEST(OrderFigure, DrawsFormulationsInTheirColoursAndWhatIsNotOkApart) {
   EXPECT_TRUE(contains(script, "$ok_0 using 1:2 with linespoints lc rgb '#D55E00'"));
   EXPECT_TRUE(contains(script, "$ok_1 using 1:3 with linespoints lc rgb '#CC79A7'"));
   EXPECT_TRUE(contains(script, "title 'moment'"));
-  EXPECT_TRUE(contains(script, " to \".'fd-kf'\n"));
+  EXPECT_TRUE(contains(script, " to fd-kf'"));
   EXPECT_TRUE(contains(script, "$branch_0 << EOD\n0 1 0\n0.655 2.5 1\nEOD\n"));
-  EXPECT_TRUE(contains(script, "title 'gaussian n = 8'"));
+  EXPECT_TRUE(contains(script, "title 'branch: gaussian n = 8'"));
 }
 
 TEST(OrderFigure, HasNoThirdPanelWithoutABranch) {
@@ -28,12 +29,21 @@ TEST(OrderFigure, HasNoThirdPanelWithoutABranch) {
   EXPECT_FALSE(contains(figure(study, "study-order"), "(c) branches"));
 }
 
+TEST(OrderFigure, TellsWhatEveryLineAndMarkIs) {
+  for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
+    const auto script = figure(tests::made_up_order_study(), "study-order", width);
+    EXPECT_GT(tests::drawn_by(script).size(), 8u);
+    const auto untold = tests::without_entry(script);
+    EXPECT_TRUE(untold.empty()) << untold.front();
+  }
+}
+
 TEST(OrderFigure, CanBeDrawn) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings =
-      report::write_pictures(directory.path(), "study-order",
-                             figure(tests::made_up_order_study(), "study-order"), "gnuplot");
+  const auto warnings = report::write_pictures(directory.path(), "study-order",
+                                               figure(tests::made_up_order_study(), "study-order"),
+                                               {.formats = {report::FigureFormat::svg}}, "gnuplot");
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const std::string svg = tests::contents(directory.path() / "study-order.svg");
   for (const char* text : {"(a) displacement", "(c) branches", "moment", "fd-kf"}) {

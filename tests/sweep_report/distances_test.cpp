@@ -29,7 +29,7 @@ TEST(Distances, HasACurveAndALegendEntryForEachMethodButTheReference) {
   }
   EXPECT_FALSE(contains(script, "$curve_0_3 using 1:2:4"));
   EXPECT_FALSE(contains(legend, "fd-kf")) << legend;
-  EXPECT_TRUE(contains(script, " to \".'fd-kf'"));
+  EXPECT_TRUE(contains(script, " to fd-kf'"));
 }
 
 TEST(Distances, MarksAreOpenWhereTheAnswerIsNotOk) {
@@ -81,7 +81,7 @@ TEST(Distances, NameNoReferenceWherePointsHaveSeveral) {
   results.points[4].reference = "fd-white";
   results.points[4].methods[tests::made_up_reference].l1 = MarginalPair{1e-3, 2e-3};
   const std::string script = distances_of(results);
-  EXPECT_TRUE(contains(script, " to \".'the reference'")) << script;
+  EXPECT_TRUE(contains(script, " to the reference'")) << script;
   EXPECT_TRUE(contains(legend_of(script), "title 'fd-kf'"));
   EXPECT_TRUE(contains(script, "1 0.001 0.002")) << script;
 }
@@ -91,7 +91,7 @@ TEST(Distances, HaveARowOfPanelsForEachWord) {
       distances_of(tests::made_up_sweep({tests::kTwoLaws, tests::kFiveRestitutions}));
   EXPECT_TRUE(contains(script, "set title '(a) displacement, gaussian'")) << script;
   EXPECT_TRUE(contains(script, "set title '(d) velocity, laplace'")) << script;
-  EXPECT_TRUE(contains(script, "set xlabel 'system.restitution"));
+  EXPECT_TRUE(contains(script, "set xlabel say('system.restitution, "));
 }
 
 TEST(Distances, OverWordsAreMarksSideBySide) {

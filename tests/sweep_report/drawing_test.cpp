@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "files/pending_files.hpp"
+#include "legend_of_script.hpp"
 #include "made_up_sweep.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "saved_run.hpp"
@@ -65,12 +66,25 @@ TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutComplaint) {
   }
 }
 
+TEST(SweepDrawing, TellsWhatEverythingIsInEveryKind) {
+  for (const auto& results : all_kinds()) {
+    for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
+      for (const auto& picture : sweep_pictures(results, width)) {
+        EXPECT_FALSE(tests::drawn_by(picture.script).empty()) << picture.stem;
+        const auto untold = tests::without_entry(picture.script);
+        EXPECT_TRUE(untold.empty()) << picture.stem << untold.front();
+      }
+    }
+  }
+}
+
 TEST(SweepDrawing, LeavesNoPicturesOfAnotherPlan) {
   const tests::TemporaryDirectory directory;
   files::write_file(directory.path() / "sweep-moments.svg", "of another plan");
   files::write_file(directory.path() / "mine.svg", "not ours");
   const auto results = tests::made_up_sweep({tests::kFiveRestitutions, tests::kThreeRates});
-  const auto warnings = draw_sweep(directory.path(), sweep_pictures(results), "no-such-gnuplot");
+  const auto warnings =
+      draw_sweep(directory.path(), sweep_pictures(results), {}, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(tests::contains(warnings[0], "install gnuplot")) << warnings[0];
   EXPECT_FALSE(exists(directory.path() / "sweep-moments.svg"));

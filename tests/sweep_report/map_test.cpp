@@ -39,8 +39,8 @@ TEST(Map, HasContoursWhereDistancesCrossOneAndFivePerCent) {
   const std::string script = map_of(two_keys());
   EXPECT_TRUE(contains(script, "set table $contour_one_1")) << script;
   EXPECT_TRUE(contains(script, "$contour_five_1 using 1:2 with lines"));
-  EXPECT_TRUE(contains(script, "title '1 %'"));
-  EXPECT_TRUE(contains(script, "title '5 %'"));
+  EXPECT_TRUE(contains(script, "title say('1 %'"));
+  EXPECT_TRUE(contains(script, "title say('5 %'"));
   // 0.03 everywhere is on one side of both.
   EXPECT_FALSE(contains(script, "$contour_one_2"));
   EXPECT_FALSE(contains(script, "$contour_five_2"));

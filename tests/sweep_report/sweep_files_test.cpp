@@ -26,7 +26,7 @@ TEST(SweepFiles, TablesReplaceThoseOfBeforeAndTheirPage) {
 TEST(SweepFiles, WithoutGnuplotThePageHasNoPictures) {
   const tests::TemporaryDirectory directory;
   const auto warnings = write_report(directory.path(), tests::made_up_sweep({tests::kTwoLaws}),
-                                     "fpkcheck sweep", "no-such-gnuplot");
+                                     "fpkcheck sweep", {}, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   const std::string page = tests::contents(directory.path() / "report.html");
   EXPECT_FALSE(contains(page, "<img"));

@@ -5,9 +5,10 @@
 #include <algorithm>
 
 #include "report/figure/frame.hpp"
-#include "report/figure/gnuplot.hpp"
+#include "report/figure/text.hpp"
 
 namespace fpkcheck::sweep {
+using report::PanelGrid;
 namespace {
 
 // How a line looks, without its marks.
@@ -16,7 +17,7 @@ std::string line_of(const CurveData& data, std::size_t m) {
   constexpr double kThin = 1.5, kBroad = 2.5;  // what lies beside others needs no width to be seen
   return fmt::format("with {} lc rgb '{}' lw {:.2g}{}", data.is_words() ? "points" : "linespoints",
                      look.colour, std::clamp(look.width, kThin, kBroad),
-                     data.is_words() ? "" : " dt " + look.dash);
+                     data.is_words() ? "" : " dt " + report::dash_type(look));
 }
 
 }  // namespace
@@ -42,11 +43,18 @@ report::Legend curves_legend(const CurveData& data, const std::vector<std::size_
 }
 
 PanelGrid curves_grid(const CurveData& data, const report::Legend& legend) {
-  const std::size_t slices = data.layout().slices.size();
-  return {.columns = 2,
-          .rows = static_cast<int>(slices),
-          .panel_height = slices > 1 ? 250 : 350,
-          .legend_height = report::legend_height(legend, PanelGrid::kWidth)};
+  const auto slices = static_cast<int>(data.layout().slices.size());
+  const SweepView& view = data.view();
+  const bool narrow = view.medium() == report::FigureWidth::one_column;
+  return {.medium = view.medium(),
+          .width = view.width(),
+          .columns = narrow ? 1 : 2,
+          .rows = narrow ? 2 * slices : slices,
+          .panel_height = slices > 1 ? 250
+                          : narrow   ? 230
+                                     : 350,
+          .title_height = view.title().height,
+          .legend_height = report::legend_height(legend, view.width())};
 }
 
 std::string curves_begin(const CurveData& data, const PanelGrid& grid,
@@ -54,9 +62,8 @@ std::string curves_begin(const CurveData& data, const PanelGrid& grid,
   return report::figure_output(file_stem, grid.size()) + data.blocks() + '\n' + PanelGrid::kLabels +
          fmt::format(
              "set tics out nomirror\nset border 3\n"
-             "set grid ytics lc rgb '#DDDDDD' lt 1 lw 0.6\nunset key\n"
-             "set multiplot title {} font ',14'\n\n",
-             data.view().title()) +
+             "set grid ytics lc rgb '#DDDDDD' lt 1 lw 0.6\nunset key\n{}",
+             data.view().title().command) +
          data.layout().along.commands('x');
 }
 
@@ -64,7 +71,7 @@ std::string curves_panel(const CurveData& data, const PanelGrid& grid, std::size
                          transform::Variable variable) {
   const bool is_y = variable == transform::Variable::y;
   const std::string& name = data.layout().slices[slice].name;
-  return report::margins(grid.place(static_cast<int>(slice), is_y ? 0 : 1)) +
+  return report::margins(grid.place(2 * slice + (is_y ? 0 : 1))) +
          fmt::format("set title {}\n",
                      report::gnuplot_literal(fmt::format(
                          "({}) {}{}{}", static_cast<char>('a' + 2 * slice + (is_y ? 0 : 1)),

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "report/figure/gnuplot.hpp"
+#include "report/figure/text.hpp"
 #include "sweep/report/figure/curve_script.hpp"
 
 namespace fpkcheck::sweep {
@@ -16,6 +17,7 @@ namespace {
 using transform::Variable;
 
 constexpr const char* kFloorColour = "#DEDEDE";
+constexpr const char* kFloorEdge = "#AAAAAA";
 // An error that has no neighbours is a dot.
 constexpr const char* kDotted = "lw 1.5 dt (2,4)";
 constexpr const char* kDots = "pt 7 ps 0.25";
@@ -111,12 +113,12 @@ std::string Distances::panel(std::size_t slice, Variable variable) const {
   if (any_floor_) {
     plots.push_back(
         fmt::format("$floor_{0} using 1:({1:.4g}):{2} with filledcurves fc rgb '{3}' notitle, "
-                    "$floor_{0} using 1:{2} with lines lc rgb '#AAAAAA' lw 1 notitle",
-                    slice, low_, is_y ? 2 : 3, kFloorColour));
+                    "$floor_{0} using 1:{2} with lines lc rgb '{4}' lw 1 notitle",
+                    slice, low_, is_y ? 2 : 3, kFloorColour, kFloorEdge));
   }
   for (const std::size_t m : data_.view().compared_methods()) {
     const int distance = is_y ? distance_y : distance_ydot;
-    plots.push_back(own_error_plot(slice, m, distance, is_y ? own_y : own_ydot));
+    if (any_own_) plots.push_back(own_error_plot(slice, m, distance, is_y ? own_y : own_ydot));
     plots.push_back(curve_plot(data_, slice, m, distance));
   }
   for (const std::size_t m : without_density_) {
@@ -125,9 +127,10 @@ std::string Distances::panel(std::size_t slice, Variable variable) const {
                     slice, m, data_.look(m).colour));
   }
   const std::string reference = data_.view().only_reference();
-  return fmt::format("set ylabel \"{{/:Italic L}}_1 distance of {} to \".{}\nplot {}\n\n",
-                     report::density_of(variable),
-                     reference.empty() ? "'the reference'" : report::gnuplot_literal(reference),
+  return fmt::format("set ylabel {}\nplot {}\n\n",
+                     report::gnuplot_text(fmt::format(
+                         "{{/:Italic L}}_1 distance of {} to {}", report::density_of(variable),
+                         reference.empty() ? "the reference" : report::without_marks(reference))),
                      fmt::join(plots, ", \\\n     "));
 }
 
@@ -135,12 +138,15 @@ report::Legend Distances::legend() const {
   report::Legend legend = curves_legend(data_, data_.view().compared_methods(), any_open_);
   if (any_own_) {
     legend.entries.push_back(
-        {fmt::format("NaN with lines lc rgb '#444444' {}", kDotted), "own stated error"});
+        {data_.is_words()
+             ? fmt::format("NaN with lines lc rgb '#444444' {}", kDotted)
+             : fmt::format("NaN with linespoints lc rgb '#444444' {} {}", kDotted, kDots),
+         "own stated error"});
   }
   if (any_floor_) {
-    legend.entries.push_back(
-        {fmt::format("NaN with boxes fs solid noborder fc rgb '{}'", kFloorColour),
-         "error of the reference"});
+    legend.entries.push_back({fmt::format("NaN with boxes fs solid border rgb '{}' fc rgb '{}'",
+                                          kFloorEdge, kFloorColour),
+                              "error of the reference"});
   }
   if (!without_density_.empty()) {
     legend.entries.push_back({"NaN with points lc rgb '#444444' lw 2 pt 2 ps 0.8", "no density"});
@@ -150,13 +156,13 @@ report::Legend Distances::legend() const {
 
 std::string Distances::script(const std::string& file_stem) const {
   const report::Legend strip = legend();
-  const PanelGrid grid = curves_grid(data_, strip);
+  const report::PanelGrid grid = curves_grid(data_, strip);
   std::string text = curves_begin(data_, grid, file_stem) +
                      (any_floor_ ? data_.floor_blocks() : "") + absent_blocks() +
                      fmt::format(
-                         "set logscale y\nset format y '10^{{%L}}'\n"
+                         "set logscale y\nset format y {}\n"
                          "set yrange [{:.4g}:{:.4g}]\n\n",
-                         low_, high_);
+                         report::kPowersOfTen, low_, high_);
   for (std::size_t s = 0; s < data_.layout().slices.size(); ++s) {
     for (const Variable variable : transform::kVariables) {
       text += curves_panel(data_, grid, s, variable) + panel(s, variable);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "problem/case_file.hpp"
-#include "report/figure/gnuplot.hpp"
+#include "report/figure/text.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -130,7 +130,7 @@ std::string KeyAxis::commands(char letter) const {
 }
 
 std::string KeyAxis::label_command(char letter) const {
-  return fmt::format("set {}label {}\n", letter, report::gnuplot_string(label_));
+  return fmt::format("set {}label {}\n", letter, report::gnuplot_text(label_));
 }
 
 std::size_t KeyAxis::cell_of(const Value& value) const {

@@ -7,14 +7,15 @@
 #include <cmath>
 
 #include "report/figure/frame.hpp"
-#include "report/figure/gnuplot.hpp"
 #include "report/figure/legend_strip.hpp"
+#include "report/figure/panel_grid.hpp"
 #include "report/figure/script_parts.hpp"
+#include "report/figure/text.hpp"
 #include "sweep/report/figure/map_data.hpp"
-#include "sweep/report/figure/panel_grid.hpp"
 #include "sweep/report/figure/status_mark.hpp"
 
 namespace fpkcheck::sweep {
+using report::PanelGrid;
 namespace {
 
 using report::LegendEntry;
@@ -29,14 +30,22 @@ struct ContourLevel {
 constexpr ContourLevel kLevels[] = {{0.01, "one", "with lines lc rgb '#08306B' lw 2 dt solid"},
                                     {0.05, "five", "with lines lc rgb '#08306B' lw 2.6 dt (8,5)"}};
 
+// Around what is not ok.
+constexpr const char* kOutline = "with lines lc rgb 'black' lw 0.8";
+
 // Light discs would be lost on white.
 constexpr const char* kGround =
     "set object rectangle from graph 0,0 to graph 1,1 behind fc rgb '#E4E4E4' fs noborder\n";
 
-PanelGrid grid_for(std::size_t panels) {
+PanelGrid map_grid(const SweepView& view, std::size_t panels) {
   const int count = static_cast<int>(panels);
-  PanelGrid grid{};
-  grid.columns = count <= 3 ? count : count == 4 ? 2 : count <= 6 ? 3 : 4;
+  PanelGrid grid{.medium = view.medium(), .width = view.width()};
+  grid.title_height = view.title().height;
+  grid.columns = view.medium() == report::FigureWidth::one_column ? 1
+                 : count <= 3                                     ? count
+                 : count == 4                                     ? 2
+                 : count <= 6                                     ? 3
+                                                                  : 4;
   grid.rows = (count + grid.columns - 1) / grid.columns;
   grid.panel_height = grid.columns <= 2 ? 300 : grid.columns == 3 ? 240 : 190;
   grid.at_the_right = 105;
@@ -50,10 +59,11 @@ std::string colour_scale(const PanelGrid& grid) {
   const auto first = grid.place(0, grid.columns - 1), last = grid.place(grid.rows - 1, 0);
   return fmt::format(
       "set palette defined (0 '#FFF0A8', 1 '#FED976', 2 '#FDAE5B', 3 '#F07C3C', 4 '#CF2A1E')\n"
-      "set logscale cb\nset cbrange [{}:1]\nset format cb '10^{{%L}}'\n"
-      "set cblabel 'larger {{/:Italic L}}_1 distance'\n"
+      "set logscale cb\nset cbrange [{}:1]\nset format cb {}\n"
+      "set cblabel {}\n"
       "set colorbox user origin screen {:.4f},{:.4f} size screen 0.014,{:.4f}\n",
-      kLeastColour, first.right + 0.022, last.bottom, first.top - last.bottom);
+      kLeastColour, report::kPowersOfTen, report::gnuplot_text("larger {/:Italic L}_1 distance"),
+      first.right + 0.022, last.bottom, first.top - last.bottom);
 }
 
 // Viewers of SVG smooth images, so that few cells are rectangles there; between rectangles, a PNG
@@ -115,6 +125,9 @@ report::Legend map_legend(const MapData& map, const std::vector<std::size_t>& me
       any_empty = any_empty || !view.larger_l1(point.point, m);
     }
   }
+  if (std::ranges::any_of(methods, [&](std::size_t m) { return !map.outline_block(m).empty(); })) {
+    legend.entries.push_back({fmt::format("NaN {}", kOutline), "around what is not ok"});
+  }
   std::ranges::move(status_legend(statuses), std::back_inserter(legend.entries));
   if (any_reference)
     legend.entries.push_back({"NaN " + mark_drawn(kReferenceMark), "the reference"});
@@ -138,8 +151,7 @@ MapPanel map_panel(const MapData& map, const PanelGrid& grid, std::size_t m) {
   panel.plots.push_back(map.in_cells() ? cells_plot(map, m) : discs_plot(m, disc));
   if (const std::string outline = map.outline_block(m); !outline.empty()) {
     panel.data += outline;
-    panel.plots.push_back(
-        fmt::format("$outline_{} using 1:2 with lines lc rgb 'black' lw 0.8 notitle", m));
+    panel.plots.push_back(fmt::format("$outline_{} using 1:2 {} notitle", m, kOutline));
   }
   for (const auto& level : kLevels) {
     if (!map.crosses(m, level.l1)) continue;  // gnuplot warns of an empty table
@@ -149,7 +161,7 @@ MapPanel map_panel(const MapData& map, const PanelGrid& grid, std::size_t m) {
   }
   const auto place = grid.place(0, 0);
   std::set<int> types;
-  panel.data += map.mark_blocks(m, marks_in((place.right - place.left) * PanelGrid::kWidth),
+  panel.data += map.mark_blocks(m, marks_in((place.right - place.left) * grid.width),
                                 marks_in(grid.panel_height), types);
   for (const int type : types) {
     panel.plots.push_back(fmt::format("$mark_{}_{} using 1:2 {} notitle", m, type,
@@ -164,8 +176,8 @@ std::string map_script(const SweepView& view, const std::string& file_stem) {
   const MapData map(view);
   const auto methods = view.compared_methods();
   const report::Legend legend = map_legend(map, methods);
-  PanelGrid grid = grid_for(methods.size());
-  grid.legend_height = report::legend_height(legend, PanelGrid::kWidth);
+  PanelGrid grid = map_grid(view, methods.size());
+  grid.legend_height = report::legend_height(legend, grid.width);
   const std::string axes = map.in_cells() ? map.x().cell_commands('x') + map.y().cell_commands('y')
                                           : map.x().commands('x') + map.y().commands('y');
   std::string data, contours, panels;
@@ -185,8 +197,7 @@ std::string map_script(const SweepView& view, const std::string& file_stem) {
   }
   return report::figure_output(file_stem, grid.size()) + data + contours +
          how_cells_are_drawn(view.plan().points.size() * methods.size()) + PanelGrid::kLabels +
-         "set tics out nomirror\nunset key\n" + colour_scale(grid) +
-         fmt::format("set multiplot title {} font ',14'\n\n", view.title()) + axes +
+         "set tics out nomirror\nunset key\n" + colour_scale(grid) + view.title().command + axes +
          (map.in_cells() ? "" : kGround) + panels + "unset object\n" +
          (legend.entries.empty() ? "" : report::legend_strip(legend, grid.size())) +
          "unset multiplot\nunset output\n";

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "report/figure/text.hpp"
 #include "sweep/report/figure/curve_script.hpp"
 
 namespace fpkcheck::sweep {
@@ -39,9 +40,10 @@ std::string moment_panel(const CurveData& data, std::size_t slice, Variable vari
   for (std::size_t m = data.methods(); m-- > 0;) {
     plots.push_back(curve_plot(data, slice, m, is_y ? moment_y : moment_ydot));
   }
-  return fmt::format(
-      "set ylabel \"E[{}^2]\"\n{}plot {}\n\n", is_y ? "{/:Italic y}" : "{/:Italic y}'",
-      moment_range(data, is_y ? &Moments::y2 : &Moments::v2), fmt::join(plots, ", \\\n     "));
+  return fmt::format("set ylabel {}\n{}plot {}\n\n",
+                     report::gnuplot_text(is_y ? "E[{/:Italic y}^2]" : "E[{/:Italic y}'^2]"),
+                     moment_range(data, is_y ? &Moments::y2 : &Moments::v2),
+                     fmt::join(plots, ", \\\n     "));
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ std::string moments_script(const SweepView& view, const CurvesLayout& layout,
   std::vector<std::size_t> all(data.methods());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const report::Legend legend = curves_legend(data, all, any_open);
-  const PanelGrid grid = curves_grid(data, legend);
+  const report::PanelGrid grid = curves_grid(data, legend);
   std::string text = curves_begin(data, grid, file_stem) + "set format y '%g'\n\n";
   for (std::size_t s = 0; s < layout.slices.size(); ++s) {
     for (const Variable variable : transform::kVariables) {

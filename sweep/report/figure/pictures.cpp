@@ -50,10 +50,10 @@ SweepPicture map(const SweepView& view) {
 
 }  // namespace
 
-std::vector<SweepPicture> sweep_pictures(const SweepResults& results) {
+std::vector<SweepPicture> sweep_pictures(const SweepResults& results, report::FigureWidth width) {
   const Plan& plan = results.plan;
   if (results.points.empty()) return {};
-  const SweepView view(results);
+  const SweepView view(results, width);
   const bool one_is_words = plan.axes.size() == 2 && plan.design == Design::product &&
                             KeyAxis(plan, 0).is_words() != KeyAxis(plan, 1).is_words();
   if (plan.axes.size() == 1 || one_is_words) return curves(view);
@@ -67,6 +67,7 @@ std::vector<SweepPicture> sweep_pictures(const SweepResults& results) {
 
 std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
                                     const std::vector<SweepPicture>& pictures,
+                                    const report::FigureOptions& options,
                                     const std::string& gnuplot) {
   std::filesystem::create_directories(figures);
   for (const char* stem : {kDistances, kMoments, kMap, kScatter}) {
@@ -79,7 +80,7 @@ std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
   try {
     for (const auto& picture : pictures) {
       if (process::stop_requested()) return {};
-      const auto own = report::draw_both(gnuplot, figures, picture.stem);
+      const auto own = report::draw_all(gnuplot, figures, picture.stem, options);
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
   } catch (const report::GnuplotMissing& missing) {

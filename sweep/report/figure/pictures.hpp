@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/figure/options.hpp"
 #include "sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -16,12 +17,14 @@ struct SweepPicture {
 };
 
 /// What there is to draw: curves along one key, maps over two, points against each of more.
-std::vector<SweepPicture> sweep_pictures(const SweepResults& results);
+std::vector<SweepPicture> sweep_pictures(const SweepResults& results,
+                                         report::FigureWidth width = report::FigureWidth::screen);
 
-/// Draws them as STEM.png and STEM.svg beside STEM.gp; those of another plan go.
+/// Draws them beside STEM.gp in the formats that are asked for; those of another plan go.
 /// @return a warning for each picture that was not drawn; one when there is no gnuplot
 std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
                                     const std::vector<SweepPicture>& pictures,
+                                    const report::FigureOptions& options = {},
                                     const std::string& gnuplot = "gnuplot");
 
 }  // namespace fpkcheck::sweep

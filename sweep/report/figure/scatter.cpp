@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "report/figure/frame.hpp"
-#include "report/figure/gnuplot.hpp"
 #include "report/figure/legend_strip.hpp"
+#include "report/figure/panel_grid.hpp"
 #include "report/figure/script_parts.hpp"
+#include "report/figure/text.hpp"
 #include "sweep/report/figure/key_axis.hpp"
-#include "sweep/report/figure/panel_grid.hpp"
 
 namespace fpkcheck::sweep {
+using report::PanelGrid;
 namespace {
 
 constexpr std::size_t kMostBins = 8;
@@ -121,16 +122,20 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
   for (std::size_t k = 0; k < methods.size(); ++k) {
     legend.entries.push_back(
         {fmt::format("NaN with linespoints lc rgb '{}' lw 2.5 dt {} pt {} ps 1", looks[k].colour,
-                     who[k].look.dash, looks[k].filled),
+                     looks[k].dash, looks[k].filled),
          who[k].id});
   }
   legend.entries.push_back({"NaN with points lc rgb '#444444' lw 1.5 pt 6 ps 1", "open: not ok"});
   legend.entries.push_back({"NaN with lines lc rgb '#444444' lw 2.5", "median of ok"});
   const int keys = static_cast<int>(plan.axes.size());
-  const PanelGrid grid{.columns = 2,
-                       .rows = (keys + 1) / 2,
+  const int columns = view.medium() == report::FigureWidth::one_column ? 1 : 2;
+  const PanelGrid grid{.medium = view.medium(),
+                       .width = view.width(),
+                       .columns = columns,
+                       .rows = (keys + columns - 1) / columns,
                        .panel_height = 280,
-                       .legend_height = report::legend_height(legend, PanelGrid::kWidth)};
+                       .title_height = view.title().height,
+                       .legend_height = report::legend_height(legend, view.width())};
 
   std::string data, panels;
   for (std::size_t place = 0; place < plan.axes.size(); ++place) {
@@ -146,7 +151,7 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
       medians.push_back(fmt::format(
           "$median_{}_{} using 1:2 with {} lc rgb '{}' lw 2.5 notitle", place, methods[k],
           key.axis().is_words() ? fmt::format("points pt {} ps 1.5", looks[k].filled)
-                                : "lines dt " + who[k].look.dash,
+                                : "lines dt " + looks[k].dash,
           looks[k].colour));
     }
     panels += report::margins(grid.place(place)) + "unset logscale x\n" + key.axis().commands('x') +
@@ -156,10 +161,13 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
   return report::figure_output(file_stem, grid.size()) + data +
          "\nset tics out nomirror\nset border 3\nset grid ytics lc rgb '#DDDDDD' lt 1 lw 0.6\n"
          "unset key\n" +
-         std::string(PanelGrid::kLabels) + "set logscale y\nset format y '10^{%L}'\n" +
-         distance_range(view) + "set ylabel 'larger {/:Italic L}_1 distance of both'\n" +
-         fmt::format("set multiplot title {} font ',14'\n\n", view.title()) + panels +
-         report::legend_strip(legend, grid.size()) + "unset multiplot\nunset output\n";
+         std::string(PanelGrid::kLabels) +
+         fmt::format("set logscale y\nset format y {}\n", report::kPowersOfTen) +
+         distance_range(view) +
+         fmt::format("set ylabel {}\n",
+                     report::gnuplot_text("larger {/:Italic L}_1 distance of both")) +
+         view.title().command + panels + report::legend_strip(legend, grid.size()) +
+         "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::sweep

@@ -6,13 +6,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/figure/gnuplot.hpp"
 #include "sweep/report/figure/key_axis.hpp"
 
 namespace fpkcheck::sweep {
+namespace {
 
-SweepView::SweepView(const SweepResults& results)
-    : results_(results), by_number_(results.plan.points.size(), nullptr) {
+// "c = 0.1", "k = 1", ..
+std::vector<std::string> fixed_list(const Plan& plan) {
+  std::vector<std::string> list;
+  for (const auto& parameter : problem::shown_parameters(plan.base)) {
+    const std::string key = parameter.section + '.' + parameter.name;
+    if (parameter.usual || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
+    const bool is_number = std::holds_alternative<double>(parameter.value);
+    list.push_back(
+        is_number ? fmt::format("{} = {}", parameter.typeset, KeyAxis::text_of(parameter.value))
+                  : KeyAxis::text_of(parameter.value) + " impulses");
+  }
+  return list;
+}
+
+}  // namespace
+
+SweepView::SweepView(const SweepResults& results, report::FigureWidth width)
+    : results_(results), medium_(width), by_number_(results.plan.points.size(), nullptr) {
   for (const auto& point : results.points) by_number_[point.point] = &point;
 }
 
@@ -72,21 +88,22 @@ std::vector<std::size_t> SweepView::compared_methods() const {
   return compared;
 }
 
-std::string SweepView::title() const {
-  return report::gnuplot_literal(fmt::format("{}: {}", plan().base.name, fixed_parameters(plan())));
+int SweepView::width() const {
+  constexpr int kOnScreen = 1100;
+  return report::figure_width(medium_, kOnScreen);
+}
+
+report::FigureTitle SweepView::title() const {
+  std::vector<std::string> parts{plan().base.name + ": "};
+  for (const auto& parameter : fixed_list(plan())) {
+    if (parts.size() > 1) parts.back() += ", ";
+    parts.push_back(parameter);
+  }
+  return report::figure_title(parts, {.width = width(), .height = 0, .medium = medium_});
 }
 
 std::string fixed_parameters(const Plan& plan) {
-  std::vector<std::string> list;
-  for (const auto& parameter : problem::shown_parameters(plan.base)) {
-    const std::string key = parameter.section + '.' + parameter.name;
-    if (parameter.usual || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
-    const bool is_number = std::holds_alternative<double>(parameter.value);
-    list.push_back(
-        is_number ? fmt::format("{} = {}", parameter.typeset, KeyAxis::text_of(parameter.value))
-                  : KeyAxis::text_of(parameter.value) + " impulses");
-  }
-  return fmt::format("{}", fmt::join(list, ", "));
+  return fmt::format("{}", fmt::join(fixed_list(plan), ", "));
 }
 
 }  // namespace fpkcheck::sweep

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/figure/frame.hpp"
 #include "sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -11,7 +12,8 @@ namespace fpkcheck::sweep {
 /// What pictures ask of the results of a sweep. Refers to them.
 class SweepView {
  public:
-  explicit SweepView(const SweepResults& results);
+  explicit SweepView(const SweepResults& results,
+                     report::FigureWidth width = report::FigureWidth::screen);
 
   const SweepResults& results() const { return results_; }
   const Plan& plan() const { return results_.plan; }
@@ -34,11 +36,15 @@ class SweepView {
   /// Methods to draw distances of: all but one that is always the reference.
   std::vector<std::size_t> compared_methods() const;
 
-  /// What does not vary, for the top of a picture, as a gnuplot string.
-  std::string title() const;
+  /// Where its pictures are to stand, and how wide they are then, in pixels.
+  report::FigureWidth medium() const { return medium_; }
+  int width() const;
+  /// What does not vary, for the top of a picture.
+  report::FigureTitle title() const;
 
  private:
   const SweepResults& results_;
+  report::FigureWidth medium_;
   std::vector<const PointResult*> by_number_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "changed_case.hpp"
+#include "legend_of_script.hpp"
 #include "report/budget/part_look.hpp"
 #include "saved_run.hpp"
 
@@ -31,6 +32,13 @@ TEST(BudgetFigure, DrawsClosuresThatAreNotOkPaleAndMarked) {
   EXPECT_TRUE(contains(budget_script(one, "stem"), "* not ok"));
   tests::solution_of(one, "epc-gaussian-n4").status = transform::Status::ok;
   EXPECT_FALSE(contains(budget_script(one, "stem"), "*'"));
+}
+
+TEST(BudgetFigure, TellsWhatEveryBarIs) {
+  for (const auto width : {FigureWidth::screen, FigureWidth::one_column}) {
+    const auto untold = tests::without_entry(budget_script(made_up_case(), "stem", width));
+    EXPECT_TRUE(untold.empty()) << untold.front();
+  }
 }
 
 TEST(BudgetFigure, LeavesOutWhatIsNoNumber) {

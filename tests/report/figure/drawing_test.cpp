@@ -14,6 +14,8 @@ namespace fs = std::filesystem;
 using tests::contains;
 using tests::contents;
 
+const FigureOptions kBoth{.formats = {FigureFormat::png, FigureFormat::svg}};
+
 /// A program in place of gnuplot.
 class Drawing : public testing::Test {
  protected:
@@ -30,7 +32,7 @@ class Drawing : public testing::Test {
 
 TEST_F(Drawing, LeavesBothPicturesAndTheirScript) {
   const auto warnings =
-      write_pictures(figures_, "stem", "plot x\n", gnuplot("echo $3 > \"$target\""));
+      write_pictures(figures_, "stem", "plot x\n", kBoth, gnuplot("echo $3 > \"$target\""));
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(contents(figures_ / "stem.gp"), "plot x\n");
   EXPECT_TRUE(contains(contents(figures_ / "stem.png"), "format='png'"));
@@ -42,11 +44,36 @@ TEST_F(Drawing, LeavesBothPicturesAndTheirScript) {
   EXPECT_TRUE(fs::is_empty(figures_));
 }
 
+// gnuplot names it by the whole path of where it draws.
+TEST_F(Drawing, OfLatexIncludesWhatStandsBesideItByItsNameAlone) {
+  fs::create_directories(figures_);
+  std::ofstream(figures_ / "stem.pdf") << "the picture in another format";
+  const auto warnings =
+      write_pictures(figures_, "stem", "plot x\n", {.formats = {FigureFormat::tex}},
+                     gnuplot("echo \"includegraphics{${target%.tex}}\" > \"$target\"; echo art > "
+                             "\"${target%.tex}.pdf\""));
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(contents(figures_ / "stem.tex"), "includegraphics{stem-tex.pdf}\n");
+  EXPECT_EQ(contents(figures_ / "stem-tex.pdf"), "art\n");
+  EXPECT_EQ(contents(figures_ / "stem.pdf"), "the picture in another format");
+  remove_pictures_of(figures_, "stem");
+  EXPECT_TRUE(fs::is_empty(figures_));
+}
+
+TEST_F(Drawing, OfAnSvgForPrintSaysHowWideItIs) {
+  const FigureOptions column{.formats = {FigureFormat::svg}, .width = FigureWidth::one_column};
+  write_pictures(figures_, "stem", "plot x\n", column,
+                 gnuplot("printf '<svg\\n width=\"400\" height=\"200\"\\n viewBox=\"0\">' > "
+                         "\"$target\""));
+  EXPECT_EQ(contents(figures_ / "stem.svg"),
+            "<svg\n width=\"85mm\" height=\"42.50mm\"\n viewBox=\"0\">");
+}
+
 TEST_F(Drawing, ThatFailsIsAWarningForEachPictureAndLeavesTheEarlierOne) {
   fs::create_directories(figures_);
   std::ofstream(figures_ / "stem.png") << "earlier";
   const auto warnings = write_pictures(
-      figures_, "stem", "plot x\n",
+      figures_, "stem", "plot x\n", kBoth,
       gnuplot("echo half > \"$target\"\necho 'line 7: undefined function' >&2\nexit 3\n"));
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_TRUE(contains(warnings[0],
@@ -59,7 +86,7 @@ TEST_F(Drawing, ThatFailsIsAWarningForEachPictureAndLeavesTheEarlierOne) {
 }
 
 TEST_F(Drawing, WithoutGnuplotIsOneWarningThatSaysHowToDrawLater) {
-  const auto warnings = write_pictures(figures_, "stem", "plot x\n", "no-such-gnuplot");
+  const auto warnings = write_pictures(figures_, "stem", "plot x\n", kBoth, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings[0], "'no-such-gnuplot' was not found")) << warnings[0];
   EXPECT_TRUE(contains(warnings[0], "gnuplot stem.gp` draws it")) << warnings[0];

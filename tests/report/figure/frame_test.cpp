@@ -10,8 +10,21 @@ namespace {
 TEST(Frame, TitlesAFigureWithTheNameAndTheParameters) {
   auto problem = tests::paper_case(1);
   problem.name = "it's a_b";
-  EXPECT_TRUE(figure_title(problem).starts_with("'it''s a\\_b: c = 0.1, k = 1, μ = 0.1, r = 0.98;"))
-      << figure_title(problem);
+  const auto title = figure_title(problem, {.width = 1500, .height = 900});
+  EXPECT_TRUE(title.command.starts_with(
+      "set multiplot title say('it''s a\\_b: c = 0.1, k = 1, μ = 0.1, r = 0.98;"))
+      << title.command;
+}
+
+TEST(Frame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
+  const auto problem = tests::paper_case(1);
+  const auto wide = figure_title(problem, {.width = 1500, .height = 900});
+  const auto narrow =
+      figure_title(problem, {.width = 471, .height = 900, .medium = FigureWidth::one_column});
+  EXPECT_EQ(wide.command.find("\"\\n\""), std::string::npos) << wide.command;
+  EXPECT_NE(narrow.command.find(";').\"\\n\".say('gaussian impulses"), std::string::npos)
+      << narrow.command;
+  EXPECT_GT(narrow.height, wide.height);
 }
 
 TEST(Frame, SizesBothFormats) {
@@ -19,6 +32,18 @@ TEST(Frame, SizesBothFormats) {
   EXPECT_NE(text.find("set terminal svg size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("set terminal pngcairo size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("target = 'stem'.'.'.format"), std::string::npos) << text;
+}
+
+// 85 mm are 241 points and, at 300 to the inch, 1004 pixels; its letters are of 7.5 points.
+TEST(Frame, DrawsForPrintInItsSize) {
+  constexpr auto kColumn = FigureWidth::one_column;
+  EXPECT_EQ(figure_width(kColumn, 1500), 471);
+  EXPECT_EQ(figure_width(FigureWidth::two_columns, 1500), 942);
+  EXPECT_EQ(figure_width(FigureWidth::screen, 1500), 1500);
+  const std::string text = figure_output("stem", {.width = 471, .height = 200, .medium = kColumn});
+  EXPECT_NE(text.find("pngcairo size 1004,426 "), std::string::npos) << text;
+  EXPECT_NE(text.find("pdfcairo size 3.3452,1.4205 "), std::string::npos) << text;
+  EXPECT_NE(text.find("font ',7.5'"), std::string::npos) << text;
 }
 
 }  // namespace

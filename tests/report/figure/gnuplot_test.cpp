@@ -21,7 +21,7 @@ TEST(GnuplotString, QuotesAndEscapes) {
   EXPECT_EQ(gnuplot_string("it's"), "'it''s'");
   // A string ends with its line: what came after would be a command.
   EXPECT_EQ(gnuplot_string("x'\nsystem(\"rm\")\r#\x1b"), "'x'' system(\"rm\") # '");
-  EXPECT_EQ(gnuplot_literal("a_b^{c}"), "'a\\_b\\^\\{c\\}'");
+  EXPECT_EQ(without_marks("a_b^{c}"), "a\\_b\\^\\{c\\}");
 }
 
 /// A directory with a program that writes down its arguments and its environment.
@@ -87,12 +87,15 @@ TEST_F(Gnuplot, RefusesAFormatThatAScriptDoesNotDraw) {
         "gnuplot",
         {"format=" + gnuplot_string(format), "target=" + gnuplot_string(target.string())}, script);
   };
-  const auto refused = drawn_as("pdf");
+  const auto refused = drawn_as("gif");
   EXPECT_NE(refused.exit_code, 0);
-  EXPECT_TRUE(contains(refused.message, "format = 'pdf' (must be png or svg)")) << refused.message;
+  EXPECT_TRUE(contains(refused.message, "format = 'gif' (must be png, svg, pdf or tex)"))
+      << refused.message;
   EXPECT_FALSE(fs::exists(target));
   EXPECT_EQ(drawn_as("png").exit_code, 0);
   EXPECT_TRUE(contents(target).starts_with("\x89PNG"));
+  EXPECT_EQ(drawn_as("pdf").exit_code, 0);
+  EXPECT_TRUE(contents(target).starts_with("%PDF"));
   EXPECT_EQ(drawn_as("svg").exit_code, 0);
   EXPECT_TRUE(contains(contents(target), "<svg"));
 }

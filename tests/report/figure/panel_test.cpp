@@ -56,9 +56,9 @@ TEST(Panel, HasTitleAxesAndEveryCurve) {
   const auto one = made_up_case();
   const auto content = figure_content(one);
   const auto& side = content.sides[1];
-  const std::string linear = panel_commands(Panel::linear, side, content.reference);
-  const std::string logarithmic = panel_commands(Panel::logarithmic, side, content.reference);
-  const std::string difference = panel_commands(Panel::difference, side, content.reference);
+  const std::string linear = panel_commands(Panel::linear, side, 'c', content.reference);
+  const std::string logarithmic = panel_commands(Panel::logarithmic, side, 'd', content.reference);
+  const std::string difference = panel_commands(Panel::difference, side, 'f', content.reference);
   EXPECT_TRUE(contains(linear, "set title '(c) velocity'\n")) << linear;
   EXPECT_TRUE(contains(logarithmic, "set title '(d) velocity, logarithmic'\n")) << logarithmic;
   EXPECT_TRUE(contains(difference, "set title '(f) velocity, difference from mcs'\n"));

@@ -24,10 +24,14 @@ using tests::gnuplot_exists;
 using tests::made_up_case;
 using tests::made_up_run;
 
+const FigureOptions kBoth{.formats = {FigureFormat::png, FigureFormat::svg}};
+const FigureOptions kSvg{.formats = {FigureFormat::svg}};
+const FigureOptions kAllOfBoth{.formats = kBoth.formats, .curves = {"all"}};
+
 TEST(Pictures, AreAPngAndAnSvg) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings = draw_pictures(directory.path(), made_up_run("it's a_{case}"));
+  const auto warnings = draw_pictures(directory.path(), made_up_run("it's a_{case}"), kBoth);
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const std::string png = contents(directory.path() / "figures" / "it_s_a__case_.png");
   const std::string svg = contents(directory.path() / "figures" / "it_s_a__case_.svg");
@@ -64,7 +68,8 @@ TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   const auto one = with_closures(GetParam());
-  ASSERT_TRUE(draw_pictures(directory.path(), {results::this_program(""), {one}}).empty());
+  ASSERT_TRUE(
+      draw_pictures(directory.path(), {results::this_program(""), {one}}, kAllOfBoth).empty());
   const std::string svg = contents(directory.path() / "figures" / "case1.svg");
   for (const auto& solution : one.solutions) {
     std::string label = solution.id();
@@ -81,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Pictures, PictureLegend, testing::Values(0, 5, 18));
 TEST(Pictures, TheScriptDrawsTheSameAgainByHand) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  draw_pictures(directory.path(), made_up_run());
+  draw_pictures(directory.path(), made_up_run(), kBoth);
   const fs::path figures = directory.path() / "figures";
   const std::string first = contents(figures / "case1.svg");
   fs::remove(figures / "case1.svg");
@@ -95,7 +100,7 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   auto run = made_up_run();
-  ASSERT_TRUE(draw_pictures(directory.path(), run).empty());
+  ASSERT_TRUE(draw_pictures(directory.path(), run, kBoth).empty());
   const fs::path figures = directory.path() / "figures";
   EXPECT_TRUE(contents(figures / "case1-budget.png").starts_with("\x89PNG\r\n\x1a\n"));
   const std::string svg = contents(figures / "case1-budget.svg");
@@ -126,7 +131,7 @@ TEST(Pictures, TheNameOfADirectoryRunsNothing) {
   const WorkingIn working(directory.path());
   for (const std::string name : {"<touch PWNED;#", "|touch PWNED;#", "it's; system 'touch PWNED'",
                                  "`touch PWNED`", "$(touch PWNED)"}) {
-    const auto warnings = draw_pictures(name, made_up_run());
+    const auto warnings = draw_pictures(name, made_up_run(), kSvg);
     EXPECT_TRUE(warnings.empty()) << warnings.front();
     EXPECT_TRUE(fs::exists(fs::path(name) / "figures" / "case1.svg")) << name;
   }
@@ -137,7 +142,7 @@ TEST(Pictures, TheNameOfADirectoryRunsNothing) {
 
 TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
   const tests::TemporaryDirectory directory;
-  const auto warnings = draw_pictures(directory.path(), made_up_run(), "no-such-gnuplot");
+  const auto warnings = draw_pictures(directory.path(), made_up_run(), {}, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings.front(), "'no-such-gnuplot' was not found")) << warnings.front();
   EXPECT_TRUE(fs::exists(directory.path() / "figures" / "case1.gp"));
@@ -148,7 +153,7 @@ TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
 TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   const tests::TemporaryDirectory directory;
   for (const char* broken : {"false", "true"}) {  // an exit code; no picture in spite of success
-    const auto warnings = draw_pictures(directory.path(), made_up_run(), broken);
+    const auto warnings = draw_pictures(directory.path(), made_up_run(), kBoth, broken);
     ASSERT_EQ(warnings.size(), 4u);
     EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
     std::size_t files = 0;
@@ -168,11 +173,23 @@ TEST(Pictures, ACaseWithoutADensityIsAWarning) {
   EXPECT_TRUE(contains(warnings.front(), "no picture of case1"));
 }
 
+TEST(Pictures, ShowTheCurvesThatAreAskedForAndSayHowManyMoreThereAre) {
+  const tests::TemporaryDirectory directory;
+  const auto run = made_up_run();
+  draw_pictures(directory.path(), run, {.curves = {"epc", "mcs"}}, "no-such-gnuplot");
+  const std::string script = contents(directory.path() / "figures" / "case1.gp");
+  EXPECT_TRUE(contains(script, " title say('mcs"));
+  EXPECT_TRUE(contains(script, " title 'epc-gaussian-n2"));
+  EXPECT_FALSE(contains(script, " title 'fd-"));
+  EXPECT_TRUE(contains(script, "more: --curves all")) << script.substr(script.size() - 900);
+}
+
 TEST(Pictures, OfARunAreRemovedAndNoOther) {
   const tests::TemporaryDirectory directory;
   const fs::path figures = directory.path() / "figures";
   fs::create_directories(figures);
-  for (const char* name : {"case1.png", "case1-budget.svg", "case1.gp", "case2.png"}) {
+  for (const char* name :
+       {"case1.png", "case1-budget.svg", "case1.gp", "case1-tex.pdf", "case2.png"}) {
     std::ofstream(figures / name) << name;
   }
   remove_pictures(directory.path(), made_up_run());

@@ -2,22 +2,35 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "made_up_solutions.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
-TEST(ScriptParts, SeriesHaveTheColoursOfTheirMethodsAndDifferInTheirMarks) {
-  const auto looks = series_looks(std::vector{tests::closure_identity("gaussian", 2),
-                                              tests::closure_identity("moment", 2),
-                                              tests::closure_identity("gaussian", 4)});
-  ASSERT_EQ(looks.size(), 3u);
+TEST(ScriptParts, SeriesLookAsTheirMethodsDo) {
+  auto moment = tests::closure_identity("moment", 2);
+  moment.look.symbol = "square";
+  moment.look.dash = "(2,4)";
+  const auto looks = series_looks(std::vector{tests::closure_identity("gaussian", 2), moment});
+  ASSERT_EQ(looks.size(), 2u);
   EXPECT_EQ(looks[0].colour, "#D55E00");
   EXPECT_EQ(looks[1].colour, "#CC79A7");
-  EXPECT_NE(looks[0].filled, looks[1].filled);
-  EXPECT_NE(looks[0].filled, looks[0].open);
-  EXPECT_EQ(looks[1].dash, 1);
-  EXPECT_EQ(looks[2].dash, 2);  // the second of its family
+  EXPECT_EQ(looks[0].dash, "(10,4)");
+  EXPECT_EQ(looks[1].dash, "(2,4)");
+  EXPECT_EQ(looks[1].filled, 5);  // of gnuplot
+  EXPECT_EQ(looks[1].open, 4);
+}
+
+TEST(ScriptParts, EveryShapeIsThereFilledAndOpen) {
+  std::set<int> types;
+  for (const char* symbol :
+       {"circle", "square", "triangle-up", "triangle-down", "diamond", "pentagon", "anything"}) {
+    const auto [filled, open] = point_types(symbol);
+    EXPECT_TRUE(types.insert(filled).second) << symbol;
+    EXPECT_TRUE(types.insert(open).second) << symbol;
+  }
 }
 
 TEST(ScriptParts, PartsAreLinesOfAScript) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "changed_case.hpp"
+#include "legend_of_script.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -22,10 +23,38 @@ TEST(FigureScript, HoldsItsDataAndAnEntryForEveryCurve) {
   EXPECT_TRUE(script.starts_with("# Drawn by: gnuplot stem.gp"));
   for (const auto& solution : one.solutions) {
     const bool drawn = one.curve(solution.id(), transform::Variable::y) != nullptr;
-    EXPECT_EQ(contains(script, " title '" + solution.id()), drawn) << solution.id();
+    const bool told = contains(script, " title '" + solution.id()) ||
+                      contains(script, " title say('" + solution.id());
+    EXPECT_EQ(told, drawn) << solution.id();
   }
   EXPECT_TRUE(contains(script, " title 'epc-gaussian-n4 (inadmissible)'"));
-  EXPECT_TRUE(contains(script, " title 'mcs, with 95 % intervals'"));
+  EXPECT_TRUE(contains(script, " title say('mcs, with 95 % intervals'"));
+}
+
+TEST(FigureScript, TellsWhatEveryCurveIs) {
+  auto smooth = tests::made_up_case_without_noise();
+  auto marked = made_up_case();
+  for (auto* one : {&smooth, &marked}) {
+    solution_of(*one, "epc-gaussian-n2").identity.look.symbol = "square";
+    for (const auto width :
+         {FigureWidth::screen, FigureWidth::two_columns, FigureWidth::one_column}) {
+      const auto script = figure_script(one->problem, figure_content(*one), "stem", width);
+      EXPECT_GT(tests::drawn_by(script).size(), 20u);
+      const auto untold = tests::without_entry(script);
+      EXPECT_TRUE(untold.empty()) << untold.front();
+    }
+  }
+}
+
+TEST(FigureScript, InOneColumnHasLogarithmsAndDifferencesOneBelowAnother) {
+  const auto one = made_up_case();
+  const auto script =
+      figure_script(one.problem, figure_content(one), "stem", FigureWidth::one_column);
+  for (const char* title : {"'(a) displacement'", "'(b) difference from mcs'", "'(c) velocity'",
+                            "'(d) difference from mcs'"}) {
+    EXPECT_TRUE(contains(script, std::string("set title ") + title)) << title;
+  }
+  EXPECT_FALSE(contains(script, "(e)"));
 }
 
 TEST(FigureScript, HasDifferencesWhereThereIsAReference) {

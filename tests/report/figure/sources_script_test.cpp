@@ -34,7 +34,8 @@ TEST(SourcesScript, AnIdRunsNothing) {
   for (auto& own : one.own_errors) own.solution = own.solution == "fd-kf" ? id : own.solution;
   for (auto& s : one.error_sources) s.solution = s.solution == "fd-kf" ? id : s.solution;
   const std::string script = sources_script(one, "stem");
-  EXPECT_TRUE(contains(script, "set title 'E[{/:Italic y}²] of x`touch PWNED`\"\\_\'\': +1.0e-06'"))
+  EXPECT_TRUE(
+      contains(script, "set title say('E[{/:Italic y}²] of x`touch PWNED`\"\\_\'\': +1.0e-06', "))
       << script.substr(0, 400);
 }
 
@@ -42,7 +43,7 @@ TEST(SourcesScript, IsDrawn) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "no gnuplot";
   const tests::TemporaryDirectory directory;
   const auto warnings = write_pictures(
-      directory.path(), "stem", sources_script(tests::case_with_sources(), "stem"), "gnuplot");
+      directory.path(), "stem", sources_script(tests::case_with_sources(), "stem"), {}, "gnuplot");
   EXPECT_TRUE(warnings.empty()) << warnings.front();
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "stem.png"));
 }

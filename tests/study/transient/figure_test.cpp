@@ -12,7 +12,9 @@ using tests::contains;
 TEST(TransientFigure, IsDrawnOfBothMarginals) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings = write_transient(directory.path(), tests::made_up_transient(600));
+  const auto warnings =
+      write_transient(directory.path(), tests::made_up_transient(600),
+                      {.formats = {report::FigureFormat::png, report::FigureFormat::svg}});
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const auto stem = directory.path() / "figures" / "transient-it_s_a__case_";
   EXPECT_TRUE(tests::contents(stem.string() + ".png").starts_with("\x89PNG\r\n\x1a\n"));

@@ -17,7 +17,7 @@ using tests::contains;
 TEST(TransientReport, WithoutGnuplotIsAWarningAndLeavesTheScript) {
   const tests::TemporaryDirectory directory;
   const auto warnings =
-      write_transient(directory.path(), tests::made_up_transient(), "no-such-gnuplot");
+      write_transient(directory.path(), tests::made_up_transient(), {}, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings.front(), "'no-such-gnuplot' was not found")) << warnings.front();
   EXPECT_TRUE(fs::exists(directory.path() / "transient.nc"));

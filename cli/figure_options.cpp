@@ -1,0 +1,66 @@
+#include "cli/figure_options.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/lists.hpp"
+#include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+namespace po = boost::program_options;
+using report::FigureFormat;
+using report::FigureWidth;
+
+std::vector<FigureFormat> formats_in(const std::string& list) {
+  std::vector<FigureFormat> formats;
+  for (const auto& item : items("--figures", list)) {
+    const auto format = parameters::value_named<FigureFormat>(item);
+    if (!format) {
+      throw InputError(fmt::format("--figures {} ({} is no format) use png, svg, pdf, tex",
+                                   parameters::shown(list), parameters::in_quotes(item)));
+    }
+    formats.push_back(*format);
+  }
+  return formats;
+}
+
+FigureWidth width_in(const std::string& text) {
+  const auto width = parameters::value_named<FigureWidth>(text);
+  if (!width || *width == FigureWidth::screen) {
+    throw InputError(
+        fmt::format("--figure-width {} (must be 85 or 170, in mm)", parameters::in_quotes(text)));
+  }
+  return *width;
+}
+
+}  // namespace
+
+po::options_description figure_options(report::FigureOptions& figures) {
+  po::options_description options;
+  options.add_options()  //
+      ("figures",
+       po::value<std::string>()->value_name("LIST")->notifier(
+           [&figures](const std::string& list) { figures.formats = formats_in(list); }),
+       "formats of the pictures: png (default), svg, pdf, tex (for LaTeX)")  //
+      ("figure-width",
+       po::value<std::string>()->value_name("MM")->notifier(
+           [&figures](const std::string& text) { figures.width = width_in(text); }),
+       "of pictures in print: 85 or 170 mm, one or both columns (default: for a screen)");
+  return options;
+}
+
+po::options_description case_figure_options(report::FigureOptions& figures) {
+  po::options_description options = figure_options(figures);
+  options.add_options()(
+      "curves",
+      po::value<std::string>()->value_name("LIST")->notifier(
+          [&figures](const std::string& list) { figures.curves = items("--curves", list); }),
+      "in the pictures of cases: ids, families or solvers, or all (default: what came from files, "
+      "and up to six with the reference, other solutions of the problem, and the closest closure of "
+      "each formulation)");
+  return options;
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parameters/names.hpp"
+
+/// What whoever asks for pictures may choose.
+namespace fpkcheck::report {
+
+/// `tex` is LaTeX: STEM.tex with the texts, for \input, and what they stand on in STEM-tex.pdf.
+enum class FigureFormat { png, svg, pdf, tex };
+inline constexpr parameters::Named<FigureFormat> kFigureFormatNames[] = {
+    {FigureFormat::png, "png"},
+    {FigureFormat::svg, "svg"},
+    {FigureFormat::pdf, "pdf"},
+    {FigureFormat::tex, "tex"}};
+constexpr std::span<const parameters::Named<FigureFormat>> names(FigureFormat) {
+  return kFigureFormatNames;
+}
+constexpr std::string_view name(FigureFormat format) { return parameters::name_of(format); }
+
+/// Where a picture is to stand: what is narrow has fewer panels beside one another.
+enum class FigureWidth { screen, two_columns, one_column };
+inline constexpr parameters::Named<FigureWidth> kFigureWidthNames[] = {
+    {FigureWidth::screen, "screen"},
+    {FigureWidth::two_columns, "170", "both columns of a journal, in mm"},
+    {FigureWidth::one_column, "85", "one column of a journal, in mm"}};
+constexpr std::span<const parameters::Named<FigureWidth>> names(FigureWidth) {
+  return kFigureWidthNames;
+}
+constexpr std::string_view name(FigureWidth width) { return parameters::name_of(width); }
+
+struct FigureOptions {
+  std::vector<FigureFormat> formats{FigureFormat::png};
+  FigureWidth width = FigureWidth::screen;
+  /// Of a case's picture: ids, families or solvers, or "all"; empty for the usual choice
+  /// (report/figure/curve_choice.hpp).
+  std::vector<std::string> curves = {};
+};
+
+}  // namespace fpkcheck::report

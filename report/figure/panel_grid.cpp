@@ -1,0 +1,36 @@
+#include "report/figure/panel_grid.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+// Of a panel with a label of its own, and of one without.
+constexpr int kLeft = 92, kTicsAlone = 52;
+
+}  // namespace
+
+FigureSize PanelGrid::size() const {
+  const int row = above + panel_height + below;
+  return {.width = width, .height = title_height + rows * row + legend_height, .medium = medium};
+}
+
+Place PanelGrid::place(int row, int column) const {
+  const double height = size().height;
+  const double of_a_column = static_cast<double>(width - at_the_left - at_the_right) / columns;
+  const double top = title_height + row * (above + panel_height + below) + above;
+  const int left = at_the_left > 0 ? kTicsAlone : kLeft;
+  return {.left = (at_the_left + column * of_a_column + left) / width,
+          .right = (at_the_left + (column + 1) * of_a_column - beside) / width,
+          .top = 1 - top / height,
+          .bottom = 1 - (top + panel_height) / height};
+}
+
+PanelGrid panel_grid(FigureWidth medium, int on_screen) {
+  PanelGrid grid{.medium = medium, .width = figure_width(medium, on_screen)};
+  if (medium == FigureWidth::one_column) {
+    grid.above = 36;
+    grid.below = 62;
+  }
+  return grid;
+}
+
+}  // namespace fpkcheck::report
