@@ -59,7 +59,7 @@ std::set<std::string> chosen_curves(const results::Case& one,
   std::set<std::string> ids;
   for (const auto& solution : one.solutions) {
     const bool is_wanted = wanted.empty()
-                               ? solution.identity.role == Role::given
+                               ? transform::is_guest(solution.identity)
                                : std::ranges::any_of(wanted, [&](const std::string& item) {
                                    return means(item, solution.identity);
                                  });

@@ -12,6 +12,9 @@ std::set<std::string> first_shown(const results::Case& one) {
     if (families.insert(closure.identity.family).second) ids.insert(closure.id());
   }
   for (const auto* solution : references(one)) ids.insert(solution->id());
+  for (const auto& solution : one.solutions) {
+    if (transform::is_guest(solution.identity)) ids.insert(solution.id());
+  }
   if (ids.size() < 2) {
     for (const auto& solution : one.solutions) ids.insert(solution.id());
   }

@@ -32,7 +32,7 @@ std::string distance_text(const Record& record, Standing standing, const char* h
     if (stand.standing == standing) most.widen(stand.y, stand.ydot);
   }
   const int count = record.count(standing);
-  return fmt::format("off by {} {}{}", how, text_of(most),
+  return fmt::format("off by {}{}{}", cases == 1 ? "" : how, text_of(most),
                      count == cases ? "" : in_cases(count, cases));
 }
 
@@ -81,9 +81,9 @@ std::string outcome(const Record& record, const std::string& reference, int case
     parts.push_back(fmt::format("nearer to {} than that knows itself{}", reference,
                                 same == cases ? "" : in_cases(same, cases)));
   }
-  if (close > 0) parts.push_back(distance_text(record, Standing::close, "at most", cases));
+  if (close > 0) parts.push_back(distance_text(record, Standing::close, "at most ", cases));
   if (record.count(Standing::off) > 0) {
-    parts.push_back(distance_text(record, Standing::off, "up to", cases));
+    parts.push_back(distance_text(record, Standing::off, "up to ", cases));
   }
   if (const int unjudged = record.count(Standing::unjudged); unjudged > 0) {
     parts.push_back("nothing to measure it by" + in_cases(unjudged, cases));

@@ -95,7 +95,8 @@ std::string orders_text(const std::vector<const Record*>& members) {
 }
 
 bool is_by_order(const Record& record) {
-  return record.identity->role == Role::closure && record.identity->order.has_value();
+  return record.identity->role == Role::closure && record.identity->order.has_value() &&
+         !transform::is_guest(*record.identity);
 }
 
 std::vector<std::vector<const Record*>> families_of(const std::vector<Record>& all) {
@@ -138,7 +139,7 @@ std::string orders_that_do(const std::vector<const Record*>& members, bool& any)
 std::string who_reproduces_it(const results::Run& run, const std::vector<Record>& all) {
   Words yes, no;
   for (const auto& record : all) {
-    if (record.identity->role != Role::given) continue;
+    if (!transform::is_guest(*record.identity)) continue;
     (record.reproduced() == record.present() ? yes : no).push_back(record.identity->id);
   }
   for (const auto& members : families_of(all)) {
@@ -181,7 +182,7 @@ std::vector<VerdictLine> lines_of(const results::Run& run, const std::vector<Rec
   const std::string reference = names_of_references(run);
   std::vector<VerdictLine> lines;
   for (const auto& record : all) {
-    if (record.identity->role == Role::given) lines.push_back(line_of(record, reference, cases));
+    if (transform::is_guest(*record.identity)) lines.push_back(line_of(record, reference, cases));
   }
   for (const auto& members : families_of(all)) {
     if (members.size() > 1 && !is_the_papers(*members.front())) {
@@ -210,7 +211,7 @@ const Record* quickest(const std::vector<Record>& all, double accuracy, double k
       return stand.solution != nullptr && stand.solution->is_ok() && stand.y && stand.ydot &&
              *stand.farthest() + known <= accuracy;
     });
-    if (!good || record.identity->role == Role::given) continue;
+    if (!good || transform::is_guest(*record.identity)) continue;
     if (best == nullptr || record.seconds() < best->seconds()) best = &record;
   }
   return best;

@@ -35,7 +35,7 @@ TEST(CurveChoice, IsTheReferenceOtherSolutionsTheClosestClosuresAndNoMoreThanSix
 
 TEST(CurveChoice, AlwaysHasWhatCameFromFiles) {
   auto one = made_up_case();
-  for (auto& solution : one.solutions) solution.identity.role = transform::Role::given;
+  for (auto& solution : one.solutions) solution.identity.method = transform::kGivenInFile;
   EXPECT_EQ(chosen_curves(one).size(), chosen_curves(one, {"all"}).size());
 }
 

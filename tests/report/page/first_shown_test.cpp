@@ -16,6 +16,12 @@ TEST(FirstShown, AreTheReferencesAndTheClosestClosureOfEachFamily) {
   EXPECT_EQ(first_shown(one), (Ids{"epc-gaussian-n2", "epc-gaussian-n6", "fd-kf", "mcs"}));
 }
 
+TEST(FirstShown, AreGuestsWhateverTheySolve) {
+  auto one = tests::whole_case();
+  tests::solution_of(one, "epc-gaussian-n2").identity.method = transform::kGivenInFile;
+  EXPECT_TRUE(first_shown(one).contains("epc-gaussian-n2"));
+}
+
 TEST(FirstShown, AreAllWhereThatLeavesFewerThanTwo) {
   auto one = tests::whole_case();
   for (auto& solution : one.solutions) {
