@@ -69,8 +69,8 @@ Description<Options> make_description() {
       .with_flag("v-max")
       .add("regularisation_length", &O::regularisation_length,
            {"L",
-            "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4])); 0: the "
-            "literal scheme"},
+            "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4]), more where "
+            "cells are wider than that); 0: the literal scheme"},
            not_negative())
       .add("wall_density", &O::wall_density,
            {"D", "density on a wall, relative to the peak, beyond which the box is widened"},

@@ -57,7 +57,7 @@ struct Options {
   std::optional<double> x1_max{};  ///< box; automatic: widened until the wall carries no density
   std::optional<double> x2_max{};  ///< box; automatic likewise
   /// Step l of the fourth difference of km4; 0 is the literal scheme. Automatic:
-  /// default_regularisation_length.
+  /// default_regularisation_length on the cells.
   std::optional<double> regularisation_length{};
   /// Density on a wall, relative to the peak, up to which an automatic box is not widened.
   double wall_density = 1e-6;

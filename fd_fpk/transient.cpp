@@ -39,7 +39,7 @@ Start start_of(const problem::Problem& problem, const TransientOptions& transien
 // Holds the stationary density, the start, and what a start at rest or at the wall turns into.
 Box box_of(const problem::Problem& problem, const Options& options, const Start& start) {
   const auto& system = problem.system;
-  Box box = stationary_box(problem, options);
+  Box box = stationary_box(problem, options, Deadline(options.max_seconds));
   const double y = kStartBox * start.displacement, v = kStartBox * start.velocity;
   if (!options.x1_max) box.x1_max = std::max({box.x1_max, y, turning_point(system, v * v / 2)});
   if (!options.x2_max) box.x2_max = std::max({box.x2_max, v, std::sqrt(2 * system.potential()(y))});

@@ -1,5 +1,6 @@
 #include "fd_fpk/line/growth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,17 @@
 #include "problem/impulse_train.hpp"
 
 namespace fpkcheck::fd_fpk {
+namespace {
+
+// Of kramers_moyal on cells of this width.
+Growth kramers_moyal_growth(const problem::ImpulseTrain& impulses, double width, int points,
+                            double length) {
+  const int reach = cells_of_a_row(length, width, points);
+  const Line line = Line::uniform(0, width, 2 * reach + 1);
+  return largest_growth(line, kramers_moyal(impulses, line, length), points);
+}
+
+}  // namespace
 
 Growth largest_growth(const Line& line, const Excitation& excitation, int points) {
   const int middle = line.cells() / 2;
@@ -14,15 +26,25 @@ Growth largest_growth(const Line& line, const Excitation& excitation, int points
   if (excitation.exchange.size() > 0) row += excitation.exchange.row(middle);
 
   constexpr int kWaves = 2000;
-  const double step = line.width(middle);
-  Growth growth{-HUGE_VAL, 0};
-  for (int wave = 1; wave <= kWaves; ++wave) {
-    const double phase = std::numbers::pi * wave / kWaves;  // q step
-    double rate = 0;
-    for (int j = 0; j < line.cells(); ++j) rate += row(j) * std::cos(phase * (j - middle));
-    if (rate > growth.rate) growth = {rate, phase / step};
+  const Eigen::ArrayXd phases =
+      Eigen::ArrayXd::LinSpaced(kWaves, std::numbers::pi / kWaves, std::numbers::pi);  // q step
+  // sum_j row(middle + j) cos(j phase), cosines by their recurrence
+  const Eigen::ArrayXd twice = 2 * phases.cos();
+  Eigen::ArrayXd rates = Eigen::ArrayXd::Constant(kWaves, row(middle));
+  Eigen::ArrayXd before = Eigen::ArrayXd::Ones(kWaves), cosines = twice / 2;
+  for (int j = 1; j <= middle; ++j) {
+    const double after = middle + j < line.cells() ? row(middle + j) : 0;
+    rates += (row(middle - j) + after) * cosines;
+    before = twice * cosines - before;
+    before.swap(cosines);
   }
-  return growth;
+  Eigen::Index fastest = 0;
+  const double rate = rates.maxCoeff(&fastest);
+  return {rate, phases(fastest) / line.width(middle)};
+}
+
+int cells_of_a_row(double length, double width, int points) {
+  return static_cast<int>(std::ceil(2 * length / width)) + 4 * points;
 }
 
 bool grows(const Growth& growth, const problem::ImpulseTrain& impulses) {
@@ -34,6 +56,46 @@ double shortest_regularisation_length(const problem::ImpulseLaw& law) {
   constexpr double kLargestSine =
       0.5250616;  // max of sin^4 t / t^2, where tan t = 2 t: t = 1.16556
   return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
+}
+
+std::vector<double> critical_widths(const Line& line, const problem::ImpulseLaw& law,
+                                    double length) {
+  constexpr double kSame = 1.05, kNarrow = 0.5;
+  const bool narrow_ones_decay = length >= default_regularisation_length(law);
+  const Eigen::VectorXd all = line.widths();
+  std::vector<double> sorted(all.begin(), all.end()), critical;
+  std::ranges::sort(sorted);
+  for (const double width : sorted) {
+    if (narrow_ones_decay && width <= kNarrow * length) continue;
+    if (critical.empty() || width > kSame * critical.back()) critical.push_back(width);
+  }
+  return critical;
+}
+
+double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
+                                      std::span<const double> widths, int points, double from) {
+  constexpr double kStep = 1.1, kClose = 1.001;
+  const auto too_short = [&](double length) {
+    return std::ranges::any_of(widths, [&](double width) {
+      return grows(kramers_moyal_growth(impulses, width, points, length), impulses);
+    });
+  };
+  if (!too_short(from)) return from;
+  // It ends: with a length of many cells the fourth difference vanishes beside the second.
+  double shorter = from, longer = kStep * from;
+  for (; too_short(longer); longer *= kStep) shorter = longer;
+  while (longer > kClose * shorter) {
+    const double middle = std::sqrt(shorter * longer);
+    (too_short(middle) ? shorter : longer) = middle;
+  }
+  return longer;
+}
+
+double default_regularisation_length(const problem::ImpulseTrain& impulses, const Line& line,
+                                     int points) {
+  const double length = default_regularisation_length(impulses.law());
+  return shortest_regularisation_length(impulses, critical_widths(line, impulses.law(), length),
+                                        points, length);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fd_fpk/line/growth.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/inelastic_collapse.hpp"
 
@@ -75,12 +76,15 @@ Excitation excitation(const problem::ImpulseTrain& impulses, const Options& opti
   return {};
 }
 
-// l of km4 on cells of this width: 0 asks for the literal scheme.
-double regularisation_length(const problem::Problem& problem, const Options& options, double step) {
+// l of km4 on these cells: 0 asks for the literal scheme.
+double regularisation_length(const problem::Problem& problem, const Options& options,
+                             const Line& line) {
   if (options.equation != Equation::km4) return 0;
-  const double length =
-      options.regularisation_length.value_or(default_regularisation_length(problem.impulses.law()));
-  return length > 0 ? length : step;
+  if (!options.regularisation_length) {
+    return default_regularisation_length(problem.impulses, line, centred_points(options.order));
+  }
+  const double length = *options.regularisation_length;
+  return length > 0 ? length : line.smallest_width();
 }
 
 // As a double: a box may ask for more cells than an int can count.
@@ -99,7 +103,9 @@ std::string objection(const problem::Problem& problem, const Options& options, c
     return "the Pade approximant of the truncated series does not exist for so skew a law, "
            "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2 (solve km4 or kf)";
   }
-  if (const double length = regularisation_length(problem, options, 0); length > box.x2_max / 2) {
+  if (const double length = options.regularisation_length.value_or(
+          default_regularisation_length(problem.impulses.law()));
+      options.equation == Equation::km4 && length > box.x2_max / 2) {
     return fmt::format(
         "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g} (take a shorter "
         "regularisation length or a wider box)",
@@ -176,7 +182,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   }
   Grid grid =
       make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max, of_x1, of_x2);
-  const double length = regularisation_length(problem, options, grid.x2.smallest_width());
+  const double length = regularisation_length(problem, options, grid.x2);
   Excitation terms = excitation(problem.impulses, options, grid.x2, length);
   return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};
 }
@@ -189,8 +195,9 @@ FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, con
 
 UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
                                          double step) {
-  const double length = regularisation_length(problem, options, step);
-  int reach = static_cast<int>(std::ceil(2 * length / step)) + 4 * options.order;
+  const int points = centred_points(options.order);
+  const double length = regularisation_length(problem, options, Line::uniform(0, step, 1));
+  int reach = cells_of_a_row(length, step, points);
   if (options.equation == Equation::km4_pade) {
     // The inverse in the Pade approximant reaches as exp(-|x2| / sqrt(b)).
     reach += static_cast<int>(

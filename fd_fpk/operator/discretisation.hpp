@@ -51,7 +51,8 @@ FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, con
                                             const Discretisation& on);
 
 /// The excitation on a uniform velocity line of this step, long enough that its middle row is the
-/// operator without walls: what largest_growth scans.
+/// operator without walls: what largest_growth scans. The regularisation length is that of the
+/// options, or the default on cells of this step.
 struct UnboundedExcitation {
   Line line;
   Excitation excitation;

@@ -2,7 +2,57 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <vector>
+
 namespace fpkcheck::fd_fpk {
+namespace {
+
+// To three digits, so that whoever gives what is printed gives enough.
+double rounded_up(double length) {
+  const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
+  return std::ceil(length / digit) * digit;
+}
+
+// On every width of the cells: where they are wide the excitation may grow although it does not
+// where they are narrow.
+Growth largest_growth(const problem::Problem& problem, const Options& options,
+                      const Discretisation& on) {
+  const Line& x2 = on.grid.x2;
+  Options as_used = options;
+  std::vector<double> widths;
+  if (options.equation == Equation::km4) {  // the Pade approximant never grows
+    as_used.regularisation_length = on.regularisation_length;
+    widths = critical_widths(x2, problem.impulses.law(), on.regularisation_length);
+  }
+  Growth largest = largest_growth(problem, as_used, x2.smallest_width());
+  for (const double width : widths) {
+    const Growth growth = largest_growth(problem, as_used, width);
+    if (growth.rate > largest.rate) largest = growth;
+  }
+  return largest;
+}
+
+// What a regularisation length must be on the cells of a line.
+std::string advice(const problem::ImpulseTrain& impulses, const Line& line, int points) {
+  constexpr double kNearly = 0.99;
+  const auto& law = impulses.law();
+  const double by_default = default_regularisation_length(impulses, line, points);
+  const double of_law = shortest_regularisation_length(law);
+  const double shortest =
+      shortest_regularisation_length(impulses, critical_widths(line, law, of_law), points, of_law);
+  if (shortest > kNearly * by_default) {
+    return fmt::format(
+        "leave out the regularisation length: on such cells it is {:.3g}, and hardly a shorter one "
+        "will do",
+        by_default);
+  }
+  return fmt::format(
+      "use a regularisation length of at least {:.3g} on such cells; the default is {:.3g}",
+      rounded_up(shortest), by_default);
+}
+
+}  // namespace
 
 Growth largest_growth(const problem::Problem& problem, const Options& options, double step) {
   const auto [line, excitation] = unbounded_excitation(problem, options, step);
@@ -13,17 +63,13 @@ Posedness posedness(const problem::Problem& problem, const Options& options,
                     const Discretisation& discretisation) {
   if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return {};
   const auto& impulses = problem.impulses;
-  Posedness result{
-      .growth = largest_growth(problem, options, discretisation.grid.x2.smallest_width()),
-      .objection = {}};
+  Posedness result{.growth = largest_growth(problem, options, discretisation), .objection = {}};
   if (!grows(result.growth, impulses)) return result;
   result.objection = fmt::format(
       "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
-      "the fourth difference over {:.3g} (use a regularisation length of at least {:.3g}; the "
-      "default is {:.3g})",
+      "the fourth difference over {:.3g} ({})",
       result.growth.rate, result.growth.wavenumber, discretisation.regularisation_length,
-      shortest_regularisation_length(impulses.law()),
-      default_regularisation_length(impulses.law()));
+      advice(impulses, discretisation.grid.x2, centred_points(options.order)));
   return result;
 }
 

@@ -28,7 +28,7 @@ struct Stationary {
   double rest_mass = 0;
 };
 
-Stationary solve_in(const problem::Problem& problem, const Options& options, const Box& box) {
+Stationary stationary_in(const problem::Problem& problem, const Options& options, const Box& box) {
   Grid grid = characteristic_grid(problem, options, box);
   StationaryMasses found = stationary_masses(problem, grid, kCharacteristicsPerCell);
   double rest_mass = 0;
@@ -75,7 +75,7 @@ Box box_of(const problem::Problem& problem, const Options& options) {
   coarse.nx = coarse.nv = std::nullopt;
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
-    const Stationary on = solve_in(problem, coarse, box);
+    const Stationary on = stationary_in(problem, coarse, box);
     if (!on.found.masses) return box;
     const auto [of_y, of_speed] = sums(on);
     const double y = end_of(on.grid.x1, of_y, kNegligible);
@@ -115,7 +115,7 @@ Result solve_along_characteristics(const problem::Problem& problem, const Option
   auto& [solution, summary] = result;
   const Box box = box_of(problem, options);
   const Stopwatch stopwatch;
-  const Stationary on = solve_in(problem, options, box);
+  const Stationary on = stationary_in(problem, options, box);
   summary.nx = on.grid.nx();
   summary.nv = on.grid.nv();
   summary.x1_max = on.grid.x1_max();

@@ -38,15 +38,20 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
           .krylov_seconds = krylov_seconds};
 }
 
-// Solves in `box` and moves the walls of it that the options leave free until they are empty.
+// Solves in `box` and moves the walls of it that the options leave free until they are empty or
+// the time is over.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options,
-                                        Box& box) {
+                                        const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
+  constexpr double kSlower = 1.5;  // the wider box, about
   WallDensity last{HUGE_VAL, HUGE_VAL};
   while (true) {
+    const Stopwatch stopwatch;
     DirectSolution direct = solve_in(problem, options, box);
-    if (!direct.averages || !direct.converged) return direct;
+    if (!direct.averages || !direct.converged || !deadline.allows(kSlower * stopwatch.seconds())) {
+      return direct;
+    }
     const WallDensity wall =
         relative_wall_density(problem, direct.discretisation.grid, *direct.averages);
     // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
@@ -72,7 +77,8 @@ bool resolved(const problem::Problem& problem, const Options& options,
 
 }  // namespace
 
-Box stationary_box(const problem::Problem& problem, const Options& options) {
+Box stationary_box(const problem::Problem& problem, const Options& options,
+                   const Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
   Box box = initial_box(problem, options);
@@ -82,7 +88,7 @@ Box stationary_box(const problem::Problem& problem, const Options& options) {
     coarse.refinement = kCoarse;
     coarse.order = kCoarseOrder;
     coarse.origin_refinement = 1;
-    solve_in_wide_enough_box(problem, coarse, box);
+    solve_in_wide_enough_box(problem, coarse, deadline, box);
   }
   return box;
 }
@@ -93,11 +99,11 @@ DirectSolution solve_directly(const problem::Problem& problem, const Options& op
   constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
   constexpr double kRefinement = 1.5;
   constexpr double kSlower = 5;  // a grid so much finer, about
-  Box box = stationary_box(problem, options);
+  Box box = stationary_box(problem, options, deadline);
   Options on_grid = options;
   for (int refinement = 0;; ++refinement) {
     const Stopwatch stopwatch;
-    DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, box);
+    DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, deadline, box);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
     if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||
         direct.discretisation.grid.size() > kMostCellsRefined ||

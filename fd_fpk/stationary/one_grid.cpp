@@ -36,11 +36,20 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
   }
   const auto linear = problem::equivalent_linearisation(problem);
   const double frequency = std::sqrt(linear.stiffness);
-  std::optional<Eigen::VectorXd> averages;
   // CVODE takes its steps by the same linear solver, each of which may take as long.
   constexpr double kStepsInFull = 20;
-  if (options.stepper == Stepper::direct || !direct.converged ||
-      !deadline.allows(kStepsInFull * direct.krylov_seconds)) {
+  std::optional<March> march;
+  if (options.stepper == Stepper::cvode && direct.converged &&
+      deadline.allows(kStepsInFull * direct.krylov_seconds)) {
+    march = march_to_stationarity(direct.op, *direct.preconditioner,
+                                  gaussian_start(direct.discretisation.grid, problem),
+                                  options.residual_tolerance * frequency,
+                                  {.first_step = kFirstStep / frequency,
+                                   .longest_step = kLongestStep / problem::slowest_decay(linear)},
+                                  deadline);
+  }
+  std::optional<Eigen::VectorXd> averages;
+  if (!march || march->out_of_time) {
     summary.factorisations = 1;
     summary.krylov_iterations = direct.krylov_iterations;
     summary.factor_seconds = direct.preconditioner->factor_seconds();
@@ -48,22 +57,17 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     summary.residual = direct.op.residual(*direct.averages) / frequency;
     averages = direct.averages;
   } else {
-    March march = march_to_stationarity(
-        direct.op, *direct.preconditioner, gaussian_start(direct.discretisation.grid, problem),
-        options.residual_tolerance * frequency,
-        {.first_step = kFirstStep / frequency,
-         .longest_step = kLongestStep / problem::slowest_decay(linear)});
-    summary.steps = march.steps;
-    summary.factorisations = march.factorisations;
-    summary.rhs_evaluations = march.rhs_evaluations;
-    summary.krylov_iterations = march.krylov_iterations;
-    summary.factor_seconds = march.factor_seconds;
-    summary.krylov_seconds = march.krylov_seconds;
-    summary.residual = march.residual / frequency;
+    summary.steps = march->steps;
+    summary.factorisations = march->factorisations;
+    summary.rhs_evaluations = march->rhs_evaluations;
+    summary.krylov_iterations = march->krylov_iterations;
+    summary.factor_seconds = march->factor_seconds;
+    summary.krylov_seconds = march->krylov_seconds;
+    summary.residual = march->residual / frequency;
     summary.stepped_against_direct =
-        (march.averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
-    solution.reason = march.reason;
-    if (march.averages.allFinite()) averages = std::move(march.averages);
+        (march->averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
+    solution.reason = march->reason;
+    if (march->averages.allFinite()) averages = std::move(march->averages);
   }
   solution.status = Status::ok;
   if (!(summary.residual <= options.residual_tolerance)) {

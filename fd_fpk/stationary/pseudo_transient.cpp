@@ -9,7 +9,7 @@ namespace fpkcheck::fd_fpk {
 
 March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                             const Eigen::VectorXd& start, double tolerance,
-                            const TimeScales& scales) {
+                            const TimeScales& scales, const Deadline& deadline) {
   constexpr long kMaxSteps = 200;
   // Local errors are no aim here: a step may change the density by as much as itself.
   constexpr double kRelativeTolerance = 1;
@@ -38,6 +38,7 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   March march;
   march.residual = op.residual(start);
   while (march.residual > tolerance && march.steps < kMaxSteps) {
+    const Stopwatch of_step;
     const int flag = cvode.step().flag;
     march.steps = cvode.steps();
     if (flag < 0) {
@@ -46,6 +47,10 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
       break;
     }
     march.residual = op.residual(cvode.averages());
+    if (march.residual > tolerance && !deadline.allows(of_step.seconds())) {
+      march.out_of_time = true;
+      break;
+    }
   }
   march.factorisations = cvode.factorisations();
   march.rhs_evaluations = cvode.rhs_evaluations();

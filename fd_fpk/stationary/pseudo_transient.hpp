@@ -5,6 +5,7 @@
 
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -12,6 +13,7 @@ namespace fpkcheck::fd_fpk {
 struct March {
   Eigen::VectorXd averages;    ///< the last density reached
   std::string reason;          ///< why CVODE stopped, in its own words; empty when it did not
+  bool out_of_time = false;    ///< the next step would have ended after the deadline
   double residual = 0;         ///< FokkerPlanckOperator::residual of `averages`
   long steps = 0;              ///< CVODE's internal steps
   long factorisations = 0;     ///< KLU factorisations
@@ -31,12 +33,13 @@ struct TimeScales {
 /// order 1 (L-stable: the eigenvalues of the turning oscillator lie close to the imaginary axis,
 /// where higher orders creep), loose local errors, steps that grow by up to 100. The linear systems
 /// are solved by GMRES with L itself, preconditioned by one KLU factorisation a step size. Only the
-/// residual is judged, never CVODE's step size.
+/// residual is judged, never CVODE's step size. No step begins that would end after the deadline if
+/// it took as long as the one before.
 ///
 /// @param tolerance on the residual, per unit time
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
 March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                             const Eigen::VectorXd& start, double tolerance,
-                            const TimeScales& scales);
+                            const TimeScales& scales, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -126,7 +126,9 @@ TEST(PolarClosure, RandomProblemsConverge) {
 
 // A quarter of an impulse per decay time: at every other level the guess puts its mass on the edge.
 TEST(PolarClosure, StartsLastFromTheLevelOfTheOrderBefore) {
-  const auto [solution, summary] = solve(tests::random_problem(33), of_order(4));
+  auto options = of_order(4);
+  options.max_seconds = 600;  // sanitizers take more than the usual ones
+  const auto [solution, summary] = solve(tests::random_problem(33), options);
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "fd_fpk/line/excitation.hpp"
 #include "paper_cases.hpp"
@@ -49,6 +51,50 @@ TEST(WellPosedness, ShortestLengthIsTheThreshold) {
   };
   EXPECT_GT(rate(0.99 * shortest), 0.0);
   EXPECT_LT(rate(1.01 * shortest), 0.0);
+}
+
+// Cells as wide as the length see its fourth difference grow, of flat laws first: 5/12 is the largest
+// D4 / (D2 l^2).
+TEST(WellPosedness, DefaultLengthIsLongEnoughOnCellsOfAnyWidthForEveryLawAndOrder) {
+  bool longer = false;
+  for (const std::string law : {"two_point", "uniform", "gaussian"}) {
+    const auto impulses = tests::make_problem({.mean = 0.01, .law = law}).impulses;
+    const double of_law = default_regularisation_length(impulses.law());
+    for (const int points : {2, 6}) {
+      for (const double width : {0.5, 1.05, 1.3, 6.0, 30.0}) {  // of the length
+        const Line line = Line::uniform(0, width * of_law, 81);
+        const double length = default_regularisation_length(impulses, line, points);
+        const auto g = largest_growth(line, kramers_moyal(impulses, line, length), points);
+        EXPECT_FALSE(grows(g, impulses)) << law << points << ' ' << width;
+        EXPECT_GE(length, of_law);
+        EXPECT_LT(length, 2.3 * of_law) << law << points << ' ' << width;
+        longer |= length > of_law;
+        EXPECT_TRUE(width > 0.5 || length == of_law) << law << points;
+      }
+    }
+  }
+  EXPECT_TRUE(longer);
+}
+
+TEST(WellPosedness, DefaultLengthFollowsTheWidestCellsOfAGradedLine) {
+  const auto impulses = tests::make_problem({.law = "two_point"}).impulses;
+  const double l = default_regularisation_length(impulses.law());
+  const Line narrow = Line::uniform(0, l / 4, 40);
+  std::vector<double> faces = narrow.faces();
+  for (int k = 0; k < 10; ++k) faces.push_back(faces.back() + 1.2 * l);
+  EXPECT_EQ(default_regularisation_length(impulses, narrow, 6), l);
+  EXPECT_EQ(default_regularisation_length(impulses, Line(faces), 6),
+            default_regularisation_length(impulses, Line::uniform(0, 1.2 * l, 10), 6));
+}
+
+TEST(WellPosedness, WidthsThatDifferByLittleAreOneAndNarrowOnesDoNotCountFromTheDefaultLengthOn) {
+  const auto law = tests::make_problem().impulses.law();
+  const double l = default_regularisation_length(law);
+  const Line line({0, l, 1.4 * l, 2.41 * l, 4.4 * l, 5.42 * l});
+  EXPECT_EQ(critical_widths(line, law, l).size(), 2u);
+  const auto all = critical_widths(line, law, 0.9 * l);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_DOUBLE_EQ(all[0], 1.4 * l - l);
 }
 
 TEST(WellPosedness, JumpsPadeAndWhiteNoiseNeverGrow) {
