@@ -296,7 +296,7 @@ TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
   const auto moved = program({"check", before, "--out", after});
   EXPECT_EQ(moved.exit_code, kNotReached);
   EXPECT_NE(moved.out.find("1 of "), std::string::npos) << moved.out;
-  EXPECT_NE(moved.out.find("case4  epc-moment-n4"), std::string::npos) << moved.out;
+  EXPECT_NE(moved.out.find("case4, E[Y] = 0.1  epc-moment-n4"), std::string::npos) << moved.out;
   const auto json = nlohmann::json::parse(std::ifstream(after + "/check.json"));
   EXPECT_EQ(json.at("agrees"), false);
   ASSERT_EQ(json.at("moved").size(), 1u);
@@ -488,7 +488,7 @@ TEST_F(Program, ADensityOverTimeLeavesNetCdfAndAPicture) {
   EXPECT_EQ(table.err, "");
   EXPECT_NE(table.out.find("E[y'^2]"), std::string::npos);
   EXPECT_TRUE(fs::exists(fs::path(out) / "transient.nc"));
-  EXPECT_TRUE(fs::exists(fs::path(out) / "figures" / "transient-case1.gp"));
+  EXPECT_TRUE(fs::exists(fs::path(out) / "figures" / "transient-case1_r_1.gp"));
 
   auto as_json = arguments;
   as_json.back() = path("again");

@@ -24,14 +24,14 @@ using tests::gnuplot_exists;
 using tests::made_up_case;
 using tests::made_up_run;
 
-const FigureOptions kBoth{.formats = {FigureFormat::png, FigureFormat::svg}};
+const FigureOptions kBothFormats{.formats = {FigureFormat::png, FigureFormat::svg}};
 const FigureOptions kSvg{.formats = {FigureFormat::svg}};
-const FigureOptions kAllOfBoth{.formats = kBoth.formats, .curves = {"all"}};
+const FigureOptions kAllOfBoth{.formats = kBothFormats.formats, .curves = {"all"}};
 
 TEST(Pictures, AreAPngAndAnSvg) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings = draw_pictures(directory.path(), made_up_run("it's a_{case}"), kBoth);
+  const auto warnings = draw_pictures(directory.path(), made_up_run("it's a_{case}"), kBothFormats);
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const std::string png = contents(directory.path() / "figures" / "it_s_a__case_.png");
   const std::string svg = contents(directory.path() / "figures" / "it_s_a__case_.svg");
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Pictures, PictureLegend, testing::Values(0, 5, 18));
 TEST(Pictures, TheScriptDrawsTheSameAgainByHand) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  draw_pictures(directory.path(), made_up_run(), kBoth);
+  draw_pictures(directory.path(), made_up_run(), kBothFormats);
   const fs::path figures = directory.path() / "figures";
   const std::string first = contents(figures / "case1.svg");
   fs::remove(figures / "case1.svg");
@@ -100,7 +100,7 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   auto run = made_up_run();
-  ASSERT_TRUE(draw_pictures(directory.path(), run, kBoth).empty());
+  ASSERT_TRUE(draw_pictures(directory.path(), run, kBothFormats).empty());
   const fs::path figures = directory.path() / "figures";
   EXPECT_TRUE(contents(figures / "case1-budget.png").starts_with("\x89PNG\r\n\x1a\n"));
   const std::string svg = contents(figures / "case1-budget.svg");
@@ -153,7 +153,7 @@ TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
 TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   const tests::TemporaryDirectory directory;
   for (const char* broken : {"false", "true"}) {  // an exit code; no picture in spite of success
-    const auto warnings = draw_pictures(directory.path(), made_up_run(), kBoth, broken);
+    const auto warnings = draw_pictures(directory.path(), made_up_run(), kBothFormats, broken);
     ASSERT_EQ(warnings.size(), 4u);
     EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
     std::size_t files = 0;
