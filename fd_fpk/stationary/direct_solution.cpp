@@ -38,8 +38,8 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
           .krylov_seconds = krylov_seconds};
 }
 
-// Solves in `box` and moves the walls of it that the options leave free until they are empty or
-// the time is over.
+// Solves in `box` and moves the walls of it that the options leave free until they are empty, or,
+// when the time is over, until the box is not too small to be an answer.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options,
                                         const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
@@ -49,9 +49,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const O
   while (true) {
     const Stopwatch stopwatch;
     DirectSolution direct = solve_in(problem, options, box);
-    if (!direct.averages || !direct.converged || !deadline.allows(kSlower * stopwatch.seconds())) {
-      return direct;
-    }
+    if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(problem, direct.discretisation.grid, *direct.averages);
     // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
@@ -60,6 +58,8 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const O
     const bool widen_x2 =
         !options.x2_max && wall.x2 > options.wall_density && wall.x2 < last.x2 / kFall;
     if (!widen_x1 && !widen_x2) return direct;
+    const bool will_do = wall.x1 <= kMostOnWall && wall.x2 <= kMostOnWall;
+    if (will_do && !deadline.allows(kSlower * stopwatch.seconds())) return direct;
     if (widen_x1) box.x1_max *= kWidening;
     if (widen_x2) box.x2_max *= kWidening;
     last = wall;

@@ -28,14 +28,15 @@ struct DirectSolution {
 };
 
 /// initial_box with those walls that the options leave free moved out on coarse grids until the
-/// stationary density on them is negligible, as far as the time lasts.
+/// stationary density on them is negligible; after the deadline, until it is below kMostOnWall.
 Box stationary_box(const problem::Problem& problem, const Options& options,
                    const Deadline& deadline);
 
 /// The direct solution in a box whose walls carry no density, on a grid that resolves it, as far as
 /// the options leave box and grid free:
 /// - a wall with more than options.wall_density of the peak moves out by 15 % as long as the
-///   density on it falls and the time lasts, first on coarse grids;
+///   density on it falls, first on coarse grids; after the deadline only where it is above
+///   kMostOnWall, with which there would be no answer;
 /// - an automatic grid is refined, at a spike at the origin first, while the density exceeds
 ///   kAutomaticGridBars and the time lasts.
 DirectSolution solve_directly(const problem::Problem& problem, const Options& options,

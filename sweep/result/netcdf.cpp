@@ -126,9 +126,9 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
          {std::tuple{"_y", "p(y)", &MarginalPair::y},
           std::tuple{"_ydot", "p(y')", &MarginalPair::ydot}}) {
       sweep.put(name + suffix, fmt::format("{} of {}", meaning, symbol),
-                [&](const MethodResult& one) {
+                [&pair, of = member](const MethodResult& one) {  // Clang 14 captures no binding
                   const Pair found = pair(one);
-                  return found ? std::optional((*found).*member) : std::nullopt;
+                  return found ? std::optional((*found).*of) : std::nullopt;
                 });
     }
   };
