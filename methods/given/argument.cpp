@@ -7,6 +7,7 @@
 #include <charconv>
 #include <system_error>
 
+#include "parameters/asked_name.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "results/directory.hpp"
@@ -19,17 +20,6 @@ namespace fs = std::filesystem;
 bool is_there(const std::string& text) {
   std::error_code ignored;
   return fs::exists(text, ignored);
-}
-
-template <class Enum>
-Enum choice(const std::string& key, const std::string& value) {
-  if (const auto known = parameters::value_named<Enum>(value)) return *known;
-  std::string allowed;
-  for (const auto& named : names(Enum{})) {
-    allowed += (allowed.empty() ? "" : ", ") + std::string(named.name);
-  }
-  throw InputError(fmt::format("--against: {} = {} (must be one of {})", key,
-                               parameters::in_quotes(value), allowed));
 }
 
 int order_in(const std::string& value) {
@@ -45,9 +35,9 @@ int order_in(const std::string& value) {
 
 void set(const std::string& key, const std::string& value, GivenArgument& argument) {
   if (key == "equation") {
-    argument.equation = choice<problem::Equation>(key, value);
+    argument.equation = parameters::asked_name<problem::Equation>("--against: equation =", value);
   } else if (key == "impact") {
-    argument.impact = choice<problem::Impact>(key, value);
+    argument.impact = parameters::asked_name<problem::Impact>("--against: impact =", value);
   } else if (key == "order") {
     argument.order = order_in(value);
   } else if (key == "solution") {

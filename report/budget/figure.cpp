@@ -154,10 +154,8 @@ std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names
   std::vector<std::string> plots;
   for (std::size_t n = 0; n < names.size(); ++n) {
     for (const bool ok : {true, false}) {
-      plots.push_back(fmt::format(
-          "{} using 1:2:3 with boxes fillstyle solid {} border rgb '{}' linecolor rgb "
-          "'{}' notitle",
-          block(panel, n, ok), ok ? 1.0 : 0.3, part_colour(names[n]), part_colour(names[n])));
+      plots.push_back(
+          fmt::format("{} using 1:2:3 {} notitle", block(panel, n, ok), part_boxes(names[n], !ok)));
     }
   }
   plots.push_back(totals_block(panel) +
@@ -169,9 +167,7 @@ std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names
 Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
   Legend legend{{}, 2};
   for (const auto& name : names) {
-    legend.entries.push_back(
-        {fmt::format("NaN with boxes fillstyle solid linecolor rgb '{}'", part_colour(name)),
-         name});
+    legend.entries.push_back({"NaN " + part_boxes(name, false), name});
   }
   legend.entries.push_back({"NaN with lines linewidth 2.5 linecolor rgb '#000000'", "total"});
   if (any_not_ok) {

@@ -1,5 +1,7 @@
 #include "report/budget/part_look.hpp"
 
+#include <fmt/format.h>
+
 #include "compare/budget.hpp"
 
 namespace fpkcheck::report {
@@ -7,34 +9,51 @@ namespace {
 
 struct PartLook {
   const char* colour;
-  const char* pattern;
+  const char* pattern;  ///< of plotly.js; "" for none
+  int hatch;            ///< fill pattern of gnuplot; 0 for none
 };
 
-// Hues of Okabe and Ito, which colour-blind readers tell apart.
+// Hues of Okabe and Ito, which colour-blind readers tell apart; hatched where grey would not.
 PartLook look_of(const std::string& part) {
   using compare::Link;
   const auto links = compare::links_named(part);
-  if (links.size() > 1) return {"#999999", "."};
+  if (links.size() > 1) return {"#999999", ".", 2};
   switch (links.front()) {
     case Link::closure:
-      return {"#D55E00", ""};
+      return {"#D55E00", "", 0};
     case Link::impact:
-      return {"#E69F00", "/"};
+      return {"#E69F00", "/", 4};
     case Link::truncation:
-      return {"#0072B2", ""};
+      return {"#0072B2", "", 0};
     case Link::white_noise:
-      return {"#009E73", "|"};
+      return {"#009E73", "|", 6};
     case Link::discretisation:
-      return {"#56B4E9", "\\"};
+      return {"#56B4E9", "\\", 5};
     case Link::sampling:
       break;
   }
-  return {"#CC79A7", "x"};
+  return {"#CC79A7", "x", 1};
 }
 
 }  // namespace
 
 const char* part_colour(const std::string& part) { return look_of(part).colour; }
+
+std::string part_boxes(const std::string& part, bool faint) {
+  const auto& [colour, pattern, hatch] = look_of(part);
+  if (hatch == 0) {
+    return fmt::format("with boxes fillstyle solid {} border rgb '{}' linecolor rgb '{}'",
+                       faint ? 0.3 : 1.0, colour, colour);
+  }
+  // A hatching is not made fainter by its density: by white, of which it takes as much.
+  std::string shown = "#";
+  for (const std::size_t at : {1, 3, 5}) {
+    const int part_of_colour = std::stoi(std::string(colour).substr(at, 2), nullptr, 16);
+    shown += fmt::format("{:02X}", faint ? 255 - 3 * (255 - part_of_colour) / 10 : part_of_colour);
+  }
+  return fmt::format("with boxes fillstyle pattern {} border rgb '{}' linecolor rgb '{}'", hatch,
+                     colour, shown);
+}
 
 const char* part_pattern(const std::string& part) { return look_of(part).pattern; }
 

@@ -25,6 +25,26 @@ TEST(PartLook, TellsEveryLinkFromEveryOther) {
   EXPECT_EQ(part_colour("impact + truncation"), std::string(part_colour("closure + impact")));
 }
 
+TEST(PartLook, HatchesBarsWhoseGreysAreAlikeAndMakesThemFaint) {
+  EXPECT_EQ(part_boxes("closure", false),
+            "with boxes fillstyle solid 1 border rgb '#D55E00' linecolor rgb '#D55E00'");
+  EXPECT_EQ(part_boxes("closure", true),
+            "with boxes fillstyle solid 0.3 border rgb '#D55E00' linecolor rgb '#D55E00'");
+  EXPECT_EQ(part_boxes("impact", false),
+            "with boxes fillstyle pattern 4 border rgb '#E69F00' linecolor rgb '#E69F00'");
+  // 255 - 0.3 (255 - colour): E6, 9F, 00.
+  EXPECT_EQ(part_boxes("impact", true),
+            "with boxes fillstyle pattern 4 border rgb '#E69F00' linecolor rgb '#F8E3B3'");
+  std::set<std::string> hatches;
+  for (const char* part :
+       {"impact", "white noise", "discretisation", "sampling", "closure + impact"}) {
+    const std::string boxes = part_boxes(part, false);
+    const auto pattern = boxes.find("pattern");
+    ASSERT_NE(pattern, std::string::npos) << part;
+    EXPECT_TRUE(hatches.insert(boxes.substr(pattern, 9)).second) << part;
+  }
+}
+
 TEST(PartLook, OfNoPartIsRefused) { EXPECT_THROW(part_colour("luck"), InputError); }
 
 }  // namespace
