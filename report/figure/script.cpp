@@ -153,7 +153,9 @@ std::string figure_script(const problem::Problem& problem, const FigureContent& 
                                                 content.reference, width != FigureWidth::screen);
   }
   return figure_output(file_stem, grid.size()) +
-         "dot = format eq 'svg' ? 0.45 : 0.6\nmark = format eq 'svg' ? 0.8 : 1.1\n\n" +
+         "dot = format eq 'svg' ? 0.45 : 0.6\nmark = format eq 'svg' ? 0.8 : 1.1\n"
+         // Else intervals wipe out what lies beneath their points, in SVG far around them.
+         "set pointintervalbox 0.0001\n\n" +
          data(content) + settings() + PanelGrid::kLabels + title.command + panels +
          legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
 }
