@@ -14,7 +14,7 @@
 #include "compare/reference.hpp"
 #include "report/bounds.hpp"
 #include "report/references.hpp"
-#include "report/verdict/standing.hpp"
+#include "report/verdict/outcome.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -29,26 +29,12 @@ using transform::Variable;
 
 using Sentences = std::vector<std::string>;
 
-/// Something in both variables, or in those that are known.
-struct Pair {
-  std::optional<double> y, ydot;
-
-  bool whole() const { return y && ydot; }
-  bool any() const { return y || ydot; }
-};
-
-std::string text(const Pair& pair) {
-  if (!pair.ydot) return fmt::format("{:.2g} in p(y)", pair.y.value_or(0));
-  if (!pair.y) return fmt::format("{:.2g} in p(y')", *pair.ydot);
-  return fmt::format("{:.2g} in p(y) and {:.2g} in p(y')", *pair.y, *pair.ydot);
-}
-
-std::string numbers(const Pair& pair) {
+std::string numbers(const MarginalDistances& pair) {
   if (pair.whole()) return fmt::format("{:.2g} and {:.2g}", *pair.y, *pair.ydot);
   return fmt::format("{:.2g}", pair.y ? *pair.y : pair.ydot.value_or(0));
 }
 
-Pair l1_of(const Case& one, const Solution& a, const Solution& b) {
+MarginalDistances l1_of(const Case& one, const Solution& a, const Solution& b) {
   return {one.l1(a.id(), b.id(), Variable::y), one.l1(a.id(), b.id(), Variable::ydot)};
 }
 
@@ -96,8 +82,8 @@ void say_discretisation_errors(const Case& one, Sentences& sentences) {
       "The discretisation error{} of {}, by {} own estimate: {}L1 {}, {:.1g} in E[y^2] and {:.1g} "
       "in E[y'^2].",
       several ? "s" : "", fmt::join(ids, ", "), several ? "their" : "its",
-      several ? "at most " : "", text(Pair{largest.y_l1, largest.ydot_l1}), largest.moments.y2,
-      largest.moments.v2));
+      several ? "at most " : "", text_of(MarginalDistances{largest.y_l1, largest.ydot_l1}),
+      largest.moments.y2, largest.moments.v2));
 }
 
 void say_what_approximations_cost(const Case& one, Sentences& sentences) {
@@ -113,7 +99,7 @@ void say_what_approximations_cost(const Case& one, Sentences& sentences) {
       const bool other_impact = approximate.impact != exact.impact;
       const bool costs = other_equation ? !other_impact && exact.equation == Equation::kf
                                         : other_impact && approximate.impact == Impact::delta;
-      const Pair cost = l1_of(one, a, b);
+      const MarginalDistances cost = l1_of(one, a, b);
       if (!known || !costs || !cost.whole()) continue;
       const std::string what =
           other_equation ? fmt::format("{} in place of the {}", meaning_of(*approximate.equation),
@@ -121,7 +107,7 @@ void say_what_approximations_cost(const Case& one, Sentences& sentences) {
                          : fmt::format("the impact {} in place of {}",
                                        meaning_of(*approximate.impact), meaning_of(*exact.impact));
       (other_equation ? of_equations : of_impacts)
-          .push_back(fmt::format("{} ({}) {}", what, a.id(), text(cost)));
+          .push_back(fmt::format("{} ({}) {}", what, a.id(), text_of(cost)));
     }
   }
   of_equations.insert(of_equations.end(), of_impacts.begin(), of_impacts.end());
@@ -176,9 +162,10 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
   const auto nearest = ranks.front();
   std::erase_if(ranks, [](const auto& rank) { return std::max(rank.y, rank.ydot) > kCloseL1; });
   if (ranks.empty()) {
-    sentences.push_back(fmt::format(
-        "No closure that is ok is within L1 {} of {}: {}, the nearest, is off by {}.", kCloseL1,
-        reference->id(), nearest.solution->id(), text(Pair{nearest.y, nearest.ydot})));
+    sentences.push_back(
+        fmt::format("No closure that is ok is within L1 {} of {}: {}, the nearest, is off by {}.",
+                    kCloseL1, reference->id(), nearest.solution->id(),
+                    text_of(MarginalDistances{nearest.y, nearest.ydot})));
     return;
   }
   // By family and formulation: the closest, and those that nobody can tell from it.
@@ -196,7 +183,7 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
   Sentences parts;
   for (const auto& [group, closest] : groups) {
     Sentences ids;
-    Pair most{0, 0};
+    MarginalDistances most{0, 0};
     for (const auto* rank : closest) {
       ids.push_back(rank->solution->id());
       most = {std::max(*most.y, rank->y), std::max(*most.ydot, rank->ydot)};
@@ -204,7 +191,7 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
     const bool tie = ids.size() > 1;
     parts.push_back(fmt::format("{}{} with L1 {}{}", fmt::join(ids, ", "),
                                 tie ? " (indistinguishable)" : "", tie ? "at most " : "",
-                                text(most)));
+                                text_of(most)));
   }
   sentences.push_back(fmt::format(
       "Closest to {} of the closures that are ok: {}.{}", reference->id(), fmt::join(parts, "; "),
@@ -215,7 +202,7 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
 
 /// What chance does to a difference: what one expects, and what 99 runs of 100 stay below.
 struct Chance {
-  Pair expected, in_99;
+  MarginalDistances expected, in_99;
 };
 
 /// @param smooth whether the difference is one over smooth bins
@@ -233,7 +220,7 @@ Chance chance_of(const Solution& solution, bool smooth = false) {
 }
 
 // The errors of a difference whose parts are independent.
-Pair together(const Pair& one, const Pair& other) {
+MarginalDistances together(const MarginalDistances& one, const MarginalDistances& other) {
   const auto sum = [](const auto& a, const auto& b) {
     return a || b ? std::optional(std::hypot(a.value_or(0), b.value_or(0))) : std::nullopt;
   };
@@ -241,16 +228,17 @@ Pair together(const Pair& one, const Pair& other) {
 }
 
 // "; WHOSE EXPECTED (99 runs of 100 stay below ..), which explains that".
-std::string whether_explained(const Pair& gap, const Chance& one, const Chance& other,
+std::string whether_explained(const MarginalDistances& gap, const Chance& one, const Chance& other,
                               const std::string& whose) {
-  const Pair expected = together(one.expected, other.expected);
-  const Pair in_99 = together(one.in_99, other.in_99);
+  const MarginalDistances expected = together(one.expected, other.expected);
+  const MarginalDistances in_99 = together(one.in_99, other.in_99);
   const auto within = [](const auto& difference, const auto& most) {
     return !difference || !most || *difference <= *most;
   };
   const bool explained = within(gap.y, in_99.y) && within(gap.ydot, in_99.ydot);
-  return fmt::format("; {} {} (99 runs of 100 stay below {}), which {} that", whose, text(expected),
-                     numbers(in_99), explained ? "explains" : "does not explain");
+  return fmt::format("; {} {} (99 runs of 100 stay below {}), which {} that", whose,
+                     text_of(expected), numbers(in_99),
+                     explained ? "explains" : "does not explain");
 }
 
 /// What a measure finds of one marginal.
@@ -306,7 +294,7 @@ void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Solution &reference = *all.front(), &other = *all[k];
     if (reference.smooth_sampling && is_measured(one, other, reference)) continue;
-    const Pair gap = l1_of(one, reference, other);
+    const MarginalDistances gap = l1_of(one, reference, other);
     if (!gap.whole()) continue;
     const bool smooth = is_measured(one, reference, other);
     const Chance own = chance_of(reference, smooth), others = chance_of(other, smooth);
@@ -320,7 +308,7 @@ void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
       chance = whether_explained(gap, own, others, whose);
     }
     sentences.push_back(capitalised(fmt::format("{} and {} differ by {}{}.", words_for(reference),
-                                                words_for(other), text(gap), chance)));
+                                                words_for(other), text_of(gap), chance)));
   }
 }
 
@@ -329,7 +317,7 @@ void say_how_far_files_are(const Case& one, Sentences& sentences) {
   for (const auto& given : one.solutions) {
     if (given.identity.role != Role::given) continue;
     for (const Solution* reference : all) {
-      const Pair gap = l1_of(one, given, *reference);
+      const MarginalDistances gap = l1_of(one, given, *reference);
       if (!gap.any()) continue;
       // Only in the variables in which the file says how far off it may be.
       const Chance own = chance_of(given);
@@ -346,7 +334,7 @@ void say_how_far_files_are(const Case& one, Sentences& sentences) {
                         other.expected.any() ? " and those of " + reference->id() : ""));
       }
       sentences.push_back(fmt::format("{} differs from {} by L1 {}{}.", given.id(),
-                                      words_for(*reference), text(gap), chance));
+                                      words_for(*reference), text_of(gap), chance));
     }
   }
 }

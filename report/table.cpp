@@ -95,7 +95,8 @@ std::string case_title(const problem::Problem& problem) {
 
 std::string table(const results::Run& run, const TextFormat& format) {
   const std::size_t width = format.width;
-  std::string text = answer_text(run, format);
+  const Verdict said = verdict(run);
+  std::string text = answer_text(said, format);
   if (!text.empty()) text += '\n';
   std::vector<Column> all, budgets;
   std::string missing;
@@ -120,7 +121,7 @@ std::string table(const results::Run& run, const TextFormat& format) {
   for (const auto& legend : {results_legend(all, run), budget_legend(budgets)}) {
     if (!legend.empty()) text += wrapped(legend, width);
   }
-  if (const auto last = verdict_text(run, format); !last.empty()) text += '\n' + last;
+  if (const auto last = verdict_text(run, said, format); !last.empty()) text += '\n' + last;
   return text;
 }
 

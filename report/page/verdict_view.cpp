@@ -91,13 +91,12 @@ std::string lines_html(const std::vector<VerdictLine>& lines) {
 
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors) {
   const Verdict said = verdict(run);
-  const auto all = records(run);
   std::string html = "<section id=\"verdict\">\n";
   for (const auto& sentence : said.answer) {
     html += fmt::format("<p class=\"answer\">{}</p>\n", escaped(sentence));
   }
-  html += "<div class=\"front\">\n<div>\n" + matrix_html(run, all, anchors) + "</div>\n";
-  html += distance_strip(run, all) + "</div>\n";
+  html += "<div class=\"front\">\n<div>\n" + matrix_html(run, said.records, anchors) + "</div>\n";
+  html += distance_strip(run, said.records) + "</div>\n";
   html += element("h2", "What became of each method") + lines_html(said.lines);
   html += element("h2", "Which method to trust here, and why");
   for (const auto& sentence : said.trust) html += element("p", sentence);

@@ -10,7 +10,6 @@
 #include "report/text/columns.hpp"
 #include "report/text/wrapped.hpp"
 #include "report/verdict/marks.hpp"
-#include "report/verdict/verdict.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -73,19 +72,17 @@ std::string matrix_blocks(const results::Run& run, const std::vector<Record>& al
 
 }  // namespace
 
-std::string answer_text(const results::Run& run, const TextFormat& format) {
+std::string answer_text(const Verdict& said, const TextFormat& format) {
   std::string text;
-  for (const auto& sentence : verdict(run).answer) text += wrapped(sentence, format.width);
+  for (const auto& sentence : said.answer) text += wrapped(sentence, format.width);
   return text;
 }
 
-std::string verdict_text(const results::Run& run, const TextFormat& format) {
-  const Verdict said = verdict(run);
-  const auto all = records(run);
+std::string verdict_text(const results::Run& run, const Verdict& said, const TextFormat& format) {
   std::string text;
   if (run.cases.size() > 1) {
-    text += matrix_blocks(run, all, format);
-    auto marks = meanings_of_marks(all);
+    text += matrix_blocks(run, said.records, format);
+    auto marks = meanings_of_marks(said.records);
     marks.insert(marks.begin(), "L1 to the reference (ref) of each case");
     text += wrapped(fmt::format("{}.", fmt::join(marks, "; ")), format.width) + '\n';
   }

@@ -11,6 +11,7 @@ namespace fpkcheck::report {
 struct MarginalDistances {
   std::optional<double> y, ydot;
 
+  bool whole() const { return y && ydot; }
   bool any() const { return y || ydot; }
   /// The larger ones of what is there and these.
   void widen(const std::optional<double>& other_y, const std::optional<double>& other_ydot);

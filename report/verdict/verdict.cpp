@@ -256,9 +256,9 @@ Words whom_to_trust(const results::Run& run, const std::vector<Record>& all, con
 }  // namespace
 
 Verdict verdict(const results::Run& run) {
-  Verdict said;
+  Verdict said{.records = records(run), .answer = {}, .lines = {}, .trust = {}};
   if (run.cases.empty()) return said;
-  const auto all = records(run);
+  const auto& all = said.records;
   const Known known = known_of(run);
   for (const auto& one : run.cases) {
     if (!one.bounds) continue;

@@ -16,6 +16,7 @@ struct VerdictLine {
 
 /// The answer of a run, before any table.
 struct Verdict {
+  std::vector<Record> records;  ///< of all solutions: the rows of the matrix; points into the run
   /// One sentence or two: what is known and how well, and who reproduces it.
   std::vector<std::string> answer;
   /// A line for each order of the closure of first-order impact (the paper's), for each other

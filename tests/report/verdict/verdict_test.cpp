@@ -28,6 +28,8 @@ std::string outcome_in(const Verdict& said, const std::string& subject) {
   return "";
 }
 
+std::string text_of_run(const results::Run& run) { return verdict_text(run, verdict(run), 100); }
+
 /// n = 2 and white noise are off, n = 4 no density, n = 6 close, n = 8 not found.
 results::Case usual(const std::string& name) {
   auto one = made_up_case(name);
@@ -129,7 +131,7 @@ TEST(Verdict, SaysThatNothingCanBeJudgedWithoutAReference) {
 
 TEST(VerdictText, PutsFourCasesBesideEachOtherAt80Columns) {
   const auto run = run_of({usual("case1"), usual("case2"), usual("case3"), usual("case4")});
-  const std::string text = verdict_text(run, 80);
+  const std::string text = verdict_text(run, verdict(run), 80);
   EXPECT_TRUE(contains(text, "case1") && contains(text, "case4"));
   EXPECT_EQ(text.find("solution"), text.rfind("solution  ")) << text;
   std::istringstream in(text);
@@ -141,14 +143,14 @@ TEST(VerdictText, PutsFourCasesBesideEachOtherAt80Columns) {
 TEST(VerdictText, MarksTheReferenceAndWhatCannotBeToldFromIt) {
   auto one = usual("a");
   set_l1(one, "fd-kf", "mcs", 0.0001, 0.0002);
-  const std::string text = words(verdict_text(run_of({one, usual("b")}), 100));
+  const std::string text = words(text_of_run(run_of({one, usual("b")})));
   EXPECT_TRUE(contains(text, "fd-kf 1.0e-4 2.0e-4= 0.0012 0.0016")) << text;
   EXPECT_TRUE(contains(text, "mcs ref ref ref ref")) << text;
   EXPECT_TRUE(contains(text, "= indistinguishable")) << text;
 }
 
 TEST(VerdictText, OfOneCaseLeavesTheMatrixToItsTable) {
-  EXPECT_FALSE(contains(verdict_text(run_of({usual("a")}), 100), "ref"));
+  EXPECT_FALSE(contains(text_of_run(run_of({usual("a")})), "ref"));
 }
 
 }  // namespace
