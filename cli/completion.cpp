@@ -32,13 +32,11 @@ Words methods_in(const methods::Registry& registry) {
 // "system.damping=", "impulse.rate=", ..
 Words case_keys() {
   Words keys;
-  const auto add = [&](const auto& description) {
-    for (const auto& parameter : description.all()) {
-      keys.push_back(description.prefix() + parameter.name + '=');
+  for (const auto* section : problem::case_descriptions()) {
+    for (const auto& parameter : section->all()) {
+      keys.push_back(section->prefix() + parameter.name + '=');
     }
-  };
-  add(problem::system_description());
-  add(problem::impulse_description());
+  }
   return keys;
 }
 

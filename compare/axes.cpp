@@ -5,16 +5,23 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::compare {
 namespace {
 
-constexpr double kDeviations = 7;
 // A tenth (y') or a twentieth (y) of a deviation: the density is nearly straight over one bin.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDividedBy = 4;
+
+std::vector<double> even_bins(double from, double to) {
+  std::vector<double> edges;
+  for (int k = 0; k <= kBins; ++k) edges.push_back(from + (to - from) * k / kBins);
+  edges.back() = to;
+  return edges;
+}
 
 // From 0, or symmetric to the last digit and exactly 0 in the middle, where p(y, y') jumps at the
 // wall.
@@ -46,12 +53,12 @@ std::vector<double> without_divisions(const std::vector<double>& edges, int divi
 }  // namespace
 
 ComparisonAxes comparison_axes(const problem::Problem& problem) {
-  const auto bell = problem::equivalent_linearisation(problem);
-  const double y_max =
-      problem::static_deflection(problem) + kDeviations * bell.displacement_deviation;
-  const double v_max = kDeviations * bell.velocity_deviation;
-  const int divisions = problem::impulses_per_decay_time(problem) < 1 ? kDivisions : 0;
-  return {bins(y_max, false, divisions), bins(v_max, true, divisions), divisions};
+  const auto scales = problem::scales(problem);
+  if (!problem::features(problem).original) {
+    return {even_bins(scales.y_low, scales.y_high), bins(scales.v_high, true, 0), 0};
+  }
+  const int divisions = problem::impulses_per_decay_time(problem, scales) < 1 ? kDivisions : 0;
+  return {bins(scales.y_high, false, divisions), bins(scales.v_high, true, divisions), divisions};
 }
 
 const std::vector<double>& edges(const ComparisonAxes& axes, transform::Variable variable) {

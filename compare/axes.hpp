@@ -10,7 +10,7 @@ namespace fpkcheck::compare {
 /// The bins of one problem's marginals: even ones, of which those at 0 may be divided. Solutions are
 /// compared over the even bins: for what is narrower nobody states an error.
 struct ComparisonAxes {
-  std::vector<double> y_edges;  ///< increasing, the first one 0
+  std::vector<double> y_edges;  ///< increasing; the first one is the wall, 0, in the paper
   std::vector<double> v_edges;  ///< increasing and symmetric, one of them 0
   int divisions = 0;            ///< edges within the first bin of y, and each of the two of y' at 0
 };
@@ -19,6 +19,7 @@ struct ComparisonAxes {
 /// equivalent linearisation and the static deflection y_s under the mean of the impulses (0 in the
 /// paper). Where the marginals are unbounded at rest (problem::impulses_per_decay_time below 1)
 /// bins next to 0 are divided at 1/4, 1/16 and 1/64: each part then has a share of the mass there.
+/// Other oscillators than the paper's have the ends of problem::scales, and no divisions.
 /// Only the problem decides them, so that a simulation can be given the same bins for its
 /// histogram and nothing is interpolated for it.
 ComparisonAxes comparison_axes(const problem::Problem& problem);

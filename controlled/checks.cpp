@@ -42,8 +42,9 @@ struct Sums {
 };
 
 void judge_flights(const problem::System& system, const Sums& sums, Checks& checks) {
-  const auto& [c, k, mu, r] = system.coefficients();
-  const auto defect = [&, c = c, k = k, mu = mu](int p, int q, double acceleration) {
+  const auto& of_system = system.coefficients();
+  const auto defect = [&, c = of_system.damping, k = of_system.stiffness, mu = of_system.cubic](
+                          int p, int q, double acceleration) {
     const double mean = acceleration / sums.samples + c * sums.mean(p, q + 1) +
                         k * sums.mean(p + 1, q) + mu * sums.mean(p + 3, q);
     return mean / (c * std::sqrt(sums.mean(0, 2) * sums.mean(2 * p, 2 * q)));

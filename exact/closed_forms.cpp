@@ -52,9 +52,11 @@ double linear_cumulant(const problem::Problem& problem, int p, int q) {
   require_elastic(problem);
   const double c = problem.system.damping();
   const double w2 = problem.system.stiffness() - c * c / 4;
-  if (!problem.system.linear() || w2 <= 0 || problem.impulses.rate_moment(1) != 0) {
+  const bool folded = problem.system.left() || problem.system.right();
+  if (!problem.system.linear() || w2 <= 0 || (folded && problem.impulses.rate_moment(1) != 0)) {
     throw InputError(
-        "the exact cumulants hold for a linear, underdamped oscillator under a symmetric law only");
+        "the exact cumulants hold for a linear, underdamped oscillator, with a wall under a symmetric "
+        "law only");
   }
   const double w = std::sqrt(w2);
   const auto response = [&](double t) {
@@ -70,7 +72,8 @@ double linear_cumulant(const problem::Problem& problem, int p, int q) {
   for (double t = 0; t < t_end; t += panel) {
     integral += boost::math::quadrature::gauss<double, 30>::integrate(response, t, t + panel);
   }
-  return problem.impulses.rate_moment(p + q) * integral;
+  const double of_noise = p + q == 2 ? problem.noise.intensity : 0;
+  return (problem.impulses.rate_moment(p + q) + of_noise) * integral;
 }
 
 }  // namespace fpkcheck::exact

@@ -36,9 +36,9 @@ class WhiteNoiseDensity {
 double mean_square_velocity(const problem::Problem& problem);
 
 /// Cumulants of (z, z') for the linear oscillator (mu = 0, c^2 < 4k) with r = 1 and a symmetric
-/// law,
+/// law, or of (y, y') without a wall under any law,
 ///
-///     kappa(z^p z'^q) = lambda E[Y^(p+q)] int_0^inf h(t)^p h'(t)^q dt,
+///     kappa(z^p z'^q) = (lambda E[Y^(p+q)] + 2D [p + q = 2]) int_0^inf h(t)^p h'(t)^q dt,
 ///     h(t) = exp(-ct/2) sin(wt)/w,   w = sqrt(k - c^2/4).
 ///
 /// @param p,q orders, 1 <= p + q < problem::kMomentCount

@@ -19,7 +19,8 @@ const problem::Problem& linear_and_symmetric(const problem::Problem& problem) {
     throw InputError(fmt::format("{} = {} (the exact density of the linear oscillator needs {})",
                                  key, value, needed));
   };
-  const auto& [name, system, impulses] = problem;
+  const auto& system = problem.system;
+  const auto& impulses = problem.impulses;
   require(system.linear(), "system.cubic", system.force().coefficient(3), "0");
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(system.damping() * system.damping() < 4 * system.stiffness(), "system.damping",

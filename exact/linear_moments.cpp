@@ -21,7 +21,8 @@ void require(bool holds, const char* key, double value, const char* needed) {
 
 LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCovariance& start,
                                 double time) {
-  const auto& [name, system, impulses] = problem;
+  const auto& system = problem.system;
+  const auto& impulses = problem.impulses;
   require(system.linear(), "system.cubic", system.force().coefficient(3), "0");
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");

@@ -1,3 +1,4 @@
+#include "epc/offered.hpp"
 #include "epc/options.hpp"
 #include "epc/solve.hpp"
 #include "methods/builtin.hpp"
@@ -69,24 +70,26 @@ Solver epc_solver() {
       .options_of = {},
       .method = {}};
   return with_front<epc::Options>(
-      std::move(entry), {.description = epc::description(),
-                         .validate = epc::validate,
-                         .identity = epc::identity,
-                         .options_of = epc::options_of,
-                         .solve = [](const problem::Problem& problem, const epc::Options& options,
-                                     const Setting& setting) {
-                           auto solution = epc::solve(problem, options).solution;
-                           if (!solution.density || !options.accuracy || !setting.measure_error) {
-                             return solution;
-                           }
-                           if (setting.residuals != nullptr) {
-                             state_measured_error(*setting.residuals, *options.accuracy, solution);
-                           } else {
-                             state_measured_error(ProblemResiduals(problem), *options.accuracy,
-                                                  solution);
-                           }
-                           return solution;
-                         }});
+      std::move(entry),
+      {.description = epc::description(),
+       .validate = epc::validate,
+       .identity = epc::identity,
+       .options_of = epc::options_of,
+       .solve =
+           [](const problem::Problem& problem, const epc::Options& options,
+              const Setting& setting) {
+             auto solution = epc::solve(problem, options).solution;
+             if (!solution.density || !options.accuracy || !setting.measure_error) {
+               return solution;
+             }
+             if (setting.residuals != nullptr) {
+               state_measured_error(*setting.residuals, *options.accuracy, solution);
+             } else {
+               state_measured_error(ProblemResiduals(problem), *options.accuracy, solution);
+             }
+             return solution;
+           },
+       .objection = epc::objection});
 }
 
 }  // namespace fpkcheck::methods

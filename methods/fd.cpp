@@ -1,3 +1,4 @@
+#include "fd_fpk/offered.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
@@ -53,7 +54,8 @@ Solver fd_solver() {
        .identity = fd_fpk::identity,
        .options_of = fd_fpk::options_of,
        .solve = [](const problem::Problem& problem, const fd_fpk::Options& options,
-                   const Setting&) { return fd_fpk::solve(problem, options).solution; }});
+                   const Setting&) { return fd_fpk::solve(problem, options).solution; },
+       .objection = fd_fpk::objection});
 }
 
 }  // namespace fpkcheck::methods

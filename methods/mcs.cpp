@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "controlled/solve.hpp"
+#include "mcs/offered.hpp"
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
+#include "methods/in_frame.hpp"
 #include "methods/look.hpp"
 
 namespace fpkcheck::methods {
@@ -70,7 +72,12 @@ Method under_control(Method simulation, const SimulationControl& control) {
   options.team = control.team;
   simulation.solve = [options = std::move(options)](const problem::Problem& problem,
                                                     const Setting& setting) {
-    return solve(problem, options, setting);
+    return solve_in_frame(
+        problem, setting,
+        [&](const problem::Problem& seen) { return mcs::objection(seen, options); },
+        [&](const problem::Problem& seen, const Setting& there) {
+          return solve(seen, options, there);
+        });
   };
   return simulation;
 }
@@ -96,7 +103,8 @@ Solver mcs_solver() {
                                                      .identity = mcs::identity,
                                                      .options_of = without_noise,
                                                      .solve = solve,
-                                                     .check = mcs::require_solvable});
+                                                     .check = mcs::require_solvable,
+                                                     .objection = mcs::objection});
 }
 
 }  // namespace fpkcheck::methods

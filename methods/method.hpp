@@ -32,7 +32,7 @@ struct Method {
   parameters::Values options = {};  ///< as files keep them
   /// True when it uses all processors itself, so that nothing else should run beside it.
   bool parallel = false;
-  /// The solution's identity and options are filled in by whoever calls it (run_cases).
+  /// The solution's identity and options are filled in by whoever calls it (solve_by).
   std::function<transform::Solution(const problem::Problem&, const Setting&)> solve;
   /// Whether the method can be asked to solve a problem at all, told before any method has begun on
   /// any problem. May be empty: then it can.

@@ -9,13 +9,15 @@
 #include "dual/backward/normal_equations.hpp"
 #include "dual/residual/density_residuals.hpp"
 #include "parameters/input_error.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::methods {
 
 using transform::Status;
 
 struct ProblemResiduals::Fit {
-  explicit Fit(const problem::Problem& of) : problem(of) {}
+  explicit Fit(const problem::Problem& of)
+      : problem(problem::seen_from(problem::frame_of(of.system), of)) {}
 
   problem::Problem problem;
   std::once_flag once = {};
@@ -29,6 +31,7 @@ ProblemResiduals::~ProblemResiduals() = default;
 
 const dual::DensityResiduals* ProblemResiduals::get() const {
   std::call_once(fit_->once, [&] {
+    if (!problem::features(fit_->problem).original) return;
     try {
       fit_->residuals.emplace(fit_->problem);
     } catch (const dual::FitBrokeDown&) {

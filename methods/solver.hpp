@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/in_frame.hpp"
 #include "methods/method.hpp"
 #include "parameters/description.hpp"
 
@@ -49,9 +50,13 @@ struct Front {
   void (*validate)(const Options&);
   transform::Identity (*identity)(const Options&);
   std::optional<Options> (*options_of)(std::string_view id);
+  /// Of a problem in its frame (problem/frame.hpp), with axes in its coordinates.
   std::function<transform::Solution(const problem::Problem&, const Options&, const Setting&)> solve;
   /// Method::check; may be null.
   void (*check)(const problem::Problem&, const Options&) = nullptr;
+  /// Why the solver does not treat a problem, in one phrase; empty where it does. Null where it treats
+  /// all.
+  std::string (*objection)(const problem::Problem&, const Options&) = nullptr;
 };
 
 /// Completes an entry by a front: options become values, and values methods.
@@ -69,7 +74,14 @@ Solver with_front(Solver solver, const Front<Options>& front) {
     front.validate(options);
     Method method{front.identity(options), front.description.values(options), parallel,
                   [front, options](const problem::Problem& problem, const Setting& setting) {
-                    return front.solve(problem, options, setting);
+                    const auto objection = [&](const problem::Problem& seen) {
+                      return front.objection == nullptr ? "" : front.objection(seen, options);
+                    };
+                    return solve_in_frame(
+                        problem, setting, objection,
+                        [&](const problem::Problem& seen, const Setting& setting_there) {
+                          return front.solve(seen, options, setting_there);
+                        });
                   }};
     if (front.check != nullptr) {
       method.check = [check = front.check, options](const problem::Problem& problem) {

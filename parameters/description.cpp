@@ -31,6 +31,15 @@ Values Descriptions::values_of(const void* owner) const {
   return values;
 }
 
+Values Descriptions::named_values_of(const void* owner) const {
+  Values values;
+  for (const auto& parameter : all_) {
+    NamedValue one{parameter.name, parameter.get(owner)};
+    if (!parameter.silent || one.value != parameter.fallback) values.push_back(std::move(one));
+  }
+  return values;
+}
+
 void Descriptions::read_into(void* owner, const Values& values, const std::string& what) const {
   for (const auto& parameter : all_) {
     const auto found = std::ranges::find(values, parameter.name, &NamedValue::name);

@@ -106,6 +106,7 @@ class Descriptions {
 
  protected:
   Values values_of(const void* owner) const;
+  Values named_values_of(const void* owner) const;
   /// @throws InputError WHAT.NAME: missing, unknown, or of the wrong type
   void read_into(void* owner, const Values& values, const std::string& what) const;
   /// @throws InputError PREFIXname = value (must be ..) for the first that is out of its range
@@ -178,9 +179,16 @@ class Description : public Descriptions {
     all_.back().fallback = std::move(value);
     return std::move(*this);
   }
+  /// As with_fallback, of what most owners do without: files and tables do not name it then.
+  Description&& without_naming(Value fallback) && {
+    all_.back().silent = true;
+    return std::move(*this).with_fallback(std::move(fallback));
+  }
 
   /// All parameters as they are set, in order.
   Values values(const Owner& owner) const { return values_of(&owner); }
+  /// Those that are named: all but silent ones that have their fallback.
+  Values named_values(const Owner& owner) const { return named_values_of(&owner); }
 
   /// The owner whose values these are; the ranges are not looked at.
   /// @param what how messages name the values, e.g. "options"

@@ -29,6 +29,7 @@ struct Parameter {
   std::vector<std::string> choices = {};  ///< of a word; any word when empty
   std::optional<Range> range = {};
   std::optional<Value> fallback = {};  ///< of a file that does not name it
+  bool silent = false;                 ///< not named where it has its fallback
 
   std::function<Value(const void* owner)> get = {};
   std::function<void(void* owner, const Value& value)> set = {};

@@ -25,14 +25,14 @@ using parameters::in_quotes;
 using parameters::shown;
 
 const parameters::Parameter& case_parameter(std::string_view key, const std::string& where) {
-  std::vector<std::string> known;
-  for (const parameters::Descriptions* section :
-       {static_cast<const parameters::Descriptions*>(&system_description()),
-        static_cast<const parameters::Descriptions*>(&impulse_description())}) {
+  std::vector<std::string> known;  // "wall.{left, right}": there are many
+  for (const parameters::Descriptions* section : case_descriptions()) {
+    std::vector<std::string_view> names;
     for (const auto& parameter : section->all()) {
-      known.push_back(section->prefix() + parameter.name);
-      if (known.back() == key) return parameter;
+      if (section->prefix() + parameter.name == key) return parameter;
+      names.emplace_back(parameter.name);
     }
+    known.push_back(fmt::format("{}{{{}}}", section->prefix(), fmt::join(names, ", ")));
   }
   throw InputError(fmt::format("{}: unknown key {} (known keys: {})", where, in_quotes(key),
                                fmt::join(known, ", ")));
@@ -76,23 +76,26 @@ void apply(const std::vector<std::string>& overrides, const std::string& where,
   }
 }
 
-// The section's part of a case file, from the texts of its keys.
-template <class Owner>
-Owner section(const parameters::Description<Owner>& description, const Settings& settings) {
-  Owner owner{};
+// The section's part of a case file, from the texts of its keys; nothing where it has none.
+std::optional<Section> section(const parameters::Descriptions& description,
+                               const Settings& settings) {
+  const std::string& prefix = description.prefix();
+  const bool named = std::ranges::any_of(
+      settings, [&](const auto& setting) { return setting.first.starts_with(prefix); });
+  if (!named && &description != &system_description()) return std::nullopt;
+  Section section{prefix.substr(0, prefix.size() - 1), {}};
   for (const auto& parameter : description.all()) {
-    const std::string key = description.prefix() + parameter.name;
+    const std::string key = prefix + parameter.name;
     const auto found = settings.find(key);
     if (found != settings.end()) {
-      description.parse(owner, parameter, found->second.text, key + " =");
-    } else if (parameter.fallback) {
-      description.assign(owner, parameter, *parameter.fallback, key + " =");
-    } else {
+      section.values.push_back(
+          {parameter.name, parameters::value_from(parameter, found->second.text, key + " =")});
+    } else if (!parameter.fallback) {
       throw InputError(
           fmt::format("key '{}' is missing (add it, or give --set {}=VALUE)", key, key));
     }
   }
-  return owner;
+  return section;
 }
 
 // The line of the key that a message begins with.
@@ -143,9 +146,14 @@ std::string changes(const Settings& of_file, const Problem& problem) {
     if (value == shown.value) continue;
     ++count;
     // All digits: what differs is called differently.
-    const auto* number = std::get_if<double>(&shown.value);
-    text += number == nullptr ? fmt::format(", {} impulses", std::get<std::string>(shown.value))
-                              : fmt::format(", {} = {}", shown.symbol, *number);
+    if (const auto* number = std::get_if<double>(&shown.value)) {
+      text += fmt::format(", {} = {}", shown.symbol, *number);
+    } else if (const auto* law = std::get_if<std::string>(&shown.value)) {
+      text += fmt::format(", {} impulses", *law);
+    } else {
+      text += std::holds_alternative<bool>(shown.value) ? std::string(", no wall")
+                                                        : fmt::format(", without {}", shown.symbol);
+    }
   }
   return text.size() <= kLongest ? text : fmt::format(", {} keys changed", count);
 }
@@ -166,8 +174,11 @@ Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::s
   Settings settings = of_file;
   apply(overrides, where, settings);
   try {
-    Problem problem{name, System(section(system_description(), settings)),
-                    ImpulseTrain(section(impulse_description(), settings))};
+    std::vector<Section> sections;
+    for (const parameters::Descriptions* description : case_descriptions()) {
+      if (auto one = section(*description, settings)) sections.push_back(std::move(*one));
+    }
+    Problem problem = problem_from(name, sections);
     if (naming == Naming::of_changes) problem.name += changes(of_file, problem);
     return problem;
   } catch (const InputError& error) {

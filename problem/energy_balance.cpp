@@ -3,12 +3,19 @@
 namespace fpkcheck::problem {
 
 Power power(const Problem& problem, Impact impact, const EnergyTerms& terms) {
-  const double r = problem.system.restitution();
-  const double kappa = impact == Impact::delta ? 1 - r : (1 - r * r) / 2;
-  return {.input = problem.impulses.rate_moment(2) / 2 +
-                   problem.impulses.rate_moment(1) * terms.mean_velocity,
-          .dissipated = problem.system.damping() * terms.mean_square_velocity +
-                        kappa * terms.impact_energy_flux};
+  const System& system = problem.system;
+  const auto kappa = [&](double r) { return impact == Impact::delta ? 1 - r : (1 - r * r) / 2; };
+  Power power{.input = problem.impulses.rate_moment(2) / 2 +
+                       problem.impulses.rate_moment(1) * terms.mean_velocity,
+              .dissipated = system.damping_is_constant()
+                                ? system.damping() * terms.mean_square_velocity
+                                : terms.mean_damping_power};
+  power.input += problem.noise.diffusion();
+  if (system.left()) power.dissipated += kappa(system.restitution()) * terms.impact_energy_flux;
+  if (system.right()) {
+    power.dissipated += kappa(system.right()->restitution) * terms.right_energy_flux;
+  }
+  return power;
 }
 
 double energy_residual(const Problem& problem, Impact impact, const EnergyTerms& terms) {

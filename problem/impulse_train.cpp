@@ -48,4 +48,15 @@ const Description<ImpulseParameters>& impulse_description() {
 ImpulseTrain::ImpulseTrain(const ImpulseParameters& parameters)
     : parameters_(parameters), law_(law_of(parameters)) {}
 
+ImpulseTrain::ImpulseTrain()
+    : parameters_{.arrival_rate = 0, .law = "gaussian", .intensity = 0, .mean = 0},
+      law_(GaussianLaw{0, 1}) {}
+
+ImpulseTrain ImpulseTrain::mirrored() const {
+  if (!present()) return *this;
+  ImpulseParameters parameters = parameters_;
+  parameters.mean = -parameters.mean;  // every law is symmetric about its mean
+  return ImpulseTrain(parameters);
+}
+
 }  // namespace fpkcheck::problem

@@ -21,11 +21,14 @@ const parameters::Description<ImpulseParameters>& impulse_description();
 /// The excitation xi(t) of paper (3): impulses Y_k at the times of a Poisson process.
 class ImpulseTrain {
  public:
+  /// No impulses: the rate is 0, and so is every rate_moment. (The law is that of none.)
+  ImpulseTrain();
   /// The law is given the variance that makes E[Y^2] = intensity / arrival_rate.
   /// @throws InputError naming the parameter, its value and the allowed range
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
   const ImpulseParameters& parameters() const { return parameters_; }
+  bool present() const { return arrival_rate() > 0; }
   double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& law() const { return law_; }
 
@@ -33,6 +36,9 @@ class ImpulseTrain {
   double rate_moment(int order) const { return arrival_rate() * law_.moment(order); }
   /// lambda E[Y^2], the intensity of the Gaussian white noise of equal power.
   double intensity() const { return rate_moment(2); }
+
+  /// Impulses -Y.
+  ImpulseTrain mirrored() const;
 
  private:
   ImpulseParameters parameters_;

@@ -1,20 +1,36 @@
 #include "problem/motion_balances.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fpkcheck::problem {
 
 Balance virial_balance(const Problem& problem, const VirialTerms& terms) {
-  return {.left = terms.mean_square_velocity,
-          .right = terms.mean_virial - problem.impulses.rate_moment(1) * terms.mean_displacement,
-          .scale = terms.mean_square_velocity};
+  const System& system = problem.system;
+  double right = terms.mean_virial - problem.impulses.rate_moment(1) * terms.mean_displacement;
+  if (system.rayleigh() != 0) right += system.rayleigh() * terms.mean_y_cubed_velocity;
+  if (const auto& wall = system.right()) {
+    right += (1 + wall->restitution) * wall->position * terms.right_momentum;
+  }
+  return {.left = terms.mean_square_velocity, .right = right, .scale = terms.mean_square_velocity};
 }
 
 Balance momentum_balance(const Problem& problem, const MomentumTerms& terms) {
-  const double from_wall = (1 + problem.system.restitution()) * terms.impact_momentum;
-  return {.left = terms.mean_force,
-          .right = problem.impulses.rate_moment(1) + from_wall,
-          .scale = std::max(terms.mean_force, from_wall)};
+  const System& system = problem.system;
+  double taken = terms.mean_force;
+  if (system.rayleigh() != 0) taken += system.rayleigh() * terms.mean_cubed_velocity;
+  double given = 0, from_walls = 0;
+  if (system.left()) given += (1 + system.restitution()) * terms.impact_momentum;
+  given += terms.held_at_rest;
+  from_walls = std::abs(given);
+  if (const auto& wall = system.right()) {
+    const double back = (1 + wall->restitution) * terms.right_momentum;
+    from_walls += back;
+    given -= back;
+  }
+  return {.left = taken,
+          .right = problem.impulses.rate_moment(1) + given,
+          .scale = std::max(std::abs(taken), from_walls)};
 }
 
 }  // namespace fpkcheck::problem

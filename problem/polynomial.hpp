@@ -35,6 +35,20 @@ class Polynomial {
     for (std::size_t n = 1; n <= kDegree; ++n) d[n - 1] = static_cast<double>(n) * a_[n];
     return Polynomial(d);
   }
+  /// The polynomial of x that this one is at y = origin + sign x (Horner's rule for polynomials).
+  constexpr Polynomial of_shifted(double origin, double sign) const {
+    Coefficients q{};
+    for (std::size_t n = kDegree + 1; n-- > 0;) {
+      for (std::size_t m = kDegree; m > 0; --m) q[m] = origin * q[m] + sign * q[m - 1];
+      q[0] = origin * q[0] + a_[n];
+    }
+    return Polynomial(q);
+  }
+  constexpr Polynomial times(double factor) const {
+    Coefficients p{};
+    for (std::size_t n = 0; n <= kDegree; ++n) p[n] = factor * a_[n];
+    return Polynomial(p);
+  }
   /// y times the polynomial. @pre degree() < kDegree
   constexpr Polynomial times_argument() const {
     Coefficients p{};

@@ -6,19 +6,22 @@
 #include <algorithm>
 
 #include "parameters/input_error.hpp"
+#include "problem/confinement.hpp"
+#include "problem/magnitude.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
-using parameters::Values;
-
-const Values& values_of(const std::vector<Section>& sections, const std::string& name) {
+const Section* section_of(const std::vector<Section>& sections, const std::string& name) {
   const auto found = std::ranges::find(sections, name, &Section::name);
-  if (found == sections.end()) {
-    throw InputError(
-        fmt::format("{} is missing (of another version of the program? run again)", name));
-  }
-  return found->values;
+  return found == sections.end() ? nullptr : &*found;
+}
+
+template <class Owner>
+Owner owner_of(const std::vector<Section>& sections, const std::string& name,
+               const parameters::Description<Owner>& description) {
+  const Section* section = section_of(sections, name);
+  return section == nullptr ? Owner{} : description.read(section->values, name);
 }
 
 std::string number_text(const parameters::Value& value) {
@@ -28,44 +31,80 @@ std::string number_text(const parameters::Value& value) {
 
 }  // namespace
 
+double total_intensity(const Problem& problem) {
+  return problem.impulses.rate_moment(2) + problem.noise.intensity;
+}
+
+const std::vector<const parameters::Descriptions*>& case_descriptions() {
+  static const std::vector<const parameters::Descriptions*> all{
+      &system_description(), &wall_description(), &impulse_description(), &noise_description()};
+  return all;
+}
+
 std::vector<Section> sections(const Problem& problem) {
-  return {{"system", system_description().values(problem.system.coefficients())},
-          {"impulse", impulse_description().values(problem.impulses.parameters())}};
+  std::vector<Section> all{
+      {"system", system_description().named_values(problem.system.coefficients())}};
+  const WallParameters& walls = problem.system.wall_parameters();
+  if (!walls.empty()) all.push_back({"wall", wall_description().named_values(walls)});
+  if (problem.impulses.present()) {
+    all.push_back({"impulse", impulse_description().values(problem.impulses.parameters())});
+  }
+  if (problem.noise.present()) {
+    all.push_back({"noise", noise_description().values(problem.noise)});
+  }
+  return all;
 }
 
 Problem problem_from(const std::string& name, const std::vector<Section>& sections) {
-  return {name, System(system_description().read(values_of(sections, "system"), "system")),
-          ImpulseTrain(impulse_description().read(values_of(sections, "impulse"), "impulse"))};
+  const Section* system = section_of(sections, "system");
+  if (system == nullptr) {
+    throw InputError("system is missing (of another version of the program? run again)");
+  }
+  const auto noise = owner_of(sections, "noise", noise_description());
+  noise_description().validate(noise);
+  require_magnitudes(noise_description(), noise);
+  Problem problem{.name = name,
+                  .system = System(system_description().read(system->values, "system"),
+                                   owner_of(sections, "wall", wall_description())),
+                  .impulses = {},
+                  .noise = noise};
+  if (const Section* impulse = section_of(sections, "impulse")) {
+    problem.impulses = ImpulseTrain(impulse_description().read(impulse->values, "impulse"));
+  }
+  require_stationary(problem);
+  return problem;
 }
 
 std::vector<ShownParameter> shown_parameters(const Problem& problem) {
   std::vector<ShownParameter> shown;
-  const auto add = [&](const Section& section, const parameters::Descriptions& description) {
+  for (const Section& section : sections(problem)) {
+    const auto description = std::ranges::find(case_descriptions(), section.name + '.',
+                                               &parameters::Descriptions::prefix);
     for (const auto& [name, value] : section.values) {
-      const auto& parameter = *description.find(name);
+      const auto& parameter = *(*description)->find(name);
       shown.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,
                        value, parameter.fallback == value});
     }
-  };
-  const auto all = sections(problem);
-  add(all[0], system_description());
-  add(all[1], impulse_description());
+  }
   return shown;
 }
 
 std::string parameters_text(const Problem& problem, bool typeset) {
-  std::vector<std::string> of_system, of_impulses;
+  std::vector<std::string> of_system, of_excitation;
   for (const auto& p : shown_parameters(problem)) {
     if (p.usual) continue;
-    auto& part = p.section == "system" ? of_system : of_impulses;
+    const bool moves = p.section == "system" || p.section == "wall";
+    auto& part = moves ? of_system : of_excitation;
     const auto& symbol = typeset ? p.typeset : p.symbol;
-    if (symbol.empty()) {
+    if (std::holds_alternative<bool>(p.value)) {
+      part.push_back("no wall");
+    } else if (symbol.empty()) {
       part.insert(part.begin(), fmt::format("{} impulses", number_text(p.value)));
     } else {
       part.push_back(fmt::format("{} = {}", symbol, number_text(p.value)));
     }
   }
-  return fmt::format("{}; {}", fmt::join(of_system, ", "), fmt::join(of_impulses, ", "));
+  return fmt::format("{}; {}", fmt::join(of_system, ", "), fmt::join(of_excitation, ", "));
 }
 
 }  // namespace fpkcheck::problem

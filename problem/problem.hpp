@@ -5,6 +5,7 @@
 
 #include "parameters/value.hpp"
 #include "problem/impulse_train.hpp"
+#include "problem/noise.hpp"
 #include "problem/system.hpp"
 
 namespace fpkcheck::problem {
@@ -13,20 +14,30 @@ namespace fpkcheck::problem {
 struct Problem {
   std::string name;  ///< the case's name, used in reports
   System system;
-  ImpulseTrain impulses;
+  ImpulseTrain impulses = {};  ///< none, where there is noise alone
+  Noise noise = {};            ///< none, where there are impulses alone
+  /// Where the system's coordinate lies on the physical axis; a solver states moments by it.
+  Frame frame = {};
 };
 
-/// A section of a case file: "system", "impulse".
+/// lambda E[Y^2] + 2D: the intensity of the Gaussian white noise of equal power.
+double total_intensity(const Problem& problem);
+
+/// A section of a case file: "system", "wall", "impulse", "noise".
 struct Section {
   std::string name;
   parameters::Values values;  ///< in the order of its description
 };
 
-/// What defines a problem besides its name, as case files hold it.
+/// The sections of case files, in their order.
+const std::vector<const parameters::Descriptions*>& case_descriptions();
+
+/// What defines a problem besides its name, as case files hold it: [system], and what else there is.
 std::vector<Section> sections(const Problem& problem);
 
 /// The problem that such sections define.
-/// @throws InputError naming the key that is missing, unknown, of the wrong type or out of range
+/// @throws InputError naming the key that is missing, unknown, of the wrong type or out of range; or
+/// saying why there is no stationary density (problem/confinement.hpp)
 Problem problem_from(const std::string& name, const std::vector<Section>& sections);
 
 /// A parameter as tables, titles and files show it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "results/curve_of.hpp"
@@ -19,10 +20,22 @@ const Curve* curve_among(const std::vector<Curve>& curves, std::string_view solu
   return found == curves.end() ? nullptr : &*found;
 }
 
+// Of bins that are all as wide; nothing where they are not.
+std::optional<double> even_width(const std::vector<double>& centres) {
+  if (centres.size() < 2) return std::nullopt;
+  constexpr double kRounding = 1e-6;
+  const double width = (centres.back() - centres.front()) / static_cast<double>(centres.size() - 1);
+  for (std::size_t k = 1; k < centres.size(); ++k) {
+    if (std::abs(centres[k] - centres[k - 1] - width) > kRounding * width) return std::nullopt;
+  }
+  return width;
+}
+
 }  // namespace
 
 std::vector<double> bin_widths(const Curve& curve) {
   const auto& centres = curve.abscissa;
+  if (const auto width = even_width(centres)) return std::vector(centres.size(), *width);
   std::vector<double> widths(centres.size());
   // From the edge at 0 outwards, on either side.
   const auto outwards = [](auto centre, auto end, auto width) {

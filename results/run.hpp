@@ -29,7 +29,7 @@ struct Curve {
   bool operator==(const Curve&) const = default;
 };
 
-/// The widths of a curve's bins, shape (n): bins join, and 0 is one of their edges.
+/// The widths of a curve's bins, shape (n): bins join, and are all as wide, or 0 is one of their edges.
 std::vector<double> bin_widths(const Curve& curve);
 
 /// The joint density of (y, y') of one solution, as averages over common cells.

@@ -5,13 +5,13 @@
 #include <variant>
 #include <vector>
 
-/// Joint densities of (y, y') on the physical half-plane y >= 0. Every solver's result takes one of
-/// these two forms; all are normalised to 1 over the half-plane.
+/// Joint densities of (y, y') between the walls: on the half-plane y >= 0 in the paper. Every
+/// solver's result takes one of these two forms; all are normalised to 1, less atoms of rest.
 namespace fpkcheck::transform {
 
 /// Averages over rectilinear cells (finite differences, histograms).
 struct GridDensity {
-  std::vector<double> y_edges;   ///< ny + 1 increasing edges, the first one 0
+  std::vector<double> y_edges;   ///< ny + 1 increasing edges; walls are ends
   std::vector<double> v_edges;   ///< nv + 1 increasing edges
   std::vector<double> averages;  ///< row-major, shape (ny, nv)
 
@@ -20,11 +20,12 @@ struct GridDensity {
   double average(std::size_t i, std::size_t j) const { return averages[i * nv() + j]; }
 };
 
-/// A function given pointwise, zero outside [0, y_max] x [-v_max, v_max].
+/// A function given pointwise, zero outside [y_min, y_max] x [-v_max, v_max].
 struct SmoothDensity {
   std::function<double(double y, double v)> value;
   double y_max;
   double v_max;
+  double y_min = 0;
 };
 
 using Density = std::variant<GridDensity, SmoothDensity>;
@@ -48,7 +49,7 @@ inline constexpr NamedMoment kMoments[] = {
     {"v2", "E[y'^2]", &Moments::v2, &Moments::v2}, {"v4", "E[y'^4]", &Moments::v4, &Moments::v4}};
 
 /// Integral of g(y, v) p(y, v) over the support, by composite Gauss-Legendre panels on
-/// [0, y_max] x [-v_max, 0] x [0, v_max].
+/// [y_min, y_max] x [-v_max, 0] x [0, v_max].
 double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g);
 
 /// int_{v<0} |v|^power p(0, v) dv: power 1 gives the impact rate, 3 twice the energy flux of paper

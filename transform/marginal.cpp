@@ -39,8 +39,9 @@ std::vector<double> bin_averages(const SmoothDensity& density, Variable variable
       return integrate_panels(p, -density.v_max, 0.0, kPanelsOfAMarginal) +
              integrate_panels(p, 0.0, density.v_max, kPanelsOfAMarginal);
     }
-    return integrate_panels([&](double y) { return density.value(y, x); }, 0.0, density.y_max,
-                            kPanelsOfAMarginal);
+    return integrate_panels([&](double y) { return density.value(y, x); }, density.y_min,
+                            density.y_max,
+                            density.y_min < 0 ? 2 * kPanelsOfAMarginal : kPanelsOfAMarginal);
   };
   std::vector<double> averages;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {

@@ -7,6 +7,9 @@
 namespace fpkcheck::transform {
 namespace {
 
+// Of y where it has no wall at 0.
+constexpr int kPanelsBetweenOpenEnds = 20;
+
 std::vector<WeightedPoint> half_line_points(double end, Panels panels) {
   // Each covers about one standard deviation of a bell that fills the box.
   constexpr int kEven = 8;
@@ -42,7 +45,9 @@ double distance(const std::vector<double>& p, const std::vector<double>& q,
 
 PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
                                Panels panels) {
-  const auto y_points = half_line_points(y_max, panels);
+  const auto y_points = density.y_min == 0
+                            ? half_line_points(y_max, panels)
+                            : panel_points(density.y_min, y_max, kPanelsBetweenOpenEnds);
   auto v_points = half_line_points(v_max, panels);
   for (std::size_t j = 0, half = v_points.size(); j < half; ++j) {
     v_points.push_back({-v_points[j].at, v_points[j].weight});

@@ -17,7 +17,7 @@ enum class Panels {
 };
 
 /// A density's marginals at the points of a composite Gauss-Legendre rule on
-/// [0, y_max] x [-v_max, 0] x [0, v_max], with what can be had from the same values.
+/// [y_min, y_max] x [-v_max, 0] x [0, v_max], with what can be had from the same values.
 struct PanelMarginals {
   std::vector<double> y;         ///< the rule's points in y
   std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the rule's points
@@ -26,7 +26,8 @@ struct PanelMarginals {
   Moments moments = {};
 };
 
-/// The box may be that of another density, so that two can be compared.
+/// The box may be that of another density, so that two can be compared. Panels are those of a wall at
+/// y = 0; where the density's y_min is another they are even.
 PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
                                Panels panels = Panels::even);
 

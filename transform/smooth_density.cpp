@@ -12,7 +12,8 @@ constexpr int kPanels = 8;
 }  // namespace
 
 double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g) {
-  const auto y_points = panel_points(0.0, density.y_max, kPanels);
+  const auto y_points =
+      panel_points(density.y_min, density.y_max, density.y_min < 0 ? 2 * kPanels : kPanels);
   auto v_points = panel_points(-density.v_max, 0.0, kPanels);
   const auto upper = panel_points(0.0, density.v_max, kPanels);
   v_points.insert(v_points.end(), upper.begin(), upper.end());

@@ -23,7 +23,8 @@ enum class Status {
   ill_posed,      ///< the discrete problem as asked for grows without bound
   inaccurate,     ///< the equations are met, with an error larger than was asked for
   inadmissible,   ///< the equations are met, but by no probability density
-  failed          ///< the solver broke down
+  failed,         ///< the solver broke down
+  not_offered     ///< the solver does not treat such a problem
 };
 /// As written in summary.json.
 inline constexpr parameters::Named<Status> kStatusNames[] = {
@@ -33,7 +34,8 @@ inline constexpr parameters::Named<Status> kStatusNames[] = {
     {Status::inaccurate, "inaccurate", "the stated error is larger than was asked for"},
     {Status::inadmissible, "inadmissible",
      "the equations are met, but not by a probability density"},
-    {Status::failed, "failed", "the solver broke down"}};
+    {Status::failed, "failed", "the solver broke down"},
+    {Status::not_offered, "not_offered", "the solver does not treat such a problem"}};
 constexpr std::span<const parameters::Named<Status>> names(Status) { return kStatusNames; }
 constexpr std::string_view name(Status status) { return parameters::name_of(status); }
 
@@ -74,6 +76,14 @@ struct StatedError {
   Moments moments = {};  ///< absolute
 };
 
+/// The probability of rest in contact with a wall: the density's mass and these are 1 together.
+struct RestAtom {
+  double y = 0;  ///< of the wall
+  double probability = 0;
+  std::optional<double> standard_error = {};  ///< of a solution that chance enters
+  std::optional<double> stated_error = {};    ///< what the method states of its own error
+};
+
 /// What every solver returns, whatever its method, and what a run that was saved has of it.
 struct Solution {
   Identity identity;
@@ -94,9 +104,10 @@ struct Solution {
 
   /// Of the density, where there is one.
   Moments moments = {};
-  double mass = 0;             ///< integral of the density as returned
-  double min_density = 0;      ///< smallest value, relative to the largest
-  double energy_residual = 0;  ///< problem::energy_residual
+  double mass = 0;                   ///< integral of the density as returned, with the atoms
+  std::vector<RestAtom> atoms = {};  ///< at walls to which the mass is pressed; else none
+  double min_density = 0;            ///< smallest value, relative to the largest
+  double energy_residual = 0;        ///< problem::energy_residual
 
   std::optional<StandardErrors> standard_errors = {};
   std::optional<SamplingError> sampling = {};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dual/backward/impulse_table.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::dual {
 namespace {
@@ -68,6 +69,9 @@ double Weight::operator()(double y, double v) const {
 }
 
 std::string weight_refused(const problem::Problem& problem) {
+  if (!problem::features(problem).original) {
+    return "no bounds but for one wall at the equilibrium, constant damping and impulses alone";
+  }
   const double c = problem.system.damping(), k = problem.system.stiffness();
   const bool under_damped =
       rounded_upward([&] { return (4.0 * Interval(k) - square(Interval(c))).lower() > 0; });

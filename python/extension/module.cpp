@@ -99,11 +99,9 @@ py::object object_of(const parameters::Value& value) {
 
 std::vector<std::string> keys() {
   std::vector<std::string> all;
-  const auto add = [&](const parameters::Descriptions& section) {
-    for (const auto& parameter : section.all()) all.push_back(section.prefix() + parameter.name);
-  };
-  add(problem::system_description());
-  add(problem::impulse_description());
+  for (const auto* section : problem::case_descriptions()) {
+    for (const auto& parameter : section->all()) all.push_back(section->prefix() + parameter.name);
+  }
   return all;
 }
 

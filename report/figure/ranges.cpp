@@ -20,6 +20,27 @@ struct Extent {
   }
 };
 
+constexpr double kVisiblePart = 1.0 / 500;
+
+// Bin centres start half a bin beside the wall: the end of the bins is drawn where it is the wall at
+// y = 0, and where the density does not fade out before it.
+void include_walls(const results::Curve& curve, double peak, Extent& linear, Extent& logarithmic) {
+  const auto widths = results::bin_widths(curve);
+  if (widths.empty()) return;
+  const double low = curve.abscissa.front() - widths.front() / 2;
+  const double high = curve.abscissa.back() + widths.back() / 2;
+  const bool at_zero = std::abs(low) < widths.front() / 100;
+  const auto seen = [&](double density) { return density > kVisiblePart * peak; };
+  for (Extent* extent : {&linear, &logarithmic}) {
+    if (at_zero) {
+      extent->include(0);
+    } else if (seen(curve.density.front())) {
+      extent->include(low);
+    }
+    if (seen(curve.density.back())) extent->include(high);
+  }
+}
+
 }  // namespace
 
 std::vector<bool> DrawnCurve::broad_bins() const {
@@ -43,7 +64,6 @@ std::string beyond_the_top(const FigureRanges& ranges) {
 }
 
 FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
-  constexpr double kVisiblePart = 1.0 / 500;
   Extent linear, logarithmic;
   double linear_top = 0, largest_density = 0, largest_difference = 0;
   double least_difference = std::numeric_limits<double>::infinity();
@@ -71,11 +91,7 @@ FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
     }
     largest_difference = std::max(largest_difference, peak_difference);
     if (peak_difference > 0) least_difference = std::min(least_difference, peak_difference);
-    // Bin centres start half a bin beside the wall.
-    if (curve->variable == transform::Variable::y) {
-      linear.include(0);
-      logarithmic.include(0);
-    }
+    if (curve->variable == transform::Variable::y) include_walls(*curve, peak, linear, logarithmic);
   }
   return {.linear_from = linear.from,
           .linear_to = linear.to,

@@ -66,14 +66,16 @@ double largest_value(const ErrorSource& source) {
   return most;
 }
 
-/// The cells in which some map is visible, from the wall on and to both sides of rest.
+/// The cells in which some map is visible: from y = 0 on where the cells begin there, and to both
+/// sides of rest.
 struct VisiblePart {
-  std::size_t y = 1, v_begin = 0, v_end = 0;
+  std::size_t y_begin = 0, y_end = 1, v_begin = 0, v_end = 0;
 };
 
 VisiblePart visible_part(const Case& one, const std::vector<std::string>& ids) {
   const auto& cells = one.error_source(ids.front(), kRows[0].moment)->density;
-  VisiblePart part{.y = 1, .v_begin = cells.nv(), .v_end = 0};
+  VisiblePart part{.v_begin = cells.nv(), .v_end = 0};
+  if (cells.y_edges.front() != 0) part.y_begin = cells.ny() - 1;
   for (const auto& id : ids) {
     for (const MapRow& row : kRows) {
       const ErrorSource& source = *one.error_source(id, row.moment);
@@ -81,7 +83,8 @@ VisiblePart visible_part(const Case& one, const std::vector<std::string>& ids) {
       for (std::size_t i = 0; i < source.density.ny(); ++i) {
         for (std::size_t j = 0; j < source.density.nv(); ++j) {
           if (std::abs(source.density.average(i, j)) <= least) continue;
-          part.y = std::max(part.y, i + 1);
+          part.y_begin = std::min(part.y_begin, i);
+          part.y_end = std::max(part.y_end, i + 1);
           part.v_begin = std::min({part.v_begin, j, cells.nv() - 1 - j});
           part.v_end = std::max({part.v_end, j + 1, cells.nv() - j});
         }
@@ -104,7 +107,7 @@ std::string source_block(const ErrorSource& source, const std::string& name,
   std::string text = name + " << EOD\n";
   const double limit = limit_of(source);
   for (std::size_t j = part.v_begin; j < part.v_end; ++j) {
-    for (std::size_t i = 0; i < part.y; ++i) {
+    for (std::size_t i = part.y_begin; i < part.y_end; ++i) {
       text += fmt::format("{:.3g} ", signed_root(source.density.average(i, j), limit));
     }
     text += '\n';
@@ -132,14 +135,14 @@ std::string source_panel(const Case& one, const std::string& id, std::size_t col
   const double dy = y[1] - y[0], dv = v[1] - v[0];  // uniform cells
   return fmt::format(
       "set title {}\nset ylabel {}\n{}"
-      "set xrange [0:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\nset cbtics ({})\n"
+      "set xrange [{:.4g}:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\nset cbtics ({})\n"
       "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n"
       "plot {} matrix using ({:.6g}+{:.6g}*$1):({:.6g}+{:.6g}*$2):3 with image notitle\n\n",
       gnuplot_text(fmt::format("{} of {}: {:+.1e}", what.symbol, without_marks(id), error)),
-      gnuplot_text("{/:Italic y}'"), margins(place), y[part.y], v[part.v_begin], v[part.v_end],
-      colour_tics(limit_of(source)), place.right + 8.0 / grid.width, place.bottom,
-      static_cast<double>(kColourBar) / grid.width, place.top - place.bottom,
-      source_block_name(column, what), y[0] + dy / 2, dy, v[part.v_begin] + dv / 2, dv);
+      gnuplot_text("{/:Italic y}'"), margins(place), y[part.y_begin], y[part.y_end],
+      v[part.v_begin], v[part.v_end], colour_tics(limit_of(source)), place.right + 8.0 / grid.width,
+      place.bottom, static_cast<double>(kColourBar) / grid.width, place.top - place.bottom,
+      source_block_name(column, what), y[part.y_begin] + dy / 2, dy, v[part.v_begin] + dv / 2, dv);
 }
 
 // A column for each density on a screen; on paper a row, or a map below another.

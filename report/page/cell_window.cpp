@@ -10,9 +10,11 @@ CellWindow window_above(const GridDensity& density, double part) {
   const double peak = *std::ranges::max_element(density.averages);
   if (!(peak > 0)) return {density.ny(), 0, density.nv()};
   CellWindow window{1, density.nv() - 1, 1};
+  if (density.y_edges.front() != 0) window.y_begin = density.ny() - 1;
   for (std::size_t i = 0; i < density.ny(); ++i) {
     for (std::size_t j = 0; j < density.nv(); ++j) {
       if (density.average(i, j) <= part * peak) continue;
+      window.y_begin = std::min(window.y_begin, i);
       window.y_end = std::max(window.y_end, i + 1);
       window.v_begin = std::min(window.v_begin, j);
       window.v_end = std::max(window.v_end, j + 1);
@@ -25,7 +27,8 @@ std::vector<double> rows_of_constant_velocity(const GridDensity& density,
                                               const CellWindow& window) {
   std::vector<double> values;
   for (std::size_t j = window.v_begin; j < window.v_end; ++j) {
-    for (std::size_t i = 0; i < window.y_end; ++i) values.push_back(density.average(i, j));
+    for (std::size_t i = window.y_begin; i < window.y_end; ++i)
+      values.push_back(density.average(i, j));
   }
   return values;
 }

@@ -11,11 +11,12 @@ namespace fpkcheck::report {
 /// simulation has few samples), and on linear ones.
 inline constexpr double kSeen = 1e-5, kBulk = 1.0 / 500;
 
-/// Half-open ranges of cells, from the wall on.
+/// Half-open ranges of cells.
 struct CellWindow {
-  std::size_t y_end, v_begin, v_end;
+  std::size_t y_end, v_begin, v_end, y_begin = 0;
 };
-/// Where the density exceeds this part of its peak; all where it has none.
+/// Where the density exceeds this part of its peak, and from y = 0 on where the cells begin there; all
+/// where it has none.
 CellWindow window_above(const transform::GridDensity& density, double part);
 
 /// The averages in a window as heat maps are drawn: shape (nv, ny).

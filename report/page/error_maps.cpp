@@ -74,7 +74,8 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
     return std::nullopt;
   }
   const CellWindow window = window_above(joint->density, kSeen);
-  ErrorMaps maps{{cells.y_edges.begin(), cells.y_edges.begin() + std::ptrdiff_t(window.y_end) + 1},
+  ErrorMaps maps{{cells.y_edges.begin() + std::ptrdiff_t(window.y_begin),
+                  cells.y_edges.begin() + std::ptrdiff_t(window.y_end) + 1},
                  {cells.v_edges.begin() + std::ptrdiff_t(window.v_begin),
                   cells.v_edges.begin() + std::ptrdiff_t(window.v_end) + 1},
                  {}};

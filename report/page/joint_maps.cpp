@@ -92,10 +92,10 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
   const CellWindow window = window_above(density, kSeen), bulk = window_above(density, kBulk);
   JointMaps maps{
       reference->solution,
-      {density.y_edges.begin(), density.y_edges.begin() + window.y_end + 1},
+      {density.y_edges.begin() + window.y_begin, density.y_edges.begin() + window.y_end + 1},
       {density.v_edges.begin() + window.v_begin, density.v_edges.begin() + window.v_end + 1},
       rows_of_constant_velocity(density, window),
-      {0, density.y_edges[bulk.y_end]},
+      {density.y_edges[bulk.y_begin], density.y_edges[bulk.y_end]},
       {density.v_edges[bulk.v_begin], density.v_edges[bulk.v_end]},
       {}};
   for (const auto& id : compared(one, reference->solution)) {
@@ -120,7 +120,7 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
       "</label>\n"
       "<label>Colours: <select id=\"{1}-joint-scale\"><option value=\"linear\">linear</option>"
       "<option value=\"logarithmic\">logarithmic</option></select></label></p>\n"
-      "<p>L1 is here the integral of |p(y, y\u2032) \u2212 reference| over the half-plane.</p>\n"
+      "<p>L1 is here the integral of |p(y, y\u2032) \u2212 reference| over the plane.</p>\n"
       "<div class=\"maps\">\n",
       reference, prefix, options);
   const std::string parts[][2] = {

@@ -10,6 +10,7 @@
 #include "report/page/families.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
+#include "report/page/problem_statement.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -17,16 +18,6 @@ namespace {
 using problem::Problem;
 using problem::ShownParameter;
 using transform::Solution;
-
-constexpr const char* kProblem =
-    R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by random
-impulses:</p>
-<p class="formula">y″ + c y′ + k y + μ y³ = Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>) &nbsp; for y &gt; 0,
-&emsp; y′<sub>+</sub> = −r y′<sub>−</sub> &nbsp; at y = 0.</p>
-<p>The impulses arrive as a Poisson process of rate λ; their amplitudes Y are independent and follow one law. Sought is the
-stationary probability density p(y, y′) of displacement and velocity, and from it p(y) and p(y′). All quantities are
-non-dimensional.</p>
-)html";
 
 constexpr const char* kColumns =
     R"html(<dt>L1</dt><dd>Integral of |p − other p|: 0 for equal densities, 2 for disjoint ones.</dd>
@@ -140,7 +131,9 @@ std::string problem_html(const results::Run& run) {
       }
     }
   }
-  std::string html = kProblem;
+  std::vector<const Problem*> problems;
+  for (const auto& one : run.cases) problems.push_back(&one.problem);
+  std::string html = problem_statement(problems);
   if (!same.empty()) {
     html += element("p", fmt::format("{}: {}.", run.cases.size() > 1 ? "In all cases" : "Here",
                                      fmt::join(same, "; ")));

@@ -12,7 +12,7 @@ using transform::Status;
 
 constexpr std::pair<Status, char> kStatusMarks[] = {
     {Status::inaccurate, '~'}, {Status::inadmissible, '!'}, {Status::not_converged, 'x'},
-    {Status::ill_posed, 'i'},  {Status::failed, 'f'},
+    {Status::ill_posed, 'i'},  {Status::failed, 'f'},       {Status::not_offered, '-'},
 };
 constexpr char kSame = '=', kNone = ' ';
 

@@ -20,6 +20,8 @@ std::string_view words_for(Status status) {
       return "no probability density";
     case Status::ill_posed:
       return "the discrete problem grows without bound";
+    case Status::not_offered:
+      return "does not treat such a problem";
     default:
       return "the solver broke down";
   }

@@ -26,7 +26,7 @@ struct StatusLetter {
 constexpr StatusLetter kStatusLetters[] = {
     {'o', Status::ok},           {'x', Status::ok, true},      {'i', Status::inaccurate},
     {'a', Status::inadmissible}, {'n', Status::not_converged}, {'p', Status::ill_posed},
-    {'f', Status::failed}};
+    {'f', Status::failed},       {'o', Status::not_offered}};
 
 std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   std::vector<std::string_view> parts;

@@ -112,7 +112,7 @@ TEST(CaseFile, NamesTheLine) {
             0u);
   EXPECT_EQ(message(changed("= 0.9", "= 1.9")).find("case a.ini:5: system.restitution = 1.9"), 0u);
   // Not the file's.
-  EXPECT_EQ(message(kGood, {"system.cubic=-1"}).find("case a.ini: system.cubic = -1"), 0u);
+  EXPECT_EQ(message(kGood, {"system.cubic=1e31"}).find("case a.ini: system.cubic = 1e+31"), 0u);
 }
 
 TEST(CaseFile, AKeyIsOverriddenOnce) {

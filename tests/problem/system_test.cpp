@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "parameters/input_error.hpp"
@@ -26,12 +27,9 @@ void expect_refused(Change change, const std::string& key) {
 }
 
 TEST(System, RefusesEachCoefficientOutOfItsRangeByName) {
-  expect_refused([](auto& c) { c.damping = 0; }, "damping");
-  expect_refused([](auto& c) { c.damping = -0.1; }, "damping");
   expect_refused([](auto& c) { c.damping = std::numeric_limits<double>::quiet_NaN(); }, "damping");
-  expect_refused([](auto& c) { c.stiffness = -1; }, "stiffness");
-  expect_refused([](auto& c) { c.stiffness = c.cubic = 0; }, "stiffness");
-  expect_refused([](auto& c) { c.cubic = -0.1; }, "cubic");
+  expect_refused([](auto& c) { c.quintic = HUGE_VAL; }, "quintic");
+  expect_refused([](auto& c) { c.cubic = 1e31; }, "cubic");
   expect_refused([](auto& c) { c.restitution = 0; }, "restitution");
   expect_refused([](auto& c) { c.restitution = 1.0001; }, "restitution");
 }

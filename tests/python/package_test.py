@@ -162,7 +162,7 @@ class Input(unittest.TestCase):
         for got, expected in (
             (refusal(case, "case1", damping=-1), "case case1: system.damping = -1 (must be"),
             (refusal(case, "case9"), "no case 'case9'"),
-            (refusal(case, "case1", dampin=1), "unknown key 'dampin' (known keys: system.damping"),
+            (refusal(case, "case1", dampin=1), "unknown key 'dampin' (known keys: system.{damping"),
             (refusal(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
             (refusal(solve, "case1", "fd-nonsense"), "--methods: 'fd-nonsense' is no method"),
             (refusal(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "'mcs.sed' is no option (known: mcs."),

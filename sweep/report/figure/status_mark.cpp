@@ -22,6 +22,8 @@ int point_type(Status status) {
       return 2;  // a cross
     case Status::failed:
       return 3;  // a star
+    case Status::not_offered:
+      return 4;  // a square
   }
   return 0;
 }

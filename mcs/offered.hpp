@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "mcs/options.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::mcs {
+
+/// Why this solver does not treat a problem, in one phrase; empty where it does.
+std::string objection(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::mcs

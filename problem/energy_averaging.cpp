@@ -1,0 +1,189 @@
+#include "problem/energy_averaging.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace fpkcheck::problem {
+namespace {
+
+constexpr double kDepth = 60;  // exp(-60) of the largest density is nothing
+constexpr int kBands = 300;
+constexpr const char* kGivesEnergy = "damping and impacts take no energy from large motions";
+constexpr std::size_t kMostBranches = 4;  // wells of a potential of degree 6, between walls
+
+}  // namespace
+
+EnergyAveraging::EnergyAveraging(const Problem& problem)
+    : orbits_(problem), diffusion_(total_intensity(problem) / 2) {
+  double low = 0, high = 0;
+  if (find_range(low, high)) fill(low, high);
+}
+
+double EnergyAveraging::slope(const Orbit& orbit) const {
+  return orbit.action > 0 ? orbit.loss / (diffusion_ * orbit.action) : 0;
+}
+
+// Up from the bottom in steps that grow, over all orbits of an energy together.
+bool EnergyAveraging::find_range(double& low, double& high) {
+  constexpr double kSmallest = 1e-40, kLargest = 1e60, kGrowth = 1.25;
+  const double bottom = orbits_.lowest_potential();
+  const double resolved = std::abs(bottom) * 1e-12;
+  struct Level {
+    double above, phi;
+  };
+  // dPhi/dh over all orbits of an energy together; nothing where there is none.
+  const auto slope_at = [&](double above) -> std::optional<double> {
+    double loss = 0, action = 0;
+    for (const Swing& swing : orbits_.swings(bottom + above)) {
+      const Orbit orbit = orbits_.orbit(swing, bottom + above);
+      loss += orbit.loss;
+      action += orbit.action;
+    }
+    if (!(action > 0)) return std::nullopt;
+    return loss / (diffusion_ * action);
+  };
+  std::vector<Level> levels{{0, 0}};
+  double least = 0;
+  for (double above = kSmallest; above < kLargest; above *= kGrowth) {
+    if (above < resolved) continue;
+    const auto slope_here = slope_at(above);
+    if (!slope_here) continue;
+    const double phi = levels.back().phi + *slope_here * (above - levels.back().above);
+    if (!std::isfinite(phi)) break;
+    levels.push_back({above, phi});
+    least = std::min(least, phi);
+    if (phi > least + 2 * kDepth) {
+      // A term of the damping that gives energy may prevail farther out.
+      for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
+        if (slope_at(farther).value_or(0) >= 0) continue;
+        unconfined_ = kGivesEnergy;
+        return false;
+      }
+      const auto within = [&](const Level& level) { return level.phi <= least + kDepth; };
+      const auto first = std::ranges::find_if(levels, within);
+      low = bottom + (first == levels.begin() ? 0.0 : std::prev(first)->above);
+      // Not to the end of a step: Phi may have grown by far more than asked for in one.
+      const auto last = std::find_if(levels.rbegin(), levels.rend(), within);
+      const auto next = std::prev(last);
+      const double share = (least + kDepth - last->phi) / (next->phi - last->phi);
+      high = bottom + last->above + share * (next->above - last->above);
+      return true;
+    }
+  }
+  unconfined_ = levels.back().phi > least
+                    ? "the damping at large energies is too weak to hold the motion"
+                    : kGivesEnergy;
+  return false;
+}
+
+void EnergyAveraging::fill(double low, double high) {
+  step_ = (high - low) / kBands;
+  // From the top, so that each band knows the one that it merges into.
+  std::vector<Band> from_top;
+  std::size_t upper_begin = 0, upper_end = 0;
+  for (int n = kBands - 1; n >= 0; --n) {
+    const double energy = low + (n + 0.5) * step_;
+    const std::size_t begin = from_top.size();
+    for (const Swing& swing : orbits_.swings(energy)) {
+      Band band{.energy = energy,
+                .orbit = orbits_.orbit(swing, energy),
+                .potential = 0,
+                .above = from_top.size()};
+      if (!(band.orbit.period > 0)) continue;
+      const double middle = (swing.left + swing.right) / 2;
+      for (std::size_t u = upper_begin; u < upper_end; ++u) {
+        const Swing& upper = from_top[u].orbit.swing;
+        if (middle < upper.left || middle > upper.right) continue;
+        band.above = u;
+        band.potential =
+            from_top[u].potential - step_ * (slope(band.orbit) + slope(from_top[u].orbit)) / 2;
+      }
+      from_top.push_back(band);
+    }
+    upper_begin = begin;
+    upper_end = from_top.size();
+  }
+  double least = std::numeric_limits<double>::infinity(), total = 0;
+  for (const Band& band : from_top) least = std::min(least, band.potential);
+  for (Band& band : from_top) {
+    band.potential -= least;
+    band.mass = band.orbit.period * std::exp(-band.potential);
+    total += band.mass;
+  }
+  for (Band& band : from_top) {
+    band.mass /= total;
+    band.above = from_top.size() - 1 - band.above;
+  }
+  bands_.assign(from_top.rbegin(), from_top.rend());
+}
+
+// K u = gamma M u on the tree, M the masses and K the conductances between a band and the one above
+// it, by inverse iteration: with no flux at the ends K has the constants as its kernel, which the
+// iteration stays away from. K is solved by elimination from the leaves, without fill-in.
+double EnergyAveraging::relaxation() const {
+  const std::size_t n = bands_.size();
+  // Only relative masses enter; those of exp(-60) would only add rounding errors.
+  std::vector<double> conductance(n, 0);
+  const double unit = [&] {
+    double total = 0;
+    for (const Band& band : bands_) total += band.orbit.period * std::exp(-band.potential);
+    return total;
+  }();
+  for (std::size_t b = 0; b < n; ++b) {
+    const Band& band = bands_[b];
+    if (band.above == b) continue;
+    const Band& upper = bands_[band.above];
+    conductance[b] = diffusion_ * (band.orbit.action + upper.orbit.action) / 2 *
+                     std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) / unit;
+  }
+  std::vector<double> u(n);
+  for (std::size_t b = 0; b < n; ++b) u[b] = bands_[b].orbit.swing.left + bands_[b].energy;
+  const auto centre_and_scale = [&] {
+    double mean = 0, square = 0;
+    for (std::size_t b = 0; b < n; ++b) mean += bands_[b].mass * u[b];
+    for (double& value : u) value -= mean;
+    for (std::size_t b = 0; b < n; ++b) square += bands_[b].mass * u[b] * u[b];
+    for (double& value : u) value /= std::sqrt(square);
+    return std::sqrt(square);
+  };
+  centre_and_scale();
+  double gamma = 0;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    // The flux from a band upwards is all that enters below it, or what leaves elsewhere: the sum
+    // over the smaller mass, since the other one is its negative only up to rounding errors.
+    std::vector<double> below(n), mass_below(n), elsewhere(n);
+    for (std::size_t b = 0; b < n; ++b) {
+      below[b] += bands_[b].mass * u[b];
+      mass_below[b] += bands_[b].mass;
+      const std::size_t above = bands_[b].above;
+      if (above == b) continue;
+      below[above] += below[b];
+      mass_below[above] += mass_below[b];
+    }
+    std::vector<double> next(n);
+    for (std::size_t b = n; b-- > 0;) {
+      const std::size_t above = bands_[b].above;
+      if (above == b) continue;
+      double beside = 0;  // other branches that merge there
+      for (std::size_t other = b; other-- > 0 && b - other < kMostBranches;) {
+        if (bands_[other].above == above) beside += below[other];
+      }
+      for (std::size_t other = b + 1; other < n && other - b < kMostBranches; ++other) {
+        if (other != above && bands_[other].above == above) beside += below[other];
+      }
+      elsewhere[b] = elsewhere[above] + bands_[above].mass * u[above] + beside;
+      const double flux = mass_below[b] < 0.5 ? below[b] : -elsewhere[b];
+      next[b] = next[above] + flux / conductance[b];
+    }
+    u = next;
+    const double grown = centre_and_scale();
+    const double before = gamma;
+    gamma = 1 / grown;
+    if (std::abs(gamma - before) < 1e-6 * gamma) break;
+  }
+  return gamma;
+}
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,17 @@
+#include "problem/noise.hpp"
+
+namespace fpkcheck::problem {
+
+using namespace parameters;
+
+const Description<Noise>& noise_description() {
+  static const auto description =
+      Description<Noise>("noise.")
+          .add("intensity", &Noise::intensity, {"I", "intensity of the Gaussian white noise"},
+               not_negative())
+          .with_symbol("2D", "2D")
+          .with_fallback(0.0);
+  return description;
+}
+
+}  // namespace fpkcheck::problem

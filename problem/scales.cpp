@@ -1,0 +1,124 @@
+#include "problem/scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "problem/energy_averaging.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+constexpr double kDeviations = 7;
+
+Scales by_linearisation(const Problem& problem) {
+  const auto linear = equivalent_linearisation(problem);
+  const double centre = static_deflection(problem);
+  return {.centre = centre,
+          .displacement_deviation = linear.displacement_deviation,
+          .velocity_deviation = linear.velocity_deviation,
+          .y_low = 0,
+          .y_high = centre + kDeviations * linear.displacement_deviation,
+          .v_high = kDeviations * linear.velocity_deviation,
+          .frequency = std::sqrt(linear.stiffness),
+          .slowest_decay = slowest_decay(linear)};
+}
+
+// Far above critical damping the displacement creeps, v = -V'/c: a diffusion with the coefficient
+// D_eff / c^2 in the potential c V / D_eff. The eigenvalue next to 0, by inverse iteration on a line
+// of cells.
+double creeping_relaxation(const Problem& problem, const Scales& scales, double damping) {
+  constexpr int kCells = 200;
+  const double diffusion = total_intensity(problem) / 2;
+  const double mean_force = problem.impulses.rate_moment(1);
+  const double step = (scales.y_high - scales.y_low) / kCells;
+  const double over = diffusion / (damping * damping) / (step * step);
+  std::vector<double> level(kCells), mass(kCells), u(kCells);
+  for (int n = 0; n < kCells; ++n) {
+    const double y = scales.y_low + (n + 0.5) * step;
+    level[n] = damping / diffusion * (problem.system.potential()(y) - mean_force * y);
+    u[n] = y;
+  }
+  const double least = *std::ranges::min_element(level);
+  for (int n = 0; n < kCells; ++n) mass[n] = std::exp(least - level[n]);
+  const double total = [&] {
+    double sum = 0;
+    for (const double m : mass) sum += m;
+    return sum;
+  }();
+  double gamma = 0;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    double mean = 0, square = 0;
+    for (int n = 0; n < kCells; ++n) mean += mass[n] * u[n] / total;
+    for (double& value : u) value -= mean;
+    for (int n = 0; n < kCells; ++n) square += mass[n] * u[n] * u[n] / total;
+    for (double& value : u) value /= std::sqrt(square);
+    const double before = gamma;
+    if (iteration > 0) gamma = 1 / std::sqrt(square);
+    if (iteration > 1 && std::abs(gamma - before) < 1e-6 * gamma) break;
+    // The flux is the sum on the side of the smaller mass: the other one is its negative only up to
+    // rounding errors.
+    std::vector<double> beyond(kCells + 1), next(kCells);
+    for (int n = kCells; n-- > 0;) beyond[n] = beyond[n + 1] + mass[n] * u[n];
+    double before_here = 0, mass_before = 0;
+    for (int n = 0; n + 1 < kCells; ++n) {
+      before_here += mass[n] * u[n];
+      mass_before += mass[n];
+      const double flux = mass_before < total / 2 ? before_here : -beyond[n + 1];
+      const double between = std::exp(least - (level[n] + level[n + 1]) / 2);
+      next[n + 1] = next[n] - (between > 0 ? flux / (over * between) : 0);
+    }
+    u = next;
+  }
+  return gamma;
+}
+
+Scales by_averaging(const Problem& problem) {
+  constexpr double kLevel = kDeviations * kDeviations / 2;
+  const EnergyAveraging averaging(problem);
+  const auto& bands = averaging.bands();
+  Scales scales;
+  double y2 = 0, v2 = 0, damping = 0, lowest = bands.front().orbit.swing.left,
+         highest = bands.front().orbit.swing.right;
+  for (const auto& band : bands) {
+    const Orbit& orbit = band.orbit;
+    const double rate = band.mass / orbit.period;
+    scales.centre += rate * orbit.time_y;
+    y2 += rate * orbit.time_y2;
+    v2 += rate * orbit.action;  // the closed integral of v dy is T times the mean of v^2
+    damping += rate * orbit.time_damping;
+    scales.frequency += rate * 2 * std::numbers::pi;
+    if (band.potential > kLevel) continue;
+    lowest = std::min(lowest, orbit.swing.left);
+    highest = std::max(highest, orbit.swing.right);
+    const UndampedOrbits orbits(problem);
+    scales.v_high =
+        std::max(scales.v_high, std::sqrt(2 * (band.energy - orbits.lowest_potential())));
+  }
+  scales.displacement_deviation =
+      std::sqrt(std::max(y2 - scales.centre * scales.centre, 1e-24 * y2));
+  scales.velocity_deviation = std::sqrt(v2);
+  scales.y_low = lowest;
+  scales.y_high = highest;
+  // The amplitude decays half as fast as the energy.
+  scales.slowest_decay = averaging.relaxation() / 2;
+  if (damping > 0) {
+    scales.slowest_decay =
+        std::min(scales.slowest_decay, creeping_relaxation(problem, scales, damping));
+  }
+  return scales;
+}
+
+}  // namespace
+
+Scales scales(const Problem& problem) {
+  return features(problem).original ? by_linearisation(problem) : by_averaging(problem);
+}
+
+double impulses_per_decay_time(const Problem& problem, const Scales& scales) {
+  return problem.impulses.arrival_rate() / scales.slowest_decay;
+}
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,147 @@
+#include "problem/undamped_orbits.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "problem/real_roots.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+Polynomial with_mean_force(const System& system, double mean_force) {
+  auto coefficients = system.potential().coefficients();
+  coefficients[1] -= mean_force;
+  return Polynomial(coefficients);
+}
+
+}  // namespace
+
+UndampedOrbits::UndampedOrbits(const Problem& problem)
+    : system_(problem.system),
+      potential_(with_mean_force(problem.system, problem.impulses.rate_moment(1))) {
+  const Polynomial slope = potential_.derivative();
+  // Where the slope is one of a single term its root is 0, which a bound of 1 + 0 holds too.
+  const double bound = 2 * root_bound(slope) + 1;
+  const double low = system_.left() ? system_.left()->position : -bound;
+  const double high = system_.right() ? system_.right()->position : bound;
+  if (low < high) turns_ = sign_changes(slope, low, high);
+  // V is monotone between neighbours; what it does after each of them tells which are minima.
+  std::vector<double> knots{low};
+  knots.insert(knots.end(), turns_.begin(), turns_.end());
+  knots.push_back(high);
+  for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
+    const double after = slope((knots[n] + knots[n + 1]) / 2);
+    const bool is_turn = n > 0;
+    if (is_turn ? after > 0 : system_.left() && after >= 0) minima_.push_back(knots[n]);
+    const bool last = n + 2 == knots.size();
+    if (last && system_.right() && after < 0) minima_.push_back(high);
+  }
+}
+
+bool UndampedOrbits::held_on_the_right() const {
+  const Polynomial slope = potential_.derivative();
+  return system_.right() || slope.coefficient(slope.degree()) > 0;
+}
+
+bool UndampedOrbits::held_on_the_left() const {
+  const Polynomial slope = potential_.derivative();
+  const double sign = slope.degree() % 2 == 0 ? 1 : -1;
+  return system_.left() || sign * slope.coefficient(slope.degree()) < 0;
+}
+
+double UndampedOrbits::deepest() const {
+  return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
+}
+
+// Where V = energy beyond a knot at which V is lower, on the side `outwards` where V grows.
+double UndampedOrbits::end(double knot, double outwards, double energy) const {
+  double step = std::max(std::abs(knot) * 1e-8, 1e-30);
+  while (potential_(knot + outwards * step) < energy) step *= 2;
+  std::uintmax_t iterations = 200;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      [&](double x) { return potential_(knot + outwards * x) - energy; }, 0.0, step,
+      boost::math::tools::eps_tolerance<double>(50), iterations);
+  return knot + outwards * (left + right) / 2;
+}
+
+std::vector<Swing> UndampedOrbits::swings(double energy) const {
+  std::vector<double> knots = turns_;
+  if (system_.left()) knots.insert(knots.begin(), system_.left()->position);
+  if (system_.right()) knots.push_back(system_.right()->position);
+  if (knots.empty()) return {};
+  const auto below = [&](double y) { return potential_(y) < energy; };
+  const auto crossing = [&](double from, double to) {
+    std::uintmax_t iterations = 200;
+    const auto [left, right] = boost::math::tools::toms748_solve(
+        [&](double y) { return potential_(y) - energy; }, from, to,
+        boost::math::tools::eps_tolerance<double>(50), iterations);
+    return (left + right) / 2;
+  };
+  std::vector<Swing> all;
+  Swing open{};
+  bool inside = below(knots.front());
+  if (inside) {
+    open.at_left = system_.left().has_value();
+    open.left = open.at_left ? knots.front() : end(knots.front(), -1, energy);
+  }
+  for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
+    const bool next = below(knots[n + 1]);
+    if (inside == next) continue;
+    const double at = crossing(knots[n], knots[n + 1]);
+    if (inside) {
+      open.right = at;
+      open.at_right = false;
+      all.push_back(open);
+    } else {
+      open = {.left = at, .right = at, .at_left = false, .at_right = false};
+    }
+    inside = next;
+  }
+  if (inside) {
+    open.at_right = system_.right().has_value();
+    open.right = open.at_right ? knots.back() : end(knots.back(), 1, energy);
+    all.push_back(open);
+  }
+  return all;
+}
+
+Orbit UndampedOrbits::orbit(const Swing& swing, double energy) const {
+  using Gauss = boost::math::quadrature::gauss<double, 30>;
+  Orbit orbit{.swing = swing};
+  const double middle = (swing.left + swing.right) / 2, half = (swing.right - swing.left) / 2;
+  const auto speed = [&](double y) {
+    return std::sqrt(std::max(0.0, 2 * (energy - potential_(y))));
+  };
+  // y = middle + half sin(phase): at a turning point v falls like cos(phase), and dy / v is smooth.
+  const auto add = [&](double phase, double weight) {
+    const double y = middle + half * std::sin(phase);
+    const double dy = 2 * weight * half * std::cos(phase);  // there and back
+    const double v = speed(y);
+    const double damping = system_.damping_polynomial()(y) + system_.rayleigh() * v * v;
+    orbit.action += v * dy;
+    orbit.loss += damping * v * dy;
+    if (v <= 0) return;
+    orbit.period += dy / v;
+    orbit.time_y += y * dy / v;
+    orbit.time_y2 += y * y * dy / v;
+    orbit.time_damping += damping * dy / v;
+  };
+  constexpr double kQuarter = std::numbers::pi / 2;
+  for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
+    const double x = Gauss::abscissa()[n], weight = Gauss::weights()[n] * kQuarter;
+    add(kQuarter * x, weight);
+    add(-kQuarter * x, weight);
+  }
+  const auto bounce = [&](const Wall& wall) {
+    const double u = speed(wall.position), r = wall.restitution;
+    orbit.loss += (1 - r * r) * u * u / 2;
+  };
+  if (swing.at_left) bounce(*system_.left());
+  if (swing.at_right) bounce(*system_.right());
+  return orbit;
+}
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,133 @@
+#include "report/page/problem_statement.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "problem/features.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using problem::Problem;
+using problem::SystemCoefficients;
+
+constexpr const char* kOriginal =
+    R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by random
+impulses:</p>
+<p class="formula">y″ + c y′ + k y + μ y³ = Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>) &nbsp; for y &gt; 0,
+&emsp; y′<sub>+</sub> = −r y′<sub>−</sub> &nbsp; at y = 0.</p>
+)html";
+constexpr const char* kImpulses =
+    "The impulses arrive as a Poisson process of rate λ; their amplitudes Y are independent and "
+    "follow one law. ";
+constexpr const char* kNoise = "W is Gaussian white noise of unit intensity. ";
+constexpr const char* kSought =
+    "Sought is the\nstationary probability density p(y, y′) of displacement and velocity, and from "
+    "it p(y) and p(y′). All quantities are\nnon-dimensional.";
+
+struct Term {
+  double SystemCoefficients::*coefficient;
+  const char* symbol;
+};
+constexpr Term kDamping[] = {{&SystemCoefficients::damping, "c"},
+                             {&SystemCoefficients::van_der_pol, "c<sub>yy</sub> y²"},
+                             {&SystemCoefficients::rayleigh, "c<sub>vv</sub> y′²"}};
+constexpr Term kForce[] = {{&SystemCoefficients::constant, "g₀"},
+                           {&SystemCoefficients::stiffness, "k y"},
+                           {&SystemCoefficients::quadratic, "k₂ y²"},
+                           {&SystemCoefficients::cubic, "μ y³"},
+                           {&SystemCoefficients::quintic, "k₅ y⁵"}};
+
+class Statement {
+ public:
+  explicit Statement(std::span<const Problem* const> problems) : problems_(problems) {}
+
+  std::string html() const {
+    const bool impulses = any([](const Problem& p) { return p.impulses.present(); });
+    const bool noise = any([](const Problem& p) { return p.noise.present(); });
+    std::vector<std::string> excitation;
+    if (impulses) excitation.emplace_back("Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>)");
+    if (noise) excitation.emplace_back("√(2D) W(t)");
+    return fmt::format(
+        "<p>An oscillator {}, {}:</p>\n<p class=\"formula\">y″{}{} = {}{}</p>\n<p>{}{}{}</p>\n",
+        walls_in_words(), excitation_in_words(impulses, noise), damping(), force(),
+        fmt::join(excitation, " + "), walls(), impulses ? kImpulses : "", noise ? kNoise : "",
+        kSought);
+  }
+
+ private:
+  template <class Has>
+  bool any(const Has& has) const {
+    return std::ranges::any_of(problems_, [&](const Problem* p) { return has(*p); });
+  }
+  template <std::size_t N>
+  std::vector<std::string> present(const Term (&terms)[N]) const {
+    std::vector<std::string> symbols;
+    for (const Term& term : terms) {
+      if (any([&](const Problem& p) { return p.system.coefficients().*term.coefficient != 0; })) {
+        symbols.emplace_back(term.symbol);
+      }
+    }
+    return symbols;
+  }
+  std::string damping() const {
+    const auto terms = present(kDamping);
+    if (terms.empty()) return "";
+    if (terms.size() == 1) return fmt::format(" + {} y′", terms.front());
+    return fmt::format(" + ({}) y′", fmt::join(terms, " + "));
+  }
+  std::string force() const {
+    std::string text;
+    for (const std::string& term : present(kForce)) text += " + " + term;
+    return text;
+  }
+  bool left() const {
+    return any([](const Problem& p) { return p.system.left().has_value(); });
+  }
+  bool right() const {
+    return any([](const Problem& p) { return p.system.right().has_value(); });
+  }
+  // A file of the old form has its wall at 0 and r.
+  bool only_at_zero() const {
+    return !right() && !any([](const Problem& p) { return !p.system.wall_parameters().empty(); });
+  }
+  std::string walls() const {
+    if (only_at_zero()) {
+      return " &nbsp; for y &gt; 0, &emsp; y′<sub>+</sub> = −r y′<sub>−</sub> &nbsp; at y = 0.";
+    }
+    std::vector<std::string> text;
+    if (left()) text.emplace_back("y′<sub>+</sub> = −r<sub>a</sub> y′<sub>−</sub> &nbsp; at y = a");
+    if (right())
+      text.emplace_back("y′<sub>+</sub> = −r<sub>b</sub> y′<sub>−</sub> &nbsp; at y = b");
+    if (text.empty()) return ".";
+    const char* domain = !right()  ? " &nbsp; for y &gt; a"
+                         : !left() ? " &nbsp; for y &lt; b"
+                                   : " &nbsp; for a &lt; y &lt; b";
+    return fmt::format("{}, &emsp; {}.", domain, fmt::join(text, ", &emsp; "));
+  }
+  std::string walls_in_words() const {
+    if (left() && right()) return "between walls";
+    return left() || right() ? "with a wall" : "without walls";
+  }
+  static std::string excitation_in_words(bool impulses, bool noise) {
+    if (impulses && noise) return "under random impulses and white noise";
+    return impulses ? "kicked by random impulses" : "under white noise";
+  }
+
+  std::span<const Problem* const> problems_;
+};
+
+}  // namespace
+
+std::string problem_statement(std::span<const Problem* const> problems) {
+  const bool original = std::ranges::all_of(
+      problems, [](const Problem* p) { return problem::features(*p).original; });
+  if (original) return fmt::format("{}<p>{}{}</p>\n", kOriginal, kImpulses, kSought);
+  return Statement(problems).html();
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "problem/problem.hpp"
+
+/// Problems of the family beyond the paper's class that the tests share.
+namespace fpkcheck::tests {
+
+inline problem::ImpulseTrain gaussian_impulses(double rate, double intensity, double mean = 0) {
+  return problem::ImpulseTrain(
+      {.arrival_rate = rate, .law = "gaussian", .intensity = intensity, .mean = mean});
+}
+
+/// What has noise alone.
+inline problem::Problem with_noise(const problem::System& system, double intensity) {
+  return {.name = "test", .system = system, .impulses = {}, .noise = {intensity}};
+}
+
+inline problem::Problem with_impulses(const problem::System& system,
+                                      const problem::ImpulseTrain& impulses) {
+  return {.name = "test", .system = system, .impulses = impulses};
+}
+
+/// The problem as solvers get it.
+inline problem::Problem in_frame(const problem::Problem& problem) {
+  return problem::seen_from(problem::frame_of(problem.system), problem);
+}
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "parameters/input_error.hpp"
+#include "problem/case_file.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+Problem family_case(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  std::istringstream ini(text);
+  return read_case(ini, "a", "a.ini", overrides, Naming::of_changes);
+}
+
+std::string refusal_of(const std::string& text) {
+  try {
+    family_case(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+const std::string kWells = "[system]\ndamping = 0.1\nstiffness = -1\ncubic = 1\n";
+const std::string kNoWall = "[wall]\nnone = true\n";
+const std::string kNoise = "[noise]\nintensity = 0.2\n";
+const std::string kImpulses = "[impulse]\nrate = 4\nlaw = gaussian\nintensity = 0.5\n";
+
+TEST(CaseFileOfTheFamily, ReadsEveryKey) {
+  const Problem p = family_case(
+      "[system]\ndamping = -1\nvan_der_pol = 2\nrayleigh = 3\nconstant = 4\nstiffness = 5\n"
+      "quadratic = 6\ncubic = 7\nquintic = 8\n[wall]\nleft = -2\nleft_restitution = 0.7\n"
+      "right = 3\nright_restitution = 0.8\n" +
+      kImpulses + kNoise);
+  EXPECT_EQ(p.system.damping(), -1);
+  EXPECT_EQ(p.system.damping_polynomial().coefficient(2), 2);
+  EXPECT_EQ(p.system.rayleigh(), 3);
+  const Polynomial::Coefficients force{4, 5, 6, 7, 0, 8};
+  EXPECT_EQ(p.system.force().coefficients(), force);
+  EXPECT_EQ(p.system.left(), (Wall{-2, 0.7}));
+  EXPECT_EQ(p.system.right(), (Wall{3, 0.8}));
+  EXPECT_EQ(p.noise.intensity, 0.2);
+  EXPECT_NEAR(total_intensity(p), 0.7, 1e-15);
+  EXPECT_EQ(parameters_text(p),
+            "c = -1, c_yy = 2, c_vv = 3, g0 = 4, k = 5, k2 = 6, mu = 7, k5 = 8, a = -2, r_a = 0.7, "
+            "b = 3, r_b = 0.8; gaussian impulses, lambda = 4, lambda E[Y^2] = 0.5, 2D = 0.2");
+}
+
+TEST(CaseFileOfTheFamily, ExcitationMayBeImpulsesOrNoiseOrBoth) {
+  EXPECT_FALSE(family_case(kWells + kNoWall + kNoise).impulses.present());
+  EXPECT_FALSE(family_case(kWells + kNoWall + kImpulses).noise.present());
+  EXPECT_NE(refusal_of(kWells + kNoWall).find("nothing excites the oscillator"), std::string::npos);
+  EXPECT_NE(refusal_of(kWells + kNoWall + "[impulse]\nrate = 1\n").find("'impulse.law' is missing"),
+            std::string::npos);
+}
+
+TEST(CaseFileOfTheFamily, WhatFilesKeepOfItIsReadBack) {
+  for (const std::string& text :
+       {kWells + kNoWall + kNoise, kWells + kNoWall + kImpulses,
+        kWells + "[wall]\nright = 3\nright_restitution = 0.8\n" + kNoise}) {
+    const Problem p = family_case(text), again = problem_from("a", sections(p));
+    EXPECT_EQ(parameters_text(again), parameters_text(p));
+    EXPECT_EQ(again.system.wall_parameters(), p.system.wall_parameters());
+    EXPECT_EQ(total_intensity(again), total_intensity(p));
+  }
+}
+
+TEST(CaseFileOfTheFamily, OldFilesKeepTheirFields) {
+  const Problem p =
+      read("[system]\ndamping = 0.1\nstiffness = 1\ncubic = 0\nrestitution = 1\n" + kImpulses);
+  const auto all = sections(p);
+  ASSERT_EQ(all.size(), 2u);
+  std::vector<std::string> names;
+  for (const auto& value : all[0].values) names.push_back(value.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"damping", "stiffness", "cubic", "restitution"}));
+}
+
+TEST(CaseFileOfTheFamily, IsNamedByWhatChanges) {
+  EXPECT_EQ(
+      family_case(kWells + kNoWall + kNoise, {"system.quintic=0.5", "noise.intensity=0.3"}).name,
+      "a, k5 = 0.5, 2D = 0.3");
+  EXPECT_EQ(family_case(kWells + "[wall]\nright = 3\nright_restitution = 0.8\n" + kNoise,
+                        {"wall.right=auto", "wall.right_restitution=auto", "wall.none=true"})
+                .name,
+            "a, no wall");
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem

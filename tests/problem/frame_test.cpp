@@ -1,0 +1,69 @@
+#include "problem/frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include "family.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+// Every term, so that each is carried.
+const SystemCoefficients kAll{.damping = 0.1,
+                              .van_der_pol = 0.2,
+                              .rayleigh = 0.3,
+                              .constant = 0.4,
+                              .stiffness = 0.5,
+                              .quadratic = 0.6,
+                              .cubic = 0.7,
+                              .quintic = 0.8};
+
+double g(double y) {
+  return 0.4 + 0.5 * y + 0.6 * y * y + 0.7 * y * y * y + 0.8 * y * y * y * y * y;
+}
+
+TEST(Frame, OfTheLeftWallShiftsForceAndDamping) {
+  const System system(
+      kAll, {.left = -0.5, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9});
+  const Problem seen =
+      tests::in_frame(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+  EXPECT_EQ(seen.frame, (Frame{-0.5, false}));
+  EXPECT_EQ(seen.system.left(), (Wall{0, 0.7}));
+  EXPECT_EQ(seen.system.right(), (Wall{2.5, 0.9}));
+  for (const double x : {0.0, 0.3, 1.7}) {
+    const double y = x - 0.5;
+    EXPECT_NEAR(seen.system.force()(x), g(y), 1e-14);
+    EXPECT_NEAR(seen.system.damping_polynomial()(x), 0.1 + 0.2 * y * y, 1e-15);
+    EXPECT_NEAR(seen.system.potential()(x), system.potential()(y) - system.potential()(-0.5),
+                1e-14);
+  }
+  EXPECT_EQ(seen.impulses.law().mean(), 0.3);
+}
+
+TEST(Frame, OfARightWallAloneIsMirrored) {
+  const System system(kAll, {.right = 2, .right_restitution = 0.9});
+  const Problem seen =
+      tests::in_frame(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+  EXPECT_EQ(seen.frame, (Frame{2, true}));
+  EXPECT_EQ(seen.system.left(), (Wall{0, 0.9}));
+  EXPECT_FALSE(seen.system.right());
+  for (const double x : {0.0, 0.3, 1.7}) {
+    EXPECT_NEAR(seen.system.force()(x), -g(2 - x), 1e-13);
+    EXPECT_NEAR(seen.system.damping_polynomial()(x), 0.1 + 0.2 * (2 - x) * (2 - x), 1e-15);
+  }
+  EXPECT_EQ(seen.impulses.law().mean(), -0.3);
+  EXPECT_EQ(seen.frame.y(0.5), 1.5);
+  EXPECT_EQ(seen.frame.x(1.5), 0.5);
+  EXPECT_EQ(seen.frame.v(1), -1);
+}
+
+TEST(Frame, OfTheOldClassIsTheProblemItself) {
+  const Problem problem{"test",
+                        System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.9}),
+                        tests::gaussian_impulses(1, 1)};
+  EXPECT_TRUE(frame_of(problem.system).is_identity());
+  EXPECT_EQ(tests::in_frame(problem).system.force().coefficients(),
+            problem.system.force().coefficients());
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem

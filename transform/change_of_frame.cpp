@@ -1,0 +1,79 @@
+#include "transform/change_of_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fpkcheck::transform {
+namespace {
+
+template <class Coordinate>
+std::vector<double> carried(std::vector<double> edges, bool mirrored, const Coordinate& at) {
+  for (double& edge : edges) edge = at(edge) + 0.0;  // no -0
+  if (mirrored) std::ranges::reverse(edges);
+  return edges;
+}
+
+GridDensity carried(const problem::Frame& frame, GridDensity grid) {
+  grid.y_edges = y_edges_of(frame, grid.y_edges);
+  grid.v_edges = v_edges_of(frame, grid.v_edges);
+  if (frame.mirrored) std::ranges::reverse(grid.averages);  // both axes
+  return grid;
+}
+
+SmoothDensity carried(const problem::Frame& frame, SmoothDensity smooth) {
+  const double from = frame.y(smooth.y_min), to = frame.y(smooth.y_max);
+  return {.value = [frame, value = std::move(smooth.value)](
+                       double y, double v) { return value(frame.x(y), frame.v(v)); },
+          .y_max = std::max(from, to),
+          .v_max = smooth.v_max,
+          .y_min = std::min(from, to)};
+}
+
+Marginal carried(const problem::Frame& frame, Variable variable, Marginal marginal) {
+  marginal.edges = variable == Variable::y ? y_edges_of(frame, marginal.edges)
+                                           : v_edges_of(frame, marginal.edges);
+  if (frame.mirrored) {
+    for (auto* values : {&marginal.density, &marginal.lower, &marginal.upper}) {
+      std::ranges::reverse(*values);
+    }
+  }
+  return marginal;
+}
+
+}  // namespace
+
+std::vector<double> y_edges_of(const problem::Frame& frame, const std::vector<double>& x_edges) {
+  return carried(x_edges, frame.mirrored, [&](double x) { return frame.y(x); });
+}
+
+std::vector<double> x_edges_of(const problem::Frame& frame, const std::vector<double>& y_edges) {
+  return carried(y_edges, frame.mirrored, [&](double y) { return frame.x(y); });
+}
+
+std::vector<double> v_edges_of(const problem::Frame& frame, const std::vector<double>& edges) {
+  return carried(edges, frame.mirrored, [&](double v) { return frame.v(v); });
+}
+
+Density in_physical_coordinates(const problem::Frame& frame, Density density) {
+  if (frame.is_identity()) return density;
+  return std::visit([&](auto& form) { return Density(carried(frame, std::move(form))); }, density);
+}
+
+Solution in_physical_coordinates(const problem::Frame& frame, Solution solution) {
+  if (frame.is_identity()) return solution;
+  if (solution.density) {
+    solution.density = in_physical_coordinates(frame, std::move(*solution.density));
+  }
+  if (solution.extrapolation) {
+    solution.extrapolation->coarser =
+        in_physical_coordinates(frame, std::move(solution.extrapolation->coarser));
+  }
+  for (auto& [variable, marginal] : solution.estimated_marginals) {
+    marginal = carried(frame, variable, std::move(marginal));
+  }
+  for (RestAtom& atom : solution.atoms) atom.y = frame.y(atom.y);
+  return solution;
+}
+
+}  // namespace fpkcheck::transform
