@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,6 +30,11 @@ void add_density(const Solution& s, const Tolerances& tolerances, const Part& de
     const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
     add(symbol, FigureKind::moment, s.moments.*moment, errors.moments.*moment,
         std::max(std::abs(s.moments.*moment), least));
+  }
+  for (const auto& atom : s.atoms) {
+    const std::string name = fmt::format("probability of rest at y = {:g}", atom.y);
+    add(name.c_str(), FigureKind::moment, atom.probability, atom.standard_error.value_or(0),
+        atom.probability);
   }
   add("mass", FigureKind::mass, s.mass, error_of_mass(s), 1);
   add("energy residual", FigureKind::energy, s.energy_residual, errors.energy_residual, 1);

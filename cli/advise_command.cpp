@@ -13,6 +13,7 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "parameters/input_error.hpp"
+#include "problem/features.hpp"
 #include "sweep/report/advice_text.hpp"
 
 namespace fpkcheck::cli {
@@ -112,6 +113,12 @@ int advise_command(const Call& call) {
     throw InputError(fmt::format("--accuracy {:g} (must be above 0 and at most 2)", accuracy));
   }
   const auto problem = load_cases(common).front();
+  if (!problem::features(problem).original) {
+    throw InputError(fmt::format(
+        "{}: the map of validity holds one wall at the equilibrium, constant damping and impulses alone "
+        "(fpkcheck run {} compares the methods there)",
+        problem.name, common.cases.front()));
+  }
   const auto advice = sweep::advice(problem, accuracy, sweep::shipped_validity_map());
 
   const std::string words = words_of_case(common);

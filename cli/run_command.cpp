@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/split.hpp>
 #include <iterator>
 #include <optional>
 
@@ -60,6 +61,12 @@ std::string all_methods(const methods::Registry& registry) {
   return list;
 }
 
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts;
+  boost::algorithm::split(parts, list, [](char c) { return c == ','; });
+  return parts;
+}
+
 }  // namespace
 
 int run_command(const Call& call) {
@@ -100,6 +107,7 @@ int run_command(const Call& call) {
   if (!common.out) common.out = kDefaultDirectory;
   return solve_and_report(common, methods,
                           {.required = list ? Required::all : Required::references,
+                           .named = parts_of(list.value_or("")),
                            .threads = threads_in(given),
                            .with_dual = true},
                           call.command_line);

@@ -31,14 +31,19 @@
 namespace fpkcheck::cli {
 namespace {
 
-bool is_required(const transform::Identity& identity, Required required) {
+bool is_required(const transform::Solution& solution, const SolveControl& control) {
+  const auto& identity = solution.identity;
   if (transform::is_guest(identity)) return false;  // nothing was asked of a solver
-  if (required == Required::all) return true;
+  if (solution.status == transform::Status::not_offered) {
+    return control.required == Required::all &&
+           (control.named.empty() || std::ranges::count(control.named, identity.id) > 0);
+  }
+  if (control.required == Required::all) return true;
   return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
 }
 
 // What makes the exit code other than 0, a line each; nothing when all that is required is reached.
-std::vector<std::string> failures(const results::Run& run, Required required) {
+std::vector<std::string> failures(const results::Run& run, const SolveControl& control) {
   std::vector<std::string> lines;
   for (const auto& one : run.cases) {
     if (one.bounds) {
@@ -48,7 +53,7 @@ std::vector<std::string> failures(const results::Run& run, Required required) {
       }
     }
     for (const auto& solution : one.solutions) {
-      if (solution.is_ok() || !is_required(solution.identity, required)) continue;
+      if (solution.is_ok() || !is_required(solution, control)) continue;
       lines.push_back(fmt::format("{}: {} {}: {}", one.name(), solution.id(), name(solution.status),
                                   solution.reason));
     }
@@ -243,7 +248,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
             : "Done in ",
         elapsed.count()));
   }
-  auto failed = failures(run, control.required);
+  auto failed = failures(run, control);
   failed.insert(failed.end(), supplement.failures.begin(), supplement.failures.end());
   if (common.quiet) {
     for (const auto& line : failed) complain(line);

@@ -35,6 +35,9 @@ struct Supplement {
 
 struct SolveControl {
   Required required = Required::all;
+  /// Solutions that were asked for by their own names, where others came with a family or a solver: of
+  /// those it is no failure that the problem is not offered. Empty: all were.
+  std::vector<std::string> named = {};
   int threads = 0;  ///< for methods side by side; 0 for one per processor
   OnInterruption on_interruption = OnInterruption::give_up;
   bool with_dual = false;  ///< bounds, and every density's own error, by the backward equation

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/limits.hpp"
+#include "compare/rest_atoms.hpp"
 #include "compare/smooth.hpp"
 
 namespace fpkcheck::compare {
@@ -63,7 +64,11 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
                                            : in_smooth_bins(found, solutions, *measure);
     for (std::size_t a = 0; a < found.size(); ++a) {
       for (std::size_t b = a + 1; b < found.size(); ++b) {
-        result.pairs.push_back(pair_of(even, smooth, a, b, measure, noisy));
+        auto pair = pair_of(even, smooth, a, b, measure, noisy);
+        pair.distances.l1 +=
+            atom_distance(transform::find_solution(solutions, pair.a)->atoms,
+                          transform::find_solution(solutions, pair.b)->atoms, variable);
+        result.pairs.push_back(std::move(pair));
       }
     }
     std::ranges::move(found, std::back_inserter(result.marginals));

@@ -19,7 +19,8 @@ struct SolutionMarginal {
 
 /// Distances between one marginal of two solutions; `b` is the more trusted of them. Where one of
 /// them is the smooth measure (compare/smooth.hpp), and the other has no errors by chance of its
-/// own, they are those of averages over smooth bins.
+/// own, they are those of averages over smooth bins. The L1 distance has that of atoms of rest added
+/// (compare/rest_atoms.hpp); the others are of the densities alone.
 struct PairDistances {
   std::string a;
   std::string b;

@@ -189,17 +189,17 @@ Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::s
 
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
                   Naming naming) {
-  std::vector<std::string> names;
-  for (const auto& [name, text] : named_cases()) {
-    if (name == name_or_path) {
-      std::istringstream ini(text);
-      return read_case(ini, name, name, overrides, naming);
-    }
-    names.push_back(name);
+  if (const NamedCase* named = find_named_case(name_or_path)) {
+    std::istringstream ini(named->text);
+    return read_case(ini, named->name, named->name, overrides, naming);
   }
   constexpr std::size_t kMostBytes = 1 << 20;
   const auto text = parameters::read_input_file(name_or_path, kMostBytes);
   if (!text) {
+    std::vector<std::string_view> names;
+    for (const auto* cases : {&named_cases(), &shipped_systems()}) {
+      for (const auto& named : *cases) names.emplace_back(named.name);
+    }
     throw InputError(fmt::format("no case {} (neither a readable file nor one of {})",
                                  in_quotes(name_or_path), fmt::join(names, ", ")));
   }

@@ -1,17 +1,24 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fpkcheck::problem {
 
-/// A case file that is compiled into the program: the paper's Table 1.
+/// A case file that is compiled into the program.
 struct NamedCase {
   std::string name;
   std::string text;  ///< the contents of cases/NAME.ini
 };
 
-/// The paper's four cases, in its order.
+/// The paper's four cases (Table 1), in its order.
 const std::vector<NamedCase>& named_cases();
+
+/// Other oscillators, each the smallest example of its kind (docs/systems.md).
+const std::vector<NamedCase>& shipped_systems();
+
+/// The paper's or a shipped one, or null.
+const NamedCase* find_named_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

@@ -12,6 +12,7 @@
 #include "report/findings.hpp"
 #include "report/legend.hpp"
 #include "report/references.hpp"
+#include "report/rest.hpp"
 #include "report/text/columns.hpp"
 #include "report/text/l1_text.hpp"
 #include "report/text/wrapped.hpp"
@@ -58,6 +59,10 @@ std::vector<Column> columns(const results::Case& one) {
          [&](const Solution& s) { return of_density(s, s.moments.y2); });
   number("E[y'^2]", kMoments, moment_text,
          [&](const Solution& s) { return of_density(s, s.moments.v2); });
+  for (const double wall : walls_of_rest(one)) {
+    number(rest_header(one, wall), kAlwaysShown, moment_text,
+           [&](const Solution& s) { return probability_of_rest(s, wall); });
+  }
   int importance = kAlwaysShown;
   for (const Solution* reference : references(one)) {
     for (const auto variable : transform::kVariables) {

@@ -84,7 +84,9 @@ Json problem_json(const problem::Problem& problem) {
   for (const auto& section : problem::sections(problem)) {
     json[section.name] = values_json(section.values);
   }
-  json["impulse"]["moments"] = problem.impulses.law().moments();
+  if (problem.impulses.present()) {
+    json["impulse"]["moments"] = problem.impulses.law().moments();
+  }
   return json;
 }
 

@@ -26,7 +26,7 @@ constexpr const char* kGiven = "given";
 constexpr const char* kNoImpact = "-";
 
 // What is not an observation.
-constexpr std::array<std::string_view, 16> kCommon{"id",
+constexpr std::array<std::string_view, 17> kCommon{"id",
                                                    "method",
                                                    "equation",
                                                    "impact",
@@ -37,6 +37,7 @@ constexpr std::array<std::string_view, 16> kCommon{"id",
                                                    "seconds",
                                                    "moments",
                                                    "mass",
+                                                   "atoms",
                                                    "min_density",
                                                    "energy_residual",
                                                    "standard_errors",
@@ -87,6 +88,27 @@ void read_identity(const Json& json, Identity& identity) {
                    .symbol = look.at("symbol")};
 }
 
+Json atoms_json(const std::vector<transform::RestAtom>& atoms) {
+  Json json = Json::array();
+  for (const auto& atom : atoms) {
+    json.push_back({{"y", atom.y}, {"probability", atom.probability}});
+    if (atom.standard_error) json.back()["standard_error"] = *atom.standard_error;
+    if (atom.stated_error) json.back()["stated_error"] = *atom.stated_error;
+  }
+  return json;
+}
+
+std::vector<transform::RestAtom> atoms_in(const Json& json) {
+  std::vector<transform::RestAtom> atoms;
+  for (const Json& atom : json) {
+    atoms.push_back({.y = number_in(atom, "y"),
+                     .probability = number_in(atom, "probability"),
+                     .standard_error = number_if_any(atom, "standard_error"),
+                     .stated_error = number_if_any(atom, "stated_error")});
+  }
+  return atoms;
+}
+
 Json sampling_json(const transform::SamplingError& sampling) {
   Json json = Json::object();
   const auto put = [&](const char* key, const std::optional<double>& value) {
@@ -123,6 +145,7 @@ void read_numbers(const Json& json, Solution& s) {
   if (s.had_density) {
     s.moments = moments_in(json.at("moments"));
     s.mass = number_in(json, "mass");
+    if (json.contains("atoms")) s.atoms = atoms_in(json.at("atoms"));
     s.min_density = number_in(json, "min_density");
     s.energy_residual = number_in(json, "energy_residual");
   }
@@ -173,6 +196,7 @@ Json solution_json(const Solution& s) {
   if (s.has_density()) {
     json["moments"] = moments_json(s.moments);
     json["mass"] = s.mass;
+    if (!s.atoms.empty()) json["atoms"] = atoms_json(s.atoms);
     json["min_density"] = s.min_density;
     json["energy_residual"] = s.energy_residual;
   }

@@ -128,7 +128,9 @@ void bind_problems(py::module_& module) {
           "text", [](const problem::Problem& one) { return problem::parameters_text(one); });
   module.def("case_names", [] {
     std::vector<std::string> names;
-    for (const auto& named : problem::named_cases()) names.push_back(named.name);
+    for (const auto* cases : {&problem::named_cases(), &problem::shipped_systems()}) {
+      for (const auto& named : *cases) names.push_back(named.name);
+    }
     return names;
   });
   module.def("keys", keys);

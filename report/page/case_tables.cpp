@@ -13,6 +13,7 @@
 #include "report/page/number_text.hpp"
 #include "report/page/plot.hpp"
 #include "report/references.hpp"
+#include "report/rest.hpp"
 #include "report/text/outward.hpp"
 
 namespace fpkcheck::report {
@@ -89,6 +90,10 @@ std::string results_table(const results::Case& one) {
   for (const auto& [header, member] : kShownMoments) {
     table.add_of_density(header, 4,
                          [member = member](const Solution& s) { return s.moments.*member; });
+  }
+  for (const double wall : walls_of_rest(one)) {
+    table.add_of_density(rest_header(one, wall), 4,
+                         [wall](const Solution& s) { return probability_of_rest(s, wall); });
   }
   for (const Solution* measure : references(one)) {
     for (const Variable variable : transform::kVariables) {

@@ -9,7 +9,7 @@
 #include "fd_fpk/solve.hpp"
 #include "mcs/simulation/plan.hpp"
 #include "mcs/solve.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "problem/scales.hpp"
 #include "transform/richardson.hpp"
 
 namespace fpkcheck::study {
@@ -42,8 +42,8 @@ mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOpt
   constexpr double kTime = 1e7;  // decay times
   const auto axes = compare::comparison_axes(problem);
   mcs::Options simulation;
-  simulation.time = options.simulation_time.value_or(
-      kTime / problem::slowest_decay(problem::equivalent_linearisation(problem)));
+  simulation.time =
+      options.simulation_time.value_or(kTime / problem::scales(problem).slowest_decay);
   simulation.seed = options.seed;
   simulation.y_edges = axes.y_edges;
   simulation.v_edges = axes.v_edges;

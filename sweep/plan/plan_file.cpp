@@ -54,8 +54,7 @@ SweepLines sweep_lines(const std::vector<IniSetting>& all) {
 
 PlanText read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides) {
   constexpr std::size_t kMostBytes = 1 << 20;
-  const bool named = std::ranges::find(problem::named_cases(), name_or_path,
-                                       &problem::NamedCase::name) != problem::named_cases().end();
+  const bool named = problem::find_named_case(name_or_path) != nullptr;
   const auto text = named ? std::nullopt : parameters::read_input_file(name_or_path, kMostBytes);
   if (!text) return {problem::load_case(name_or_path, overrides)};
 

@@ -1,17 +1,21 @@
 #include "sweep/result/groups.hpp"
 
-#include <cmath>
+#include <limits>
 
-#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::sweep {
 
 Groups groups_of(const problem::Problem& problem) {
   const auto& system = problem.system.coefficients();
-  const double stiffness = problem::equivalent_linearisation(problem).stiffness;
-  return {.impulses_per_decay_time = problem::impulses_per_decay_time(problem),
-          .damping_ratio = system.damping / (2 * std::sqrt(stiffness)),
-          .cubic_share = 1 - system.stiffness / stiffness};
+  const auto scales = problem::scales(problem);
+  const double stiffness = scales.frequency * scales.frequency;
+  const bool original = problem::features(problem).original;
+  return {.impulses_per_decay_time = problem::impulses_per_decay_time(problem, scales),
+          .damping_ratio = system.damping / (2 * scales.frequency),
+          .cubic_share = original ? 1 - system.stiffness / stiffness
+                                  : std::numeric_limits<double>::quiet_NaN()};
 }
 
 }  // namespace fpkcheck::sweep

@@ -4,6 +4,8 @@
 
 #include "parameters/input_error.hpp"
 #include "problem/case_file.hpp"
+#include "problem/features.hpp"
+#include "problem/named_cases.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -84,6 +86,23 @@ TEST(CaseFileOfTheFamily, IsNamedByWhatChanges) {
                         {"wall.right=auto", "wall.right_restitution=auto", "wall.none=true"})
                 .name,
             "a, no wall");
+}
+
+TEST(ShippedSystems, AreEachReadAndOfTheirKind) {
+  ASSERT_GE(shipped_systems().size(), 12u);
+  for (const auto& named : shipped_systems()) {
+    const Problem p = load_case(named.name);
+    EXPECT_EQ(p.name, named.name);
+    EXPECT_FALSE(features(p).original) << p.name;
+  }
+  EXPECT_TRUE(features(load_case("preload")).rests_in_contact);
+  EXPECT_TRUE(features(load_case("ball")).rests_in_contact);
+  EXPECT_EQ(features(load_case("stops")).wells, 2);
+  EXPECT_TRUE(features(load_case("stops")).rests_in_contact);
+  EXPECT_EQ(features(load_case("bistable")).wells, 2);
+  EXPECT_TRUE(features(load_case("box")).two_walls);
+  EXPECT_TRUE(features(load_case("ring")).negative_damping);
+  EXPECT_TRUE(features(load_case("gap")).offset_wall);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#include "compare/rest_atoms.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace fpkcheck::compare {
+
+double atom_distance(const std::vector<transform::RestAtom>& a,
+                     const std::vector<transform::RestAtom>& b, transform::Variable variable) {
+  std::map<double, double> difference;  // by place
+  const auto place = [&](const transform::RestAtom& atom) {
+    return variable == transform::Variable::y ? atom.y : 0;
+  };
+  for (const auto& atom : a) difference[place(atom)] += atom.probability;
+  for (const auto& atom : b) difference[place(atom)] -= atom.probability;
+  double sum = 0;
+  for (const auto& [at, probability] : difference) sum += std::abs(probability);
+  return sum;
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,42 @@
+#include "compare/rest_atoms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "compare/comparison.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+using transform::RestAtom;
+using transform::Variable;
+
+TEST(RestAtoms, OfDifferentWallsAreApartInYAndTogetherInVelocity) {
+  const std::vector<RestAtom> left{{-0.5, 0.3}}, right{{0.5, 0.2}}, both{{-0.5, 0.1}, {0.5, 0.2}};
+  EXPECT_DOUBLE_EQ(atom_distance(left, right, Variable::y), 0.5);
+  EXPECT_DOUBLE_EQ(atom_distance(left, right, Variable::ydot), 0.1);
+  EXPECT_DOUBLE_EQ(atom_distance(left, both, Variable::y), 0.4);
+  EXPECT_NEAR(atom_distance(left, both, Variable::ydot), 0, 1e-16);
+  EXPECT_DOUBLE_EQ(atom_distance({}, left, Variable::y), 0.3);
+  EXPECT_EQ(atom_distance({}, {}, Variable::y), 0);
+}
+
+// The same density on half of the mass: what is left apart is the atom.
+TEST(RestAtoms, ArePartOfTheDistanceOfSolutions) {
+  const ComparisonAxes axes{{0, 1, 2}, {-1, 0, 1}, 0};
+  const auto solution = [](const char* id, double p0) {
+    transform::Solution s;
+    s.identity.id = id;
+    s.status = transform::Status::ok;
+    s.density = transform::GridDensity{{0, 1, 2}, {-1, 0, 1}, {0.125, 0.125, 0.125, 0.125}};
+    s.atoms = {{0, p0}};
+    return s;
+  };
+  const transform::Solution both[] = {solution("one", 0.5), solution("other", 0.4)};
+  const auto compared = compare_solutions(axes, both);
+  for (const auto variable : transform::kVariables) {
+    EXPECT_NEAR(*l1_between(compared.pairs, "one", "other", variable), 0.1, 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::compare
