@@ -1,6 +1,7 @@
 #include "report/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "report/budget/table.hpp"
 #include "report/findings.hpp"
 #include "report/legend.hpp"
+#include "report/reasons.hpp"
 #include "report/references.hpp"
 #include "report/rest.hpp"
 #include "report/text/columns.hpp"
@@ -36,7 +38,11 @@ std::vector<Column> columns(const results::Case& one) {
   std::vector<Column> all;
   // A column without a value, as the distances to the only solution, says nothing.
   const auto add = [&](Column column, const auto& cell) {
-    for (const auto& solution : one.solutions) column.cells.push_back(cell(solution));
+    for (const auto& solution : one.solutions) {
+      // Its reason says all of it.
+      if (solution.status == transform::Status::not_offered) continue;
+      column.cells.push_back(cell(solution));
+    }
     const bool empty =
         std::ranges::all_of(column.cells, [](auto& text) { return text == kAbsent; });
     if (!empty) all.push_back(std::move(column));
@@ -81,13 +87,11 @@ std::vector<Column> columns(const results::Case& one) {
   return all;
 }
 
-std::string reasons(const results::Case& one, std::size_t width) {
+std::string reasons_text(const results::Case& one, std::size_t width) {
   std::string text;
-  for (const auto& solution : one.solutions) {
-    if (solution.is_ok()) continue;
-    text +=
-        wrapped(fmt::format("  {} {}: {}", solution.id(), name(solution.status), solution.reason),
-                width, 4);
+  for (const auto& [solutions, status, reason] : reasons(one)) {
+    text += wrapped(
+        fmt::format("  {} {}: {}", fmt::join(solutions, ", "), name(status), reason), width, 4);
   }
   return text;
 }
@@ -109,7 +113,7 @@ std::string table(const results::Run& run, const TextFormat& format) {
     const auto all_columns = columns(one);
     const auto shown = fitting(all_columns, format);
     if (missing.empty()) missing = left_out(all_columns, shown);
-    text += wrapped(case_title(one.problem), width, 2) + rows(shown, format) + reasons(one, width) +
+    text += wrapped(case_title(one.problem), width, 2) + rows(shown, format) + reasons_text(one, width) +
             budget_table(one, format);
     for (const auto& sentence : findings(one)) text += wrapped("  " + sentence, width, 2);
     text += '\n';

@@ -1,6 +1,7 @@
 #include "report/page/case_tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <functional>
@@ -12,6 +13,7 @@
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
 #include "report/page/plot.hpp"
+#include "report/reasons.hpp"
 #include "report/references.hpp"
 #include "report/rest.hpp"
 #include "report/text/outward.hpp"
@@ -40,7 +42,10 @@ class SolutionsTable {
   void add_text(const std::string& header,
                 const std::function<std::string(const Solution&)>& cell) {
     columns_.push_back({header, Align::left});
-    for (const auto& s : one_.solutions) columns_.back().cells.push_back(cell(s));
+    for (const auto& s : one_.solutions) {
+      // Its reason says all of it.
+      if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
+    }
   }
   void add_status() {
     add_text("status", [](const Solution& s) { return std::string(name(s.status)); });
@@ -139,10 +144,10 @@ std::string moment_errors_table(const results::Case& one) {
 
 std::string reasons_html(const results::Case& one) {
   std::string items;
-  for (const auto& solution : one.solutions) {
-    if (solution.is_ok()) continue;
-    items += fmt::format("<li><strong>{} {}</strong>: {}.</li>\n", escaped(solution.id()),
-                         name(solution.status), escaped(solution.reason));
+  for (const auto& [solutions, status, reason] : reasons(one)) {
+    items += fmt::format("<li><strong>{} {}</strong>: {}.</li>\n",
+                         escaped(fmt::format("{}", fmt::join(solutions, ", "))), name(status),
+                         escaped(reason));
   }
   return items.empty() ? "" : "<ul class=\"reasons\">\n" + items + "</ul>\n";
 }
