@@ -135,12 +135,15 @@ ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, con
           .factor = known.factor};
 }
 
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options) {
-  Result fine = solve(options);
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
+                                 Answer so_far) {
+  Result fine = solve(options, so_far);
   if (!fine.solution.density) return fine;
   const Options used = as_used(options, fine.summary);
-  const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
-  const Result coarse = solve(direct(refined(used, 1 / (kLevelRatio * kLevelRatio))));
+  // What is left is quicker, and an answer that does not know its error is none.
+  const Result middle = solve(direct(refined(used, 1 / kLevelRatio)), Answer::none_yet);
+  const Result coarse =
+      solve(direct(refined(used, 1 / (kLevelRatio * kLevelRatio))), Answer::none_yet);
   if (middle.solution.density && coarse.solution.density) {
     add_estimate(
         fine, middle.solution,
@@ -150,11 +153,12 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   return fine;
 }
 
-Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline) {
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
+                    Answer so_far) {
   double slower = kSlower;
   constexpr double kSoon = 8;  // of the time that is left, its inverse
   const Stopwatch stopwatch;
-  Result best = solve_with_error_estimate(solve, options);
+  Result best = solve_with_error_estimate(solve, options, so_far);
   if (!best.summary.error) return best;
   // The three grids together took about 1 + 1/2.5 + 1/6 times as long as the finest.
   double seconds = stopwatch.seconds() / 1.6;
@@ -177,11 +181,11 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
     if (!hopeful && (best.solution.is_ok() || !deadline.allows(slower * seconds))) break;
     level = refined(level, kLevelRatio);
     const Stopwatch of_level;
-    Result fine = solve(level);
+    Result fine = solve(level, Answer::stands);
     slower = std::max(kSlower, of_level.seconds() / seconds);
     seconds = of_level.seconds();
     if (!fine.solution.density) break;
-    if (!coarse) coarse = solve(before);
+    if (!coarse) coarse = solve(before, Answer::stands);
     if (!coarse->solution.density) break;
     add_estimate(
         fine, middle.solution,
@@ -194,7 +198,7 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
 }
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const Deadline& deadline) {
+                          const Deadline& deadline, Answer so_far) {
   constexpr double kFirst = 0.5;          // refinement of the coarsest grid
   constexpr double kOrdersMissing = 1.5;  // when the origin is held to limit the order
   Options level = refined(options, kFirst);
@@ -212,7 +216,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       return stop(fmt::format("about {:.2g} s, more than max_seconds leaves", slower * seconds));
     }
     const Stopwatch of_level;
-    Result result = solve(direct(level));
+    Result result = solve(direct(level), last[2] || estimated ? Answer::stands : so_far);
     slower = std::max(kSlower, seconds > 0 ? of_level.seconds() / seconds : 0);
     seconds = of_level.seconds();
     if (!result.solution.density) {
@@ -230,7 +234,8 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
           return *last[2];
         }
         level.stepper = options.stepper;
-        Result stepped = solve(level);
+        Result stepped = solve(level, Answer::stands);
+        if (!stepped.solution.density && deadline.is_over()) stepped = *last[2];
         if (stepped.solution.density) add_estimate(stepped, last[1]->solution, error);
         judge_error(options, stepped);
         return stepped;

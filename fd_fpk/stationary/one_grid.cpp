@@ -108,7 +108,7 @@ void describe(const Discretisation& discretisation, Summary& summary) {
 }  // namespace
 
 Result solve_on_one_grid(const problem::Problem& problem, const Options& options,
-                         const Deadline& deadline) {
+                         const Deadline& deadline, Answer so_far) {
   Result result;
   auto& [solution, summary] = result;
   // Growth depends on the velocity step alone, so it is judged before anything is solved.
@@ -128,7 +128,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Options& options
     return result;
   }
 
-  DirectSolution direct = solve_directly(problem, options, deadline);
+  DirectSolution direct = solve_directly(problem, options, deadline, so_far);
   describe(direct.discretisation, summary);
   summary.refinement = direct.refinement;
   summary.origin_refinement = direct.origin_refinement;

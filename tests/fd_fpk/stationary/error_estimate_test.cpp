@@ -96,7 +96,7 @@ TEST(ErrorEstimate, ATolerancePicksAGridThatMeetsItAndNotAMuchFinerOne) {
 // A solver whose error falls with the given order on uniform grids, with the fifth on graded ones,
 // down to cells half as wide as the automatic ones, where it gives up.
 SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& asked) {
-  return [=, &asked](const Options& options) {
+  return [=, &asked](const Options& options, Answer) {
     asked.push_back(options);
     Result result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
@@ -160,7 +160,7 @@ TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
 
 TEST(ErrorEstimate, OneLargerThanTheAccuracyAskedForIsInaccurate) {
   for (const double amplitude : {0.0008, 0.004}) {  // L1 of p(y): 8 times that
-    const auto solve_one = [&](const Options& options) {
+    const auto solve_one = [&](const Options& options, Answer) {
       Result result;
       result.solution = wave(amplitude * std::pow(options.refinement, -4));
       result.solution.status = Status::ok;
@@ -175,7 +175,7 @@ TEST(ErrorEstimate, OneLargerThanTheAccuracyAskedForIsInaccurate) {
 
 // The first graded grid has no density: what the uniform ones reached is the result.
 TEST(ErrorEstimate, WhatWasReachedBeforeTheGradingIsNotLost) {
-  const auto solve_one = [](const Options& options) {
+  const auto solve_one = [](const Options& options, Answer) {
     Result result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
     if (result.summary.origin_refinement > 1) {
