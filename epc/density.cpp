@@ -35,9 +35,9 @@ SmoothDensity in_plane(const ClosedForm& form) {
   const Box box = frame.box.value();
   return transform::physical_density(
       {.value =
-           [q, box, constant = frame.log_constant.value_or(0)](double x1, double x2) {
+           [polynomial = q, box, constant = frame.log_constant.value_or(0)](double x1, double x2) {
              const bool inside = std::abs(x1) <= box.y_max && std::abs(x2) <= box.v_max;
-             return inside ? std::exp(q(x1, x2) + constant) : 0;
+             return inside ? std::exp(polynomial(x1, x2) + constant) : 0;
            },
        .x1_max = box.y_max,
        .x2_max = box.v_max});

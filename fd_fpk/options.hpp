@@ -68,7 +68,8 @@ struct Options {
   bool error_estimate = true;
   /// The largest estimated error of a marginal, in L1, of an `ok`.
   double accuracy = 1e-2;
-  /// No finer grid is begun that is expected to end after so long: the best answer until then it is.
+  /// No finer grid is begun that is expected to end after so long, and one that has not ended by
+  /// then is given up: the best answer until then it is.
   double max_seconds = 20;
   /// Picks the grid: the first whose error estimate, L1 of both marginals and the second moments
   /// relative, meets this.

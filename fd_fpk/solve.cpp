@@ -87,7 +87,8 @@ class Solver {
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && problem::impulses_per_decay_time(problem_) > kMostFrequent))
       return first;
-    Result second = by(along ? Transport::upwind : Transport::characteristics);
+    Result second = by(along ? Transport::upwind : Transport::characteristics, deadline_,
+                       first.solution.density ? Answer::stands : Answer::none_yet);
     return better(second, first) ? second : first;
   }
 
@@ -100,17 +101,18 @@ class Solver {
 
   Result by(Transport transport) const { return by(transport, deadline_); }
 
-  Result by(Transport transport, const Deadline& deadline) const {
+  Result by(Transport transport, const Deadline& deadline, Answer so_far = Answer::none_yet) const {
     Options options = options_;
     options.transport = transport;
-    const auto on_one_grid = [&](const Options& grid) {
-      return transport == Transport::characteristics ? solve_along_characteristics(problem_, grid)
-                                                     : solve_on_one_grid(problem_, grid, deadline);
+    const auto on_one_grid = [&](const Options& grid, Answer before) {
+      return transport == Transport::characteristics
+                 ? solve_along_characteristics(problem_, grid, deadline, before)
+                 : solve_on_one_grid(problem_, grid, deadline, before);
     };
-    if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
-    if (grid_is_free(options)) return solve_within(on_one_grid, options, deadline);
-    if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options);
-    return on_one_grid(options);
+    if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline, so_far);
+    if (grid_is_free(options)) return solve_within(on_one_grid, options, deadline, so_far);
+    if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options, so_far);
+    return on_one_grid(options, so_far);
   }
 
   const problem::Problem& problem_;

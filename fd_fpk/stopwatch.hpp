@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 
 namespace fpkcheck::fd_fpk {
 
@@ -19,13 +20,25 @@ class Stopwatch {
 class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
+  /// Of what there is no answer without.
+  static Deadline none() { return Deadline(std::numeric_limits<double>::infinity()); }
 
   /// Whether what takes so long may begin.
   bool allows(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
+  bool is_over() const { return !allows(0); }
 
  private:
   Stopwatch stopwatch_;
   double seconds_;
 };
+
+/// Whether there is an answer already: it stands where the next is not there at the deadline. What
+/// is the first one takes as long as it takes.
+enum class Answer { none_yet, stands };
+
+/// When what would be the next answer is given up.
+inline Deadline giving_up(const Deadline& deadline, Answer so_far) {
+  return so_far == Answer::stands ? deadline : Deadline::none();
+}
 
 }  // namespace fpkcheck::fd_fpk

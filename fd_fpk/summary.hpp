@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/wall_density.hpp"
 #include "fd_fpk/options.hpp"
 #include "transform/balance_residuals.hpp"
@@ -15,7 +16,8 @@ namespace fpkcheck::fd_fpk {
 struct ErrorEstimate {
   double y_l1 = 0;                       ///< of p(y), in L1
   double ydot_l1 = 0;                    ///< of p(y')
-  transform::Moments moments = {};       ///< absolute
+  transform::Moments moments = {};       ///< absolute; of the cells, and of the walls
+  transform::Moments of_walls = {};      ///< what of it is theirs
   double observed_order = 0;             ///< at which the marginals' differences fall
   transform::Moments extrapolated = {};  ///< Richardson limits
   double factor = 0;                     ///< of the last difference that is still missing
@@ -48,6 +50,7 @@ struct Summary {
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (> 0: ill-posed)
   double growth_wavenumber = 0;
   WallDensity wall{0, 0};                     ///< density on the outer walls relative to the peak
+  std::optional<Extent> wider = {};           ///< what shows what the walls do, where they matter
   std::optional<ErrorEstimate> error = {};    ///< where it was asked for
   transform::BalanceResiduals balances = {};  ///< of the density, where there is one
   double impact_rate = 0;                     ///< impacts per unit time, int_{v<0} |v| p(0, v) dv

@@ -74,7 +74,7 @@ constexpr double kTolerance = 1e-10, kRoughTolerance = 1e-9;
 
 // Improves q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has no mass.
 void improve(const Chain& chain, const Aggregation& aggregation, double tolerance,
-             Eigen::VectorXd& after, StationaryMasses& result) {
+             const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
   const Eigen::VectorXd defect = chain.kicked(chain.carried(after)) - after;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
@@ -83,7 +83,7 @@ void improve(const Chain& chain, const Aggregation& aggregation, double toleranc
   };
   const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) { aggregation.correct(d); };
   const auto found =
-      gmres(map, correct, defect, Eigen::VectorXd::Ones(after.size()), tolerance / norm);
+      gmres(map, correct, defect, Eigen::VectorXd::Ones(after.size()), tolerance / norm, deadline);
   result.iterations += found.iterations;
   if (!found.solution) {
     result.failure = found.failure;
@@ -103,7 +103,7 @@ int blocks_for(const problem::Problem& problem) {
 }  // namespace
 
 StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
-                                   int characteristics_per_cell) {
+                                   int characteristics_per_cell, const Deadline& deadline) {
   Chain chain(problem, grid, characteristics_per_cell);
   Aggregation aggregation(grid, blocks_for(problem));
   {
@@ -119,11 +119,11 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& 
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size());
   start(rest.below) = start(rest.above) = 0.5;
   Eigen::VectorXd after = chain.kicked(start);
-  improve(chain, aggregation, kRoughTolerance, after, result);
+  improve(chain, aggregation, kRoughTolerance, deadline, after, result);
   if (!result.failure.empty()) return result;
   chain.tilt_within(after);
   aggregation.spread_like(after);
-  improve(chain, aggregation, kTolerance, after, result);
+  improve(chain, aggregation, kTolerance, deadline, after, result);
   if (!result.failure.empty()) return result;
   const Eigen::VectorXd before = chain.carried(after, &result.impacts);
   result.residual = (chain.kicked(before) - after).cwiseAbs().sum();

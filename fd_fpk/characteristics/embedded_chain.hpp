@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fd_fpk/characteristics/passage.hpp"
+#include "fd_fpk/stopwatch.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -24,7 +25,9 @@ struct StationaryMasses {
 /// the velocity at fixed displacement, solved by GMRES: first with the mass evenly spread in each
 /// cell, which keeps it positive, then with tilts limited by that solution. GMRES is preconditioned by
 /// the same chain on blocks of cells.
+/// @param deadline at which GMRES gives up
 StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
-                                   int characteristics_per_cell);
+                                   int characteristics_per_cell,
+                                   const Deadline& deadline = Deadline::none());
 
 }  // namespace fpkcheck::fd_fpk

@@ -13,12 +13,16 @@ using namespace sundials_owned;
 struct Applied {
   const LinearMap& a;
   const ApproximateSolve& nearby;
+  const Deadline& deadline;
+  bool late = false;
   CarriedException thrown = {};
 };
 
 int times(void* data, N_Vector v, N_Vector z) {
   auto& callbacks = *static_cast<Applied*>(data);
   return callbacks.thrown.flag_of([&] {
+    callbacks.late = callbacks.deadline.is_over();
+    if (callbacks.late) return CarriedException::kUnrecoverable;
     view(z) = callbacks.a(view(v));
     return 0;
   });
@@ -36,11 +40,11 @@ int precondition(void* data, N_Vector r, N_Vector z, realtype, int) {
 }  // namespace
 
 GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eigen::VectorXd& b,
-                  const Eigen::VectorXd& weights, double tolerance) {
+                  const Eigen::VectorXd& weights, double tolerance, const Deadline& deadline) {
   constexpr int kBasis = 100;
   constexpr int kRestarts = 4;
   sundials::Context context;
-  Applied callbacks{a, nearby};
+  Applied callbacks{a, nearby, deadline};
   const auto x = vector_of(Eigen::VectorXd::Zero(b.size()), context);
   const auto right = vector_of(b, context);
   const auto scale = vector_of(weights, context);
@@ -68,6 +72,11 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
     callbacks.thrown.rethrow();
     result.iterations += SUNLinSolNumIters(solver.get());
     if (flag < 0) break;
+  }
+  if (callbacks.late) {
+    result.failure = fmt::format(
+        "GMRES had not converged in {} iterations when max_seconds were over", result.iterations);
+    return result;
   }
   const bool reduced = flag == SUNLS_SUCCESS || flag == SUNLS_RES_REDUCED;
   if (reduced && view(x.get()).allFinite()) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fd_fpk/linear/linear_map.hpp"
+#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -18,9 +19,11 @@ struct GmresResult {
 ///
 /// @param weights the norm is that of weights times the vector
 /// @param tolerance ||A x - b|| / ||b||
+/// @param deadline at which it gives up
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory), and what `a` and `nearby`
 /// throw
 GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eigen::VectorXd& b,
-                  const Eigen::VectorXd& weights, double tolerance);
+                  const Eigen::VectorXd& weights, double tolerance,
+                  const Deadline& deadline = Deadline::none());
 
 }  // namespace fpkcheck::fd_fpk

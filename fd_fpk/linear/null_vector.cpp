@@ -9,14 +9,14 @@
 namespace fpkcheck::fd_fpk {
 
 NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                       const Eigen::VectorXd& start) {
+                       const Eigen::VectorXd& start, const Deadline& deadline) {
   constexpr double kTolerance = 1e-13;
   if (!preconditioner.factor_stationary()) return {std::nullopt, 0, preconditioner.failure()};
   const auto times = [&](const Eigen::VectorXd& p) { return op * p; };
   const auto nearby = [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); };
   const Stopwatch stopwatch;
   auto [correction, iterations, failure] =
-      gmres(times, nearby, -(op * start), op.areas, kTolerance);
+      gmres(times, nearby, -(op * start), op.areas, kTolerance, deadline);
   const double seconds = stopwatch.seconds();
   if (!correction) return {std::nullopt, iterations, failure + " (take another grid)", seconds};
   Eigen::VectorXd averages = start + *correction;

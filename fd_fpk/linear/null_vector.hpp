@@ -6,6 +6,7 @@
 
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -19,8 +20,9 @@ struct NullVector {
 /// The stationary density without stepping: the null vector of L of mass 1. The correction d of a
 /// start of mass 1 solves L d = -L start by GMRES with one factorisation of the preconditioner. All
 /// residuals, and so d, have no mass: the singular system is consistent at every step.
+/// @param deadline at which GMRES gives up
 NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                       const Eigen::VectorXd& start);
+                       const Eigen::VectorXd& start, const Deadline& deadline = Deadline::none());
 
 /// The null vector of mass 1 by inverse iteration with KLU factors of the whole of L, for operators
 /// that nothing simple approximates: those that grow. It is what a solver would return that does

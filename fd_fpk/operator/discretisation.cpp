@@ -126,6 +126,33 @@ std::string objection(const problem::Problem& problem, const Options& options, c
   return "";
 }
 
+// The gradings of both lines.
+struct Gradings {
+  Grading of_x1, of_x2;
+};
+Gradings gradings(const problem::Problem& problem, const Options& options) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double at_origin = origin_refinement(problem, options);
+  const Grading of_x2 = grading(at_origin, linear.velocity_deviation);
+  return {.of_x1 = x1_grading(problem, options, at_origin, of_x2, linear.displacement_deviation),
+          .of_x2 = of_x2};
+}
+
+// Where a line of `cells` from 0 to `length` ends when it goes on for so many more.
+double end_after(int more, int cells, double length, const Grading& grading) {
+  const double wanted = graded_cells(length, 1, grading) * (cells + more) / cells;
+  double end = length;
+  for (int n = 0; n < 20; ++n) {  // Newton: convex, and close to a line
+    end -= (graded_cells(end, 1, grading) - wanted) / (1 + grading.reach / (grading.core + end));
+  }
+  return end;
+}
+int cells_more(int cells, double length, double factor, const Grading& grading) {
+  const double quotient =
+      graded_cells(factor * length, 1, grading) / graded_cells(length, 1, grading);
+  return static_cast<int>(std::lround((quotient - 1) * cells));
+}
+
 }  // namespace
 
 Box initial_box(const problem::Problem& problem, const Options& options) {
@@ -162,13 +189,23 @@ double origin_refinement(const problem::Problem& problem, const Options& options
                                                        : kRefinedOrigin);
 }
 
+Extent beyond(const problem::Problem& problem, const Options& options, const Grid& grid,
+              double factor_x1, double factor_x2) {
+  const auto [of_x1, of_x2] = gradings(problem, options);
+  const int nx = grid.nx(), half = grid.nv() / 2;
+  const int more_x1 = cells_more(nx, grid.x1_max(), factor_x1, of_x1);
+  const int more_x2 = cells_more(half, grid.x2_max(), factor_x2, of_x2);
+  return {.box = {.x1_max = end_after(more_x1, nx, grid.x1_max(), of_x1),
+                  .x2_max = end_after(more_x2, half, grid.x2_max(), of_x2)},
+          .nx = nx + more_x1,
+          .nv = 2 * (half + more_x2)};
+}
+
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
   const auto linear = problem::equivalent_linearisation(problem);
-  const double at_origin = origin_refinement(problem, options);
-  const Grading of_x2 = grading(at_origin, linear.velocity_deviation);
-  const Grading of_x1 =
-      x1_grading(problem, options, at_origin, of_x2, linear.displacement_deviation);
-  const double width = (at_origin == 1 ? 1 : kGradedWidth) / options.refinement;
+  const auto [of_x1, of_x2] = gradings(problem, options);
+  const double width =
+      (origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
   // Not value_or(), which would make an int of it.
   const double nx =
       options.nx ? *options.nx

@@ -46,6 +46,16 @@ double origin_refinement(const problem::Problem& problem, const Options& options
 /// far out on a graded grid, unless the options set their number.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
+/// A box, and cells that it is cut into.
+struct Extent {
+  Box box;
+  int nx;
+  int nv;
+};
+/// About so much further than a grid of these options reaches, on the same cells within.
+Extent beyond(const problem::Problem& problem, const Options& options, const Grid& grid,
+              double factor_x1, double factor_x2);
+
 /// The operator that the options ask for on their grid.
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on);

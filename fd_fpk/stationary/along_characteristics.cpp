@@ -28,9 +28,10 @@ struct Stationary {
   double rest_mass = 0;
 };
 
-Stationary stationary_in(const problem::Problem& problem, const Options& options, const Box& box) {
+Stationary stationary_in(const problem::Problem& problem, const Options& options, const Box& box,
+                         const Deadline& given_up) {
   Grid grid = characteristic_grid(problem, options, box);
-  StationaryMasses found = stationary_masses(problem, grid, kCharacteristicsPerCell);
+  StationaryMasses found = stationary_masses(problem, grid, kCharacteristicsPerCell, given_up);
   double rest_mass = 0;
   if (found.masses) {
     rest_mass = (*found.masses)(found.rest.below) + (*found.masses)(found.rest.above);
@@ -52,6 +53,12 @@ Sums sums(const Stationary& on) {
           .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
 }
 
+// Of a box: what leaves it stays in the cells at its end.
+constexpr double kMostAtEnd = 1e-6;
+double at_end(const Sums& sums) {
+  return std::max(sums.of_y(sums.of_y.size() - 1), sums.of_speed(sums.of_speed.size() - 1));
+}
+
 // The first face beyond which there is no more than `negligible`; the last one where the cells at
 // the end hold more.
 double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible) {
@@ -65,9 +72,12 @@ double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible
   return line.face(last);
 }
 
-// A box that holds all but a negligible part, found on wide cells.
-Box box_of(const problem::Problem& problem, const Options& options) {
+// A box that holds all but a negligible part, found on wide cells; after the deadline one that
+// holds all but kMostAtEnd, without which there would be no answer.
+Box box_of(const problem::Problem& problem, const Options& options, const Deadline& deadline,
+           Answer so_far) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
+  constexpr double kSlower = 1.5;  // the wider box, about
   constexpr int kMostTimes = 6;
   Box box = generous_box(problem, options);
   if (options.x1_max && options.x2_max) return box;
@@ -75,13 +85,16 @@ Box box_of(const problem::Problem& problem, const Options& options) {
   coarse.nx = coarse.nv = std::nullopt;
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
-    const Stationary on = stationary_in(problem, coarse, box);
+    const Stopwatch stopwatch;
+    const Stationary on = stationary_in(problem, coarse, box, giving_up(deadline, so_far));
     if (!on.found.masses) return box;
-    const auto [of_y, of_speed] = sums(on);
-    const double y = end_of(on.grid.x1, of_y, kNegligible);
-    const double v = end_of(on.grid.speeds(), of_speed, kNegligible);
+    const Sums masses = sums(on);
+    const double y = end_of(on.grid.x1, masses.of_y, kNegligible);
+    const double v = end_of(on.grid.speeds(), masses.of_speed, kNegligible);
     const bool wider_y = !options.x1_max && y >= box.x1_max;
     const bool wider_v = !options.x2_max && v >= box.x2_max;
+    const bool will_do = at_end(masses) <= kMostAtEnd;
+    if (will_do && (wider_y || wider_v) && !deadline.allows(kSlower * stopwatch.seconds())) break;
     if (!options.x1_max) box.x1_max = wider_y ? kWider * box.x1_max : y;
     if (!options.x2_max) box.x2_max = wider_v ? kWider * box.x2_max : v;
     if (!wider_y && !wider_v) break;
@@ -110,12 +123,13 @@ void observe(const problem::Problem& problem, const Stationary& on, const Eigen:
 
 }  // namespace
 
-Result solve_along_characteristics(const problem::Problem& problem, const Options& options) {
+Result solve_along_characteristics(const problem::Problem& problem, const Options& options,
+                                   const Deadline& deadline, Answer so_far) {
   Result result;
   auto& [solution, summary] = result;
-  const Box box = box_of(problem, options);
+  const Box box = box_of(problem, options, deadline, so_far);
   const Stopwatch stopwatch;
-  const Stationary on = stationary_in(problem, options, box);
+  const Stationary on = stationary_in(problem, options, box, giving_up(deadline, so_far));
   summary.nx = on.grid.nx();
   summary.nv = on.grid.nv();
   summary.x1_max = on.grid.x1_max();
@@ -135,16 +149,12 @@ Result solve_along_characteristics(const problem::Problem& problem, const Option
   summary.rest_mass = on.rest_mass;
   observe(problem, on, on.found.masses->cwiseQuotient(on.grid.areas()), result);
   solution.status = Status::ok;
-  // Of a box that was given: what leaves it stays in the cells at its end.
-  constexpr double kMostAtEnd = 1e-6;
-  const auto [of_y, of_speed] = sums(on);
-  const double at_end = std::max(of_y(of_y.size() - 1), of_speed(of_speed.size() - 1));
-  if (at_end > kMostAtEnd) {
+  if (const double beyond = at_end(sums(on)); beyond > kMostAtEnd) {
     solution.status = Status::failed;
     solution.reason = fmt::format(
         "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the cells "
         "at its end (widen it with y-max and v-max)",
-        on.grid.x1_max(), on.grid.x2_max(), at_end);
+        on.grid.x1_max(), on.grid.x2_max(), beyond);
     return result;
   }
   judge_resolution(options, result);

@@ -13,7 +13,8 @@ namespace {
 // Of the residual, by GMRES.
 constexpr double kLeastReduction = 1e-4;
 
-DirectSolution solve_in(const problem::Problem& problem, const Options& options, const Box& box) {
+DirectSolution solve_in(const problem::Problem& problem, const Options& options, const Box& box,
+                        const Deadline& given_up) {
   Discretisation discretisation = discretise(problem, options, box);
   if (!discretisation.refusal.empty()) {
     std::string refusal = discretisation.refusal;
@@ -24,7 +25,8 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
   Preconditioner preconditioner(problem, discretisation.excitation, options.impact, grid,
                                 options.order);
   const Eigen::VectorXd start = gaussian_start(grid, problem);
-  auto [averages, iterations, failure, krylov_seconds] = null_vector(op, preconditioner, start);
+  auto [averages, iterations, failure, krylov_seconds] =
+      null_vector(op, preconditioner, start, given_up);
   const bool converged = averages && op.residual(*averages) < kLeastReduction * op.residual(start);
   return {.discretisation = std::move(discretisation),
           .refinement = options.refinement,
@@ -41,14 +43,14 @@ DirectSolution solve_in(const problem::Problem& problem, const Options& options,
 // Solves in `box` and moves the walls of it that the options leave free until they are empty, or,
 // when the time is over, until the box is not too small to be an answer.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem, const Options& options,
-                                        const Deadline& deadline, Box& box) {
+                                        const Deadline& deadline, Answer so_far, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
   constexpr double kSlower = 1.5;  // the wider box, about
   WallDensity last{HUGE_VAL, HUGE_VAL};
   while (true) {
     const Stopwatch stopwatch;
-    DirectSolution direct = solve_in(problem, options, box);
+    DirectSolution direct = solve_in(problem, options, box, giving_up(deadline, so_far));
     if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(problem, direct.discretisation.grid, *direct.averages);
@@ -78,7 +80,7 @@ bool resolved(const problem::Problem& problem, const Options& options,
 }  // namespace
 
 Box stationary_box(const problem::Problem& problem, const Options& options,
-                   const Deadline& deadline) {
+                   const Deadline& deadline, Answer so_far) {
   constexpr double kCoarse = 0.5;
   constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
   Box box = initial_box(problem, options);
@@ -88,22 +90,25 @@ Box stationary_box(const problem::Problem& problem, const Options& options,
     coarse.refinement = kCoarse;
     coarse.order = kCoarseOrder;
     coarse.origin_refinement = 1;
-    solve_in_wide_enough_box(problem, coarse, deadline, box);
+    solve_in_wide_enough_box(problem, coarse, deadline, so_far, box);
   }
   return box;
 }
 
 DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
-                              const Deadline& deadline) {
+                              const Deadline& deadline, Answer so_far) {
   constexpr int kRefinements = 2;
   constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
   constexpr double kRefinement = 1.5;
   constexpr double kSlower = 5;  // a grid so much finer, about
-  Box box = stationary_box(problem, options, deadline);
+  Box box = stationary_box(problem, options, deadline, so_far);
   Options on_grid = options;
+  std::optional<DirectSolution> coarser;
   for (int refinement = 0;; ++refinement) {
     const Stopwatch stopwatch;
-    DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, deadline, box);
+    DirectSolution direct = solve_in_wide_enough_box(problem, on_grid, deadline,
+                                                     coarser ? Answer::stands : so_far, box);
+    if (coarser && !direct.averages && deadline.is_over()) return std::move(*coarser);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
     if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||
         direct.discretisation.grid.size() > kMostCellsRefined ||
@@ -116,6 +121,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const Options& op
     } else {
       on_grid.refinement *= kRefinement;
     }
+    coarser = std::move(direct);
   }
 }
 

@@ -30,7 +30,7 @@ struct DirectSolution {
 /// initial_box with those walls that the options leave free moved out on coarse grids until the
 /// stationary density on them is negligible; after the deadline, until it is below kMostOnWall.
 Box stationary_box(const problem::Problem& problem, const Options& options,
-                   const Deadline& deadline);
+                   const Deadline& deadline, Answer so_far = Answer::none_yet);
 
 /// The direct solution in a box whose walls carry no density, on a grid that resolves it, as far as
 /// the options leave box and grid free:
@@ -38,8 +38,8 @@ Box stationary_box(const problem::Problem& problem, const Options& options,
 ///   density on it falls, first on coarse grids; after the deadline only where it is above
 ///   kMostOnWall, with which there would be no answer;
 /// - an automatic grid is refined, at a spike at the origin first, while the density exceeds
-///   kAutomaticGridBars and the time lasts.
+///   kAutomaticGridBars and the time lasts; what is not there at the deadline is given up.
 DirectSolution solve_directly(const problem::Problem& problem, const Options& options,
-                              const Deadline& deadline);
+                              const Deadline& deadline, Answer so_far = Answer::none_yet);
 
 }  // namespace fpkcheck::fd_fpk

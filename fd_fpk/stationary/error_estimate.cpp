@@ -63,17 +63,20 @@ Options direct(Options options) {
   return options;
 }
 
-// An automatic grid may have been refined on the way, or its box found: other levels follow what it
-// became.
+Options in_box_of(Options options, const Summary& summary) {
+  options.x1_max = summary.x1_max;
+  options.x2_max = summary.x2_max;
+  return options;
+}
+
+// An automatic grid may have been refined on the way, and its box found: other levels follow what it
+// became. In boxes of their own they would differ by more than by their cells.
 Options as_used(Options options, const Summary& summary) {
   options.refinement = summary.refinement;
-  if (options.transport == Transport::characteristics) {
-    options.x1_max = summary.x1_max;
-    options.x2_max = summary.x2_max;
-  } else {
+  if (options.transport != Transport::characteristics) {
     options.origin_refinement = summary.origin_refinement;
   }
-  return options;
+  return in_box_of(options, summary);
 }
 
 // Of the scheme; the transport along characteristics spreads a cell's mass linearly.
@@ -82,9 +85,13 @@ int order_of(const Options& options) {
   return options.transport == Transport::characteristics ? kAlongCharacteristics : options.order;
 }
 
+// Relative.
+double second_moments_off(const Moments& error, const Moments& moments) {
+  return std::max(error.y2 / moments.y2, error.v2 / moments.v2);
+}
+
 double worst(const ErrorEstimate& error, const Moments& moments) {
-  return std::max(
-      {error.y_l1, error.ydot_l1, error.moments.y2 / moments.y2, error.moments.v2 / moments.v2});
+  return std::max({error.y_l1, error.ydot_l1, second_moments_off(error.moments, moments)});
 }
 
 double l1(const ErrorEstimate& error) { return std::max(error.y_l1, error.ydot_l1); }
@@ -94,6 +101,32 @@ void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& er
   if (error.observed_order >= transform::kLeastOrderOfALimit) {
     fine.solution.extrapolation = {*coarser.density, error.factor};
   }
+}
+
+// By how much the walls of a box move the moments, by those on the same cells in a wider one: no
+// refinement of the cells shows it. Of a wider box that has no density nothing is known.
+Moments moved_by_walls(const SolveOnOneGrid& solve, const Options& of_cells, const Result& in_box) {
+  Moments moved;
+  const auto& [solution, summary] = in_box;
+  if (!summary.wider) return moved;
+  Options options = direct(of_cells);
+  options.x1_max = summary.wider->box.x1_max;
+  options.x2_max = summary.wider->box.x2_max;
+  options.nx = summary.wider->nx;
+  options.nv = summary.wider->nv;
+  const Result wider = solve(options, Answer::none_yet);
+  if (!wider.solution.density) return moved;
+  for (const auto& named : transform::kMoments) {
+    moved.*named.moment =
+        std::abs(wider.solution.moments.*named.moment - solution.moments.*named.moment);
+  }
+  return moved;
+}
+
+ErrorEstimate with_walls(ErrorEstimate error, const Moments& moved) {
+  for (const auto& named : transform::kMoments) error.moments.*named.moment += moved.*named.moment;
+  error.of_walls = moved;
+  return error;
 }
 
 // The best there is when a finer grid gave nothing.
@@ -135,29 +168,35 @@ ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, con
           .factor = known.factor};
 }
 
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options) {
-  Result fine = solve(options);
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
+                                 Answer so_far) {
+  Result fine = solve(options, so_far);
   if (!fine.solution.density) return fine;
   const Options used = as_used(options, fine.summary);
-  const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
-  const Result coarse = solve(direct(refined(used, 1 / (kLevelRatio * kLevelRatio))));
+  // What is left is quicker, and an answer that does not know its error is none.
+  const Result middle = solve(direct(refined(used, 1 / kLevelRatio)), Answer::none_yet);
+  const Options coarsest = direct(refined(used, 1 / (kLevelRatio * kLevelRatio)));
+  const Result coarse = solve(coarsest, Answer::none_yet);
   if (middle.solution.density && coarse.solution.density) {
-    add_estimate(
-        fine, middle.solution,
-        estimate_error(coarse.solution, middle.solution, fine.solution, order_of(options)));
+    add_estimate(fine, middle.solution,
+                 with_walls(estimate_error(coarse.solution, middle.solution, fine.solution,
+                                           order_of(options)),
+                            moved_by_walls(solve, coarsest, coarse)));
     judge_error(options, fine);
   }
   return fine;
 }
 
-Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline) {
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
+                    Answer so_far) {
   double slower = kSlower;
   constexpr double kSoon = 8;  // of the time that is left, its inverse
   const Stopwatch stopwatch;
-  Result best = solve_with_error_estimate(solve, options);
+  Result best = solve_with_error_estimate(solve, options, so_far);
   if (!best.summary.error) return best;
-  // The three grids together took about 1 + 1/2.5 + 1/6 times as long as the finest.
-  double seconds = stopwatch.seconds() / 1.6;
+  // The three grids together took about 1 + 1/2.5 + 1/6 times as long as the finest, and the wider
+  // box twice as long as the last.
+  double seconds = stopwatch.seconds() / (best.summary.wider ? 1.9 : 1.6);
   Options level = direct(as_used(options, best.summary));
   // Of the three last levels the two coarser ones.
   const Options before = refined(level, 1 / kLevelRatio);
@@ -177,15 +216,16 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
     if (!hopeful && (best.solution.is_ok() || !deadline.allows(slower * seconds))) break;
     level = refined(level, kLevelRatio);
     const Stopwatch of_level;
-    Result fine = solve(level);
+    Result fine = solve(level, Answer::stands);
     slower = std::max(kSlower, of_level.seconds() / seconds);
     seconds = of_level.seconds();
     if (!fine.solution.density) break;
-    if (!coarse) coarse = solve(before);
+    if (!coarse) coarse = solve(before, Answer::stands);
     if (!coarse->solution.density) break;
-    add_estimate(
-        fine, middle.solution,
-        estimate_error(coarse->solution, middle.solution, fine.solution, order_of(options)));
+    add_estimate(fine, middle.solution,
+                 with_walls(estimate_error(coarse->solution, middle.solution, fine.solution,
+                                           order_of(options)),
+                            best.summary.error->of_walls));
     judge_error(options, fine);
     coarse = std::exchange(middle, fine);
     if (better(fine, best)) best = std::move(fine);
@@ -194,13 +234,17 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
 }
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const Deadline& deadline) {
+                          const Deadline& deadline, Answer so_far) {
   constexpr double kFirst = 0.5;          // refinement of the coarsest grid
   constexpr double kOrdersMissing = 1.5;  // when the origin is held to limit the order
+  // Of the tolerance, what the walls may take: finer cells do not mend it, a wider box does.
+  constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
   Options level = refined(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
   std::array<std::optional<Result>, 3> last;  // coarse, middle, fine
   std::optional<Result> estimated;            // the finest before the cells were graded
+  Moments of_walls;
+  bool box_found = false;
   const auto stop = [&](const std::string& reason) {
     // Graded grids that have no estimate yet do not replace uniform ones that have.
     const bool newer = last[2] && (last[2]->summary.error || !estimated);
@@ -212,17 +256,32 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       return stop(fmt::format("about {:.2g} s, more than max_seconds leaves", slower * seconds));
     }
     const Stopwatch of_level;
-    Result result = solve(direct(level));
+    Result result = solve(direct(level), last[2] || estimated ? Answer::stands : so_far);
     slower = std::max(kSlower, seconds > 0 ? of_level.seconds() / seconds : 0);
     seconds = of_level.seconds();
     if (!result.solution.density) {
       return last[2] || estimated ? stop(result.solution.reason) : result;
     }
-    std::rotate(last.begin(), last.begin() + 1, last.end());
-    last[2] = std::move(result);
+    if (!box_found) {
+      last[2] = std::move(result);
+      of_walls = moved_by_walls(solve, direct(level), *last[2]);
+      const double excess =
+          second_moments_off(of_walls, last[2]->solution.moments) / (kWalls * *options.tolerance);
+      const bool free = !options.x1_max || !options.x2_max;
+      box_found = excess <= 1 || !free || level.wall_density <= kLeastOnWall;
+      if (!box_found) {
+        level.wall_density *= std::min(0.1, 1 / excess);
+        continue;  // the same cells in a wider box
+      }
+      level = in_box_of(level, last[2]->summary);
+    } else {
+      std::rotate(last.begin(), last.begin() + 1, last.end());
+      last[2] = std::move(result);
+    }
     if (last[0]) {
-      const auto error =
-          estimate_error(last[0]->solution, last[1]->solution, last[2]->solution, options.order);
+      const auto error = with_walls(
+          estimate_error(last[0]->solution, last[1]->solution, last[2]->solution, options.order),
+          of_walls);
       add_estimate(*last[2], last[1]->solution, error);
       if (worst(error, last[2]->solution.moments) <= *options.tolerance) {
         if (options.stepper == Stepper::direct) {
@@ -230,7 +289,8 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
           return *last[2];
         }
         level.stepper = options.stepper;
-        Result stepped = solve(level);
+        Result stepped = solve(level, Answer::stands);
+        if (!stepped.solution.density && deadline.is_over()) stepped = *last[2];
         if (stepped.solution.density) add_estimate(stepped, last[1]->solution, error);
         judge_error(options, stepped);
         return stepped;

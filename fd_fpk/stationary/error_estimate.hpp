@@ -17,20 +17,22 @@ ErrorEstimate estimate_error(const transform::Solution& coarse, const transform:
                              const transform::Solution& fine, int order);
 
 /// Solves one problem with given options on one grid.
-using SolveOnOneGrid = std::function<Result(const Options&)>;
+using SolveOnOneGrid = std::function<Result(const Options&, Answer so_far)>;
 
 /// The solution on the grid of the options, with its error estimated from grids of cells wider by
 /// transform::kLevelRatio and its square (direct solves). The solution carries its extrapolation
 /// where the observed order is at least transform::kLeastOrderOfALimit.
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
+                                 Answer so_far = Answer::none_yet);
 
 /// The error in L1 that the automatic grid is made for where it can be had in time.
 inline constexpr double kUsualAccuracy = 1e-4;
 
 /// As above, and on finer grids as long as the estimate is larger than kUsualAccuracy, may be
 /// expected to get there before the deadline, or is larger than the accuracy asked for and there is
-/// time for another.
-Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline);
+/// time for another. One that is not there at the deadline is given up.
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
+                    Answer so_far = Answer::none_yet);
 
 /// Whether the one is ok and the other is not, or has an error estimate, or the smaller one.
 bool better(const Result& one, const Result& other);
@@ -42,6 +44,6 @@ bool better(const Result& one, const Result& other);
 /// the deadline or the number of cells allows does not meet it. The solution carries its
 /// extrapolation as above.
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const Deadline& deadline);
+                          const Deadline& deadline, Answer so_far = Answer::none_yet);
 
 }  // namespace fpkcheck::fd_fpk

@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
+
+namespace {
+struct OutOfTime {};
+}  // namespace
 
 March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                             const Eigen::VectorXd& start, double tolerance,
@@ -26,7 +32,13 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
 
   const Stopwatch stopwatch;
   const double factored_before = preconditioner.factor_seconds();
-  LinearCvode cvode(linear_system(op, preconditioner), start,
+  LinearSystem system = linear_system(op, preconditioner);
+  // One step may take as long as many products.
+  system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
+    if (deadline.is_over()) throw OutOfTime();
+    return times(p);
+  };
+  LinearCvode cvode(std::move(system), start,
                     {.max_order = 1,
                      .relative_tolerance = kRelativeTolerance,
                      .absolute_tolerance = absolute_tolerance,
@@ -39,7 +51,13 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   march.residual = op.residual(start);
   while (march.residual > tolerance && march.steps < kMaxSteps) {
     const Stopwatch of_step;
-    const int flag = cvode.step().flag;
+    int flag = 0;
+    try {
+      flag = cvode.step().flag;
+    } catch (const OutOfTime&) {
+      march.out_of_time = true;
+      break;
+    }
     march.steps = cvode.steps();
     if (flag < 0) {
       march.reason =

@@ -34,7 +34,7 @@ struct TimeScales {
 /// where higher orders creep), loose local errors, steps that grow by up to 100. The linear systems
 /// are solved by GMRES with L itself, preconditioned by one KLU factorisation a step size. Only the
 /// residual is judged, never CVODE's step size. No step begins that would end after the deadline if
-/// it took as long as the one before.
+/// it took as long as the one before; one that does not end by then is given up.
 ///
 /// @param tolerance on the residual, per unit time
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)

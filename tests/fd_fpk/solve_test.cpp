@@ -128,7 +128,9 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
 TEST(Solve, SteppingMeetsTheBarsOfMassEnergyAndStationarityOnThePapersCases) {
   for (const int number : {1, 4}) {
     for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
-      const auto [solution, summary] = solve(tests::paper_case(number), {.equation = equation});
+      // Stepping takes no part where the time is short, and this machine may have little of it.
+      const auto [solution, summary] =
+          solve(tests::paper_case(number), {.equation = equation, .max_seconds = 600});
       ASSERT_EQ(solution.status, Status::ok) << solution.reason;
       EXPECT_NEAR(solution.mass, 1.0, 1e-10);
       EXPECT_LT(std::abs(solution.energy_residual), 1e-4) << name(equation) << " " << number;

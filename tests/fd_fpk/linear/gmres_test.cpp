@@ -30,6 +30,31 @@ TEST(Gmres, SaysThatItDidNotConverge) {
   EXPECT_NE(failure.find("did not converge"), std::string::npos) << failure;
 }
 
+// It may stagnate for minutes on a fine grid, and nothing else looks at the clock meanwhile.
+TEST(Gmres, GivesUpAtTheDeadline) {
+  int products = 0;
+  const auto count_until = [&](int last, const Deadline& deadline) {
+    products = 0;
+    return gmres(
+        [&](const Eigen::VectorXd& x) {
+          while (products == last && !deadline.is_over()) {
+          }
+          ++products;
+          return times(x);
+        },
+        nearly, kRight, kWeights, 1e-12, deadline);
+  };
+  const auto late = count_until(0, Deadline(0));
+  EXPECT_FALSE(late.solution);
+  EXPECT_EQ(products, 0);
+  EXPECT_NE(late.failure.find("max_seconds"), std::string::npos) << late.failure;
+  const auto midway = count_until(3, Deadline(0.05));
+  EXPECT_FALSE(midway.solution);
+  EXPECT_LE(products, 4);
+  EXPECT_TRUE(count_until(-1, Deadline::none()).solution);
+  EXPECT_GT(products, 4);
+}
+
 struct Thrown {
   int number;
 };
