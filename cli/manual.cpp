@@ -47,7 +47,7 @@ std::string manual(const std::vector<CommandHelp>& commands) {
   std::string page = fmt::format(".TH FPKCHECK 1 \"\" \"{} {}\" \"User Commands\"\n", program.name,
                                  program.version);
   page += R"(.SH NAME
-fpkcheck \- stationary density of a vibro\-impact Duffing oscillator under Poisson impulses
+fpkcheck \- stationary density of an oscillator with or without impacts, under impulses or noise
 .SH SYNOPSIS
 .B fpkcheck
 .I COMMAND
@@ -61,9 +61,12 @@ random impulses:
     y'(+) = \-r y'(\-)                      at y = 0
 .fi
 .PP
+That is the paper's oscillator. Others have a force of fifth degree, damping that depends on y and y',
+walls anywhere or none, and white noise beside the impulses or alone: bistable, gap, van_der_pol, ...
 The stationary probability densities of y and y' are computed by methods that share nothing but the
 problem, and compared with one another.
-A CASE is case1 .. case4 (the paper's Table 1) or an ini file like cases/case1.ini.
+A CASE is case1 .. case4 (the paper's Table 1), another oscillator by its name or an ini file like
+cases/case1.ini.
 .SH COMMANDS
 )";
   for (const auto& command : commands) {

@@ -80,10 +80,13 @@ std::string names_of(const std::vector<Command>& all) {
 
 void print_overview(const std::vector<Command>& all) {
   fmt::print(
-      R"(fpkcheck - stationary density of a vibro-impact Duffing oscillator under Poisson
-           impulses, by independent methods that are compared with one another
+      R"(fpkcheck - stationary density of an oscillator with or without impacts, under
+           Poisson impulses or white noise or both, by independent methods that are
+           compared with one another
 
-    y'' + c y' + k y + mu y^3 = impulses  (y > 0),    y'(+) = -r y'(-)  at y = 0
+    y'' + f(y, y') + g(y) = impulses + noise,    y'(+) = -r y'(-)  at walls
+
+The paper's:  y'' + c y' + k y + mu y^3 = impulses  (y > 0),  a wall at y = 0.
 
 usage: fpkcheck COMMAND [CASE ...] [options]
 
@@ -96,7 +99,8 @@ commands:
     fmt::print("{}", lines.replace(2, command.name.size(), command.name));
   }
   fmt::print(R"(
-A CASE is case1 .. case4 (the paper's Table 1) or an ini file like
+A CASE is case1 .. case4 (the paper's Table 1), another oscillator by its name
+(bistable, gap, van_der_pol, ..: docs/systems.md) or an ini file like
 cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain a
 command's options; start with `fpkcheck run`.
 Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::report {
 
-/// Why solutions of a case are not ok: those that say the same, together.
+/// Why solutions of a case are not ok: those to which the same was not offered, together.
 struct Reason {
   std::vector<std::string> solutions;  ///< ids, in their order
   transform::Status status;

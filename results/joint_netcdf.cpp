@@ -1,6 +1,7 @@
 #include "results/joint_netcdf.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,20 @@ class OverSolutions {
   std::vector<float> values_;
 };
 
+// "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5": what the densities lack of 1. Empty where none does.
+std::string atoms_text(const Case& one) {
+  std::vector<std::string> solutions;
+  for (const auto& solution : one.solutions) {
+    std::vector<std::string> atoms;
+    for (const auto& atom : solution.atoms) {
+      atoms.push_back(fmt::format("{:.6g} at y = {:g}", atom.probability, atom.y));
+    }
+    if (atoms.empty()) continue;
+    solutions.push_back(fmt::format("{}: {}", solution.id(), fmt::join(atoms, ", ")));
+  }
+  return fmt::format("{}", fmt::join(solutions, "; "));
+}
+
 void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::string>& solutions,
                 int solution, int bounds) {
   if (one.joints.empty()) return;
@@ -77,10 +92,14 @@ void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::stri
         file.compressed(prefix + '_' + name, {solution, y, ydot}, meaning, over.values());
     file.attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
     write_problem(file, one.problem, variable);
+    return variable;
   };
   OverSolutions densities(solutions, cells.averages.size());
   for (const auto& [id, density] : one.joints) densities.put(id, density.averages);
-  write("p", "joint probability density of y and y'", densities);
+  const int p = write("p", "joint probability density of y and y'", densities);
+  if (const std::string atoms = atoms_text(one); !atoms.empty()) {
+    file.attribute("rest_in_contact", atoms, p);
+  }
   for (const auto& moment : transform::kMoments) {
     OverSolutions sources(solutions, cells.averages.size());
     bool any = false;
@@ -123,8 +142,7 @@ std::string joint_netcdf(const Run& run) {
   NetCdfWriter file;
   file.attribute("Conventions", "CF-1.8");
   file.attribute("title",
-                 "stationary joint densities of a vibro-impact Duffing oscillator under "
-                 "Poisson impulses");
+                 "stationary joint densities of oscillators under random impulses or noise");
   file.attribute("source", fmt::format("{} {}", run.program.name, run.program.version));
   file.attribute("command", run.program.command);
   const auto solutions = solutions_of(run);

@@ -11,7 +11,7 @@ import json
 import statistics
 from pathlib import Path
 
-from validity_document import replace_part
+from made_parts import replace_part
 
 # Of an answer that is `ok`, but further off than twice what it states (and what the reference may be off by): x.
 LETTERS = {"ok": "o", "inaccurate": "i", "inadmissible": "a", "not_converged": "n", "ill_posed": "p", "failed": "f"}

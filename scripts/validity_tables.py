@@ -10,7 +10,7 @@ import re
 import statistics
 from pathlib import Path
 
-from validity_document import replace_part
+from made_parts import replace_part
 
 LIMITS = (0.01, 0.05)
 # Of the points above a bound so many have to be within a limit, and so many have to be there.

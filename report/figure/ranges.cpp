@@ -30,7 +30,8 @@ void include_walls(const results::Curve& curve, double peak, Extent& linear, Ext
   const double low = curve.abscissa.front() - widths.front() / 2;
   const double high = curve.abscissa.back() + widths.back() / 2;
   const bool at_zero = std::abs(low) < widths.front() / 100;
-  const auto seen = [&](double density) { return density > kVisiblePart * peak; };
+  constexpr double kNotFaded = 1.0 / 20;
+  const auto seen = [&](double density) { return density > kNotFaded * peak; };
   for (Extent* extent : {&linear, &logarithmic}) {
     if (at_zero) {
       extent->include(0);

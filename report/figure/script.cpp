@@ -101,6 +101,10 @@ std::string legend_label(const DrawnCurve& drawn) {
   const auto& solution = *drawn.solution;
   std::string label = solution.id();
   if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
+  // No curve shows atoms.
+  for (const auto& atom : solution.atoms) {
+    label += fmt::format(", {:.3g} at rest at {:g}", atom.probability, atom.y);
+  }
   if (!drawn.curve->lower.empty()) label += ", with 95 % intervals";
   return label;
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "family.hpp"
 #include "parameters/input_error.hpp"
 #include "saved_run.hpp"
 
@@ -77,6 +78,35 @@ TEST(Summary, BoundsAreReadBack) {
   EXPECT_EQ(bounds->reason, "wider than asked for");
   EXPECT_EQ(bounds->each, full_run().cases[0].bounds->each);
   EXPECT_FALSE(read(summary_text(tests::made_up_run())).cases[0].bounds);
+}
+
+TEST(Summary, AtomsAreReadBack) {
+  results::Run run = tests::made_up_run();
+  auto& solution = run.cases[0].solutions.back();
+  EXPECT_FALSE(summary_of(run)["cases"][0]["solutions"].back().contains("atoms"));
+  solution.atoms = {{.y = -0.5, .probability = 0.25, .standard_error = 0.01},
+                    {.y = 0.5, .probability = 0.125, .stated_error = 0.02}};
+  const auto again = read(summary_text(run)).cases[0].solutions.back().atoms;
+  ASSERT_EQ(again.size(), 2u);
+  EXPECT_EQ(again[0].y, -0.5);
+  EXPECT_EQ(again[0].probability, 0.25);
+  EXPECT_EQ(again[0].standard_error, 0.01);
+  EXPECT_FALSE(again[0].stated_error);
+  EXPECT_EQ(again[1].stated_error, 0.02);
+}
+
+TEST(Summary, OfAnotherOscillatorIsReadBack) {
+  results::Run run = tests::made_up_run();
+  run.cases[0].problem =
+      tests::with_noise(problem::System({.damping = -1, .van_der_pol = 1, .stiffness = 1},
+                                        {.right = 2, .right_restitution = 0.9}),
+                        0.4);
+  const Json json = summary_of(run)["cases"][0];
+  EXPECT_FALSE(json.contains("impulse"));
+  EXPECT_EQ(json["noise"].dump(), R"({"intensity":0.4})");
+  EXPECT_EQ(json["wall"].dump(), R"({"right":2.0,"right_restitution":0.9})");
+  const auto again = read(summary_text(run)).cases[0].problem;
+  EXPECT_EQ(problem::parameters_text(again), problem::parameters_text(run.cases[0].problem));
 }
 
 TEST(Summary, HasEveryFieldOfTheContract) {

@@ -11,6 +11,6 @@ def replace_part(document, name, text, check=False):
     tail = rest.split(end)[1]
     after = f"{head}{begin}\n{text}\n{end}{tail}"
     if check and after != before:
-        raise SystemExit(f"{document}: {name} is not what the map says (scripts/validity --tables)")
+        raise SystemExit(f"{document}: {name} is not what its script makes (run it again)")
     if after != before:
         document.write_text(after)

@@ -1,0 +1,56 @@
+"""Writes the table of docs/systems.md, between its marks, from runs of the shipped systems.
+
+    systems_table.py docs/systems.md DIRECTORY NAME ...
+"""
+
+import json
+import pathlib
+import sys
+
+from made_parts import replace_part
+
+
+def l1(case, a, b):
+    """The larger L1 distance of p(y) and p(y') of two solutions, or None."""
+    found = [row["l1"] for row in case["comparisons"] if {row["a"], row["b"]} == {a, b}]
+    return max(found) if found and None not in found else None
+
+
+def number(value):
+    return "–" if value is None else f"{value:.1e}"
+
+
+def row(name, case):
+    solutions = {one["id"]: one for one in case["solutions"]}
+    ok = [key for key, one in solutions.items() if one["status"] == "ok"]
+    # The simulation where it is there; else finite differences.
+    judge = next((key for key in ("mcs", "fd-kf") if key in ok), None)
+    fd = l1(case, "fd-kf", "mcs") if "fd-kf" in ok and "mcs" in ok else None
+    closures = [(l1(case, key, judge), key) for key in solutions if key.startswith("epc-")]
+    closures = [(value, key) for value, key in closures if value is not None]
+    best = min(closures) if closures else None
+    rest = ", ".join(
+        f"{atom['probability']:.4f}" for atom in solutions.get("mcs", {}).get("atoms", []))
+    not_offered = [key for key, one in solutions.items() if one["status"] == "not_offered"]
+    return [
+        f"[`{name}`](#{name})", f"{solutions[judge]['moments']['y2']:.4f}" if judge else "–",
+        f"{solutions[judge]['moments']['v2']:.4f}" if judge else "–", rest or "–", number(fd),
+        f"{best[1]} {number(best[0])}" if best else "–",
+        f"{len(ok)} of {len(solutions) - len(not_offered)}"
+    ]
+
+
+def main():
+    page, directory, names = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:]
+    head = ["system", "E[y^2]", "E[y'^2]", "P(rest)", "fd-kf to mcs, L1", "closest closure, L1", "ok of offered"]
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for name in names:
+        summary = directory / name / "summary.json"
+        if summary.exists():
+            case = json.loads(summary.read_text())["cases"][0]
+            lines.append("| " + " | ".join(row(name, case)) + " |")
+    replace_part(page, "table", "\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()

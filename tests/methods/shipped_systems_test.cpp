@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/rest_atoms.hpp"
+#include "exact/closed_forms.hpp"
+#include "exact/energy_law.hpp"
+#include "methods/builtin.hpp"
+#include "methods/run_cases.hpp"
+#include "problem/case_file.hpp"
+#include "transform/panels.hpp"
+
+// Each shipped system (docs/systems.md): its exact law where one is known, else finite differences and
+// simulation, which share the problem alone.
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Solution;
+using transform::Variable;
+
+Solution solved(const problem::Problem& problem, const std::string& id,
+                const parameters::Values& options = {}) {
+  const auto registry = builtin();
+  const auto method = registry.select(id, options).front();
+  return solve_by(method, problem, {compare::comparison_axes(problem), {}});
+}
+
+class ExactSystems : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExactSystems, AreSolvedByFiniteDifferences) {
+  const auto problem = problem::load_case(GetParam());
+  const Solution solution = solved(problem, "fd-kf");
+  ASSERT_TRUE(solution.is_ok()) << solution.reason;
+  const exact::EnergyLaw law(problem);
+  const auto axes = compare::comparison_axes(problem);
+  for (const auto variable : transform::kVariables) {
+    const auto marginal = transform::marginal(solution, variable, edges(axes, variable));
+    double l1 = 0;
+    for (std::size_t k = 0; k < marginal.size(); ++k) {
+      const double exact = transform::average(
+          [&](double x) {
+            return variable == Variable::y ? law.displacement_marginal(x)
+                                           : law.velocity_marginal(x);
+          },
+          marginal.edges[k], marginal.edges[k + 1]);
+      l1 += std::abs(marginal.density[k] - exact) * marginal.width(k);
+    }
+    EXPECT_LT(l1, 1e-4) << transform::name(variable);
+  }
+  EXPECT_NEAR(solution.moments.y2, law.moment(2, 0), 1e-4 * law.moment(2, 0));
+  EXPECT_NEAR(solution.moments.v2, law.moment(0, 2), 1e-4 * law.moment(0, 2));
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, ExactSystems,
+                         testing::Values("duffing", "bistable", "ring", "ball_white"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(LinearSystem, HasItsCumulants) {
+  const auto problem = problem::load_case("linear");
+  const Solution solution = solved(problem, "fd-kf");
+  ASSERT_TRUE(solution.is_ok()) << solution.reason;
+  const auto kappa = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
+  const auto& m = solution.moments;
+  EXPECT_NEAR(m.y1 / kappa(1, 0), 1, 1e-6);
+  EXPECT_NEAR((m.y2 - m.y1 * m.y1) / kappa(2, 0), 1, 1e-6);
+  EXPECT_NEAR(m.v2 / kappa(0, 2), 1, 1e-6);
+  EXPECT_NEAR(m.v4 / (kappa(0, 4) + 3 * kappa(0, 2) * kappa(0, 2)), 1, 1e-6);
+}
+
+class OtherSystems : public testing::TestWithParam<const char*> {};
+
+// L1 by chance varies by some tens of per cent.
+TEST_P(OtherSystems, AreTheSameByFiniteDifferencesAndSimulation) {
+  const auto problem = problem::load_case(GetParam());
+  const Solution differences = solved(problem, "fd-kf");
+  ASSERT_TRUE(differences.is_ok()) << differences.reason;
+  const Solution simulated = solved(problem, "mcs", {{"seed", std::int64_t{7}}});
+  ASSERT_TRUE(simulated.is_ok()) << simulated.reason;
+  const auto axes = compare::comparison_axes(problem);
+  for (const auto variable : transform::kVariables) {
+    const auto& bins = edges(axes, variable);
+    const double l1 = transform::l1(transform::marginal(differences, variable, bins),
+                                    transform::marginal(simulated, variable, bins)) +
+                      compare::atom_distance(differences.atoms, simulated.atoms, variable);
+    EXPECT_LT(l1, 1.6 * transform::expected(*simulated.sampling, variable).value() +
+                      transform::l1(*differences.error, variable))
+        << transform::name(variable);
+  }
+  EXPECT_NEAR(differences.moments.v2, simulated.moments.v2,
+              4 * simulated.standard_errors->moments.v2 + 1e-4 * simulated.moments.v2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, OtherSystems,
+                         testing::Values("tilted", "van_der_pol", "gap", "two_walls", "box"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace fpkcheck::methods

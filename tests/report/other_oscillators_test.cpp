@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "changed_case.hpp"
+#include "family.hpp"
+#include "report/page/case_tables.hpp"
+#include "report/page/problem_statement.hpp"
+#include "report/reasons.hpp"
+#include "report/rest.hpp"
+#include "report/table.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using tests::contains;
+using tests::made_up_case;
+using tests::solution_of;
+using tests::words;
+
+std::string statement(const problem::Problem& problem) {
+  const problem::Problem* const problems[] = {&problem};
+  return problem_statement(problems);
+}
+
+TEST(ProblemStatement, HasTheTermsThatTheProblemHas) {
+  const auto ring = statement(tests::with_noise(
+      problem::System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1},
+                      {.none = true}),
+      0.4));
+  EXPECT_TRUE(contains(
+      ring, "y″ + (c + c<sub>yy</sub> y² + c<sub>vv</sub> y′²) y′ + k y = √(2D) W(t).</p>"));
+  EXPECT_TRUE(contains(ring, "without walls, under white noise"));
+  EXPECT_FALSE(contains(ring, "Poisson"));
+  const auto box = statement(tests::with_impulses(
+      problem::System({.constant = 1},
+                      {.left = -1, .left_restitution = 0.7, .right = 1, .right_restitution = 0.9}),
+      tests::gaussian_impulses(1, 1)));
+  EXPECT_TRUE(contains(box, "y″ + g₀ = Σ")) << box;
+  EXPECT_TRUE(contains(box, "for a &lt; y &lt; b"));
+  EXPECT_TRUE(contains(box, "r<sub>b</sub>"));
+}
+
+TEST(ProblemStatement, OfThePapersClassIsThePapers) {
+  EXPECT_TRUE(contains(statement(tests::paper_case(1)), "on a hardening spring"));
+}
+
+results::Case with_not_offered() {
+  results::Case one = made_up_case();
+  for (const char* id : {"fd-white", "fd-kf"}) {
+    auto& solution = solution_of(one, id);
+    solution.status = transform::Status::not_offered;
+    solution.reason = "it knows no such wall";
+    solution.density.reset();
+  }
+  return one;
+}
+
+TEST(Table, WhatIsNotOfferedHasOneLineForAllThatSayTheSame) {
+  const auto one = with_not_offered();
+  const std::string text = words(table({results::this_program("fpkcheck run"), {one}}));
+  EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: it knows no such wall")) << text;
+  EXPECT_FALSE(contains(text, "fd-white white/map")) << text;  // no row
+  EXPECT_TRUE(contains(reasons_html(one), "fd-white, fd-kf not_offered"));
+}
+
+TEST(Table, OfWhatRestsHasTheProbabilityAtEachWall) {
+  results::Case one = made_up_case();
+  solution_of(one, "fd-kf").atoms = {{.y = -0.5, .probability = 0.25}};
+  EXPECT_EQ(walls_of_rest(one), std::vector<double>{-0.5});
+  EXPECT_TRUE(contains(table({results::this_program("fpkcheck run"), {one}}), "P(rest)"));
+  EXPECT_TRUE(contains(results_table(one), "0.25"));
+  solution_of(one, "mcs").atoms = {{.y = 0.5, .probability = 0.125}};
+  EXPECT_EQ(rest_header(one, 0.5), "P(rest at 0.5)");
+  EXPECT_EQ(probability_of_rest(solution_of(one, "mcs"), 0.5), 0.125);
+  EXPECT_TRUE(std::isnan(probability_of_rest(solution_of(one, "mcs"), -0.5)));
+}
+
+}  // namespace
+}  // namespace fpkcheck::report
