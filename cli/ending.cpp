@@ -59,9 +59,11 @@ void say(const std::string& line) {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-[[noreturn]] void end_the_process() {
+// Returns where the command has come first: it says so itself, and then waits for this thread.
+void end_the_process() {
+  if (end_claimed) return;
   process::reserve_files_for_this_thread();
-  if (end_claimed.exchange(true)) wait_for_the_end();
+  if (end_claimed.exchange(true)) return;
   std::vector<const std::function<void()>*> rescues;
   std::unique_lock lock(ending().mutex);  // kept: what a rescue stands on must not go meanwhile
   rescues.swap(ending().rescues);
@@ -121,6 +123,8 @@ std::string stop_notice() {
 }
 
 Deadline::Deadline() {
+  end_claimed = false;
+  ending().command_ended = false;
   sem_init(&signal_came, 0, 0);
   watched = true;
   thread_ = std::thread(watch);

@@ -1,5 +1,5 @@
-#include <algorithm>
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -25,10 +25,6 @@ std::vector<std::string> names_with_flags() {
     if (!parameter.flag.empty()) names.push_back(parameter.name);
   }
   return names;
-}
-
-bool contains(const Values& values, std::string_view name) {
-  return std::ranges::any_of(values, [&](const auto& value) { return value.name == name; });
 }
 
 TransientOptions transient_options(const Values& given) {

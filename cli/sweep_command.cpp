@@ -142,10 +142,6 @@ sweep::Axis axis_of(const std::string& text) {
   return sweep::axis_from(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
-bool contains(const parameters::Values& values, const std::string& name) {
-  return std::ranges::find(values, name, &parameters::NamedValue::name) != values.end();
-}
-
 // What a plan says of the methods' options, where the command line says nothing.
 void add_options_of_plan(const std::vector<parameters::IniSetting>& lines,
                          const methods::Registry& registry, parameters::Values& given) {

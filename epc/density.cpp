@@ -52,9 +52,9 @@ SmoothDensity in_physical_variables(const ClosedForm& form, const problem::Probl
   }
   const Box box = frame.box.value();
   return {.value =
-              [q, box, constant](double y, double v) {
+              [polynomial = q, box, constant](double y, double v) {
                 const bool inside = y >= 0 && y <= box.y_max && std::abs(v) <= box.v_max;
-                return inside ? std::exp(q(y, v) + constant) : 0;
+                return inside ? std::exp(polynomial(y, v) + constant) : 0;
               },
           .y_max = box.y_max,
           .v_max = box.v_max};
@@ -69,10 +69,11 @@ SmoothDensity in_polar_variables(const ClosedForm& form, const problem::Problem*
   }
   const Box box = frame.box.value();
   return {.value =
-              [q, coordinates, box, constant](double y, double v) {
+              [polynomial = q, coordinates, box, constant](double y, double v) {
                 const bool inside = y >= 0 && y <= box.y_max && std::abs(v) <= box.v_max;
                 return inside
-                           ? std::exp(q(coordinates.rho(y, v), coordinates.theta(y, v)) + constant)
+                           ? std::exp(polynomial(coordinates.rho(y, v), coordinates.theta(y, v)) +
+                                      constant)
                            : 0;
               },
           .y_max = box.y_max,

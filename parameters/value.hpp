@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -17,6 +19,10 @@ struct NamedValue {
   bool operator==(const NamedValue&) const = default;
 };
 using Values = std::vector<NamedValue>;
+
+inline bool contains(const Values& values, std::string_view name) {
+  return std::ranges::find(values, name, &NamedValue::name) != values.end();
+}
 
 inline bool is_nothing(const Value& value) { return std::holds_alternative<std::monostate>(value); }
 

@@ -1,9 +1,18 @@
 #include "transform/solution.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
 namespace fpkcheck::transform {
+
+void hold_to(double accuracy, const std::string& reason, Solution& solution) {
+  if (!solution.is_ok() || !solution.error) return;
+  if (std::max(solution.error->y_l1, solution.error->ydot_l1) <= accuracy) return;
+  solution.status = Status::inaccurate;
+  solution.reason = fmt::format("{} ({:g} is asked for: accuracy)", reason, accuracy);
+}
 
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id) {
   const auto found = std::ranges::find(solutions, id, &Solution::id);

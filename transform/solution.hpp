@@ -124,6 +124,11 @@ struct Solution {
   bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
 
+/// Makes an ok solution whose stated error of p(y) or p(y') is larger than `accuracy`, in L1,
+/// `inaccurate`.
+/// @param reason why it is, without what was asked for
+void hold_to(double accuracy, const std::string& reason, Solution& solution);
+
 /// The solution with this id, or null.
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id);
 

@@ -23,8 +23,7 @@ constexpr double kLargestOfATable = 1e60;  // as of abscissae and integrals of m
 std::vector<double> levels(const NumberTable& table, std::size_t column) {
   auto all = table.column(column);
   std::ranges::sort(all);
-  const auto again = std::ranges::unique(all);
-  all.erase(again.begin(), again.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -29,6 +29,7 @@
 #include "methods/given/label.hpp"
 #include "methods/given/own_density.hpp"
 #include "methods/given/own_samples.hpp"
+#include "parameters/asked_name.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
 #include "problem/case_file.hpp"
@@ -154,22 +155,11 @@ methods::OwnDensity own_density(const std::string& label,
                                 const std::string& impact, std::size_t place) {
   methods::require_free(label, registry());
   methods::OwnDensity own{.label = label, .place = place};
-  const auto refuse = [&](const char* what, const std::string& value, const auto& names) {
-    std::string known;
-    for (const auto& named : names) known += fmt::format(", {}", named.name);
-    throw InputError(fmt::format("density '{}': {} {} (must be one of {})", label, what,
-                                 parameters::in_quotes(value), known.substr(2)));
-  };
-  if (equation) {
-    own.equation = parameters::value_named<problem::Equation>(*equation);
-    if (!own.equation) refuse("equation", *equation, problem::kEquationNames);
-  }
-  const auto known = parameters::value_named<problem::Impact>(impact);
+  const auto of = [&](const char* what) { return fmt::format("density '{}': {}", label, what); };
+  if (equation) own.equation = parameters::asked_name<problem::Equation>(of("equation"), *equation);
   // Trajectories alone are reflected exactly.
-  if (!known || *known == problem::Impact::exact) {
-    refuse("impact", impact, std::span(problem::kImpactNames).first(2));
-  }
-  own.impact = *known;
+  own.impact = parameters::asked_name<problem::Impact>(of("impact"), impact,
+                                                       std::span(problem::kImpactNames).first(2));
   return own;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -76,15 +75,15 @@ std::optional<double> accuracy_of(const methods::Method& method) {
 /// make together (the triangle inequality). If it is ok, but off by more, it becomes `inaccurate`.
 void state_distance(const Solution& reference, const MarginalPair& l1, double accuracy,
                     Solution& solution) {
-  const double y = l1.y + compare::own_error(reference, Variable::y);
-  const double ydot = l1.ydot + compare::own_error(reference, Variable::ydot);
-  solution.error = transform::StatedError{.y_l1 = y, .ydot_l1 = ydot};
-  if (!solution.is_ok() || std::max(y, ydot) <= accuracy) return;
-  solution.status = Status::inaccurate;
-  solution.reason = fmt::format(
-      "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} in p(y') ({:g} is "
-      "asked for: accuracy)",
-      reference.id(), l1.y, l1.ydot, accuracy);
+  solution.error =
+      transform::StatedError{.y_l1 = l1.y + compare::own_error(reference, Variable::y),
+                             .ydot_l1 = l1.ydot + compare::own_error(reference, Variable::ydot)};
+  transform::hold_to(
+      accuracy,
+      fmt::format(
+          "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} in p(y')",
+          reference.id(), l1.y, l1.ydot),
+      solution);
 }
 
 MethodResult kept_of(const Solution& solution) {

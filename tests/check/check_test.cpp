@@ -54,11 +54,13 @@ TEST(Check, FindsEveryMomentThatMovesByAMillionth) {
     const auto runs = tests::alone(one.id());
     const double deviation = std::sqrt(one.moments.v2);
     for (const auto& of : transform::kMoments) {
-      const auto moved = moved_by([&](results::Run& run) {
-        double& moment = solution(run, one.id()).moments.*of.moment;
-        // E[y'] is 0 but for errors: a millionth of a deviation.
-        moment = of.moment == of.size ? moment * (1 + 1e-6) : moment + 1e-6 * deviation;
-      });
+      const auto moved = moved_by(
+          [&](results::Run& run) {
+            double& moment = solution(run, one.id()).moments.*of.moment;
+            // E[y'] is 0 but for errors: a millionth of a deviation.
+            moment = of.moment == of.size ? moment * (1 + 1e-6) : moment + 1e-6 * deviation;
+          },
+          {}, runs);
       ASSERT_EQ(moved.size(), 1u) << one.id() << " " << of.symbol;
       EXPECT_EQ(moved[0].kind, FigureKind::moment);
       EXPECT_EQ(moved[0].name, of.symbol);
@@ -74,9 +76,11 @@ TEST(Check, FindsEveryResultThatMovesByAMillionth) {
       const auto value = transform::number(one.observations, o.path);
       if (o.kind != Kind::result || !o.error_at.empty() || !value) continue;
       const double step = std::max(std::abs(*value), o.least_scale) * (o.delicate ? 3e-6 : 1e-6);
-      const auto moved = moved_by([&](results::Run& run) {
-        observation(solution(run, one.id()), o.path).value = *value + step;
-      });
+      const auto moved = moved_by(
+          [&](results::Run& run) {
+            observation(solution(run, one.id()), o.path).value = *value + step;
+          },
+          {}, runs);
       // With another power it is another coefficient: one is lost, one is new.
       const bool is_power = o.path.starts_with("coefficients");
       ASSERT_EQ(moved.size(), is_power ? 2u : 1u) << one.id() << " " << o.path;
@@ -96,9 +100,11 @@ TEST(Check, FindsEveryWordAndFlagThatIsAnother) {
     const auto runs = tests::alone(one.id());
     for (const auto& o : one.observations) {
       if (o.kind == Kind::work || transform::number(one.observations, o.path)) continue;
-      const auto moved = moved_by([&](results::Run& run) {
-        observation(solution(run, one.id()), o.path).value = "another";
-      });
+      const auto moved = moved_by(
+          [&](results::Run& run) {
+            observation(solution(run, one.id()), o.path).value = "another";
+          },
+          {}, runs);
       ASSERT_EQ(moved.size(), 1u) << one.id() << " " << o.path;
       ++tried;
     }

@@ -142,17 +142,17 @@ struct TwoRuns {
   results::Run solved = solved_run();
 };
 
-/// Those of one solution alone, where nothing else matters.
+/// What a run has of one solution alone, where nothing else matters.
+inline results::Run only(results::Run run, const std::string& id) {
+  results::Case& one = run.cases.at(0);
+  std::erase_if(one.solutions, [&](const auto& other) { return other.id() != id; });
+  std::erase_if(one.curves, [&](const auto& curve) { return curve.solution != id; });
+  one.pairs.clear();
+  one.budget.clear();
+  return run;
+}
 inline TwoRuns alone(const std::string& id) {
-  TwoRuns runs;
-  for (results::Run* run : {&runs.files, &runs.solved}) {
-    results::Case& one = run->cases.at(0);
-    std::erase_if(one.solutions, [&](const auto& other) { return other.id() != id; });
-    std::erase_if(one.curves, [&](const auto& curve) { return curve.solution != id; });
-    one.pairs.clear();
-    one.budget.clear();
-  }
-  return runs;
+  return {.files = only(paper_baseline(), id), .solved = only(solved_run(), id)};
 }
 
 /// What moves when a run differs from the baseline by a change alone.

@@ -21,6 +21,7 @@ import time
 # single step takes long: many impulses (burn-in), large grids (factorisation), several cases.
 COMMANDS = {
     "run": (["run", "case1", "case4", "--out", "OUT"], 12),
+    "paper": (["paper", "--out", "OUT"], 12),
     "epc": (["epc", "case4", "--formulation", "moment", "--order", "12", "--out", "OUT"], 1.5),
     "fd": (["fd", "case4", "--refinement", "3", "--stepper", "direct", "--out", "OUT"], 4),
     "fd-characteristics": (
@@ -38,6 +39,7 @@ COMMANDS = {
                "--out", "OUT"], 4),
     "check": (["check", "BASELINES/case1/summary.json", "--out", "OUT"], 4),
     "report": (["report", "SAVED"], 0.3),
+    "evaluate": (["evaluate", "SAVED", "epc-gaussian-n6", "--at", "-"], 0.5),  # waits for points
 }
 
 
@@ -63,8 +65,11 @@ def one(program, command, arguments, number, moment, saved, baselines):
             shutil.copytree(saved, out)
         filled = [argument.replace("OUT", out).replace("SAVED", out)
                   .replace("BASELINES", baselines) for argument in arguments]
-        process = subprocess.Popen([program, *filled], stdout=subprocess.DEVNULL,
+        # Standard input that never says anything, nor ends before the program does.
+        reading, writing = os.pipe()
+        process = subprocess.Popen([program, *filled], stdin=reading, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, text=True)
+        os.close(reading)
         time.sleep(moment)
         early = process.poll() is not None
         begin = time.monotonic()
@@ -76,6 +81,8 @@ def one(program, command, arguments, number, moment, saved, baselines):
             process.kill()
             process.communicate()
             return 60.0, None, ["it did not end in a minute"], ""
+        finally:
+            os.close(writing)
         seconds = time.monotonic() - begin
         wrong = []
         if early:
@@ -109,7 +116,7 @@ def main():
     with tempfile.TemporaryDirectory() as work:
         saved = os.path.join(work, "saved")
         commands = given.commands.split(",")
-        if "report" in commands:
+        if any("SAVED" in COMMANDS[command][0] for command in commands):
             subprocess.run([given.program, "epc", "case1", "--order", "6", "--out", saved, "-q"],
                            check=True)
         for command in commands:

@@ -23,7 +23,8 @@ inline fd_fpk::Options elastic_white_noise(const problem::Problem& p, int order,
           .nx = nx,
           .nv = nv,
           .x1_max = fd_fpk::turning_point(p.system, v2 / 2),
-          .x2_max = std::sqrt(v2)};
+          .x2_max = std::sqrt(v2),
+          .error_estimate = false};
 }
 
 /// Integrals of |bin average - exact bin average| over the cells of the solution's own grid.

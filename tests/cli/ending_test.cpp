@@ -1,0 +1,49 @@
+#include "cli/ending.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "process/stop.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+// The command has ended by itself in the moment in which the deadline takes over: each waited for the
+// other, once in some hundred signals.
+[[noreturn]] void end_as_the_grace_ends() {
+  alarm(20);
+  process::request_stop(SIGINT);
+  {
+    const Deadline deadline;
+    wake_deadline();
+    claim_the_end();
+    std::this_thread::sleep_for(std::chrono::seconds(1));  // the grace is 0.3
+  }
+  std::_Exit(7);
+}
+
+TEST(Ending, ACommandThatEndsByItselfAsTheGraceEndsIsNotWaitedFor) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(end_as_the_grace_ends(), testing::ExitedWithCode(7), "");
+}
+
+TEST(Ending, OfACommandThatDoesNotEndIsThatOfTheDeadline) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        alarm(20);
+        process::request_stop(SIGTERM);
+        const Deadline deadline;
+        wake_deadline();
+        while (true) pause();
+      },
+      testing::ExitedWithCode(128 + SIGTERM), "terminated; nothing was written");
+}
+
+}  // namespace
+}  // namespace fpkcheck::cli
