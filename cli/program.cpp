@@ -81,8 +81,7 @@ std::string names_of(const std::vector<Command>& all) {
 void print_overview(const std::vector<Command>& all) {
   fmt::print(
       R"(fpkcheck - stationary density of an oscillator with or without impacts, under
-           Poisson impulses or white noise or both, by independent methods that are
-           compared with one another
+           impulses or white noise or both, by independent methods that are compared
 
     y'' + f(y, y') + g(y) = impulses + noise,    y'(+) = -r y'(-)  at walls
 

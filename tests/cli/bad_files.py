@@ -33,12 +33,18 @@ def case_files():
         "twice": "[system]\ndamping = 1\n\ndamping = 1\n",
         "nosection": "damping = 1\n", "novalue": with_damping(""),
         "noequals": "[system]\ndamping 1\n",
-        "overflow": with_damping("1e999"), "negative": with_damping("-1"),
+        "overflow": with_damping("1e999"), "negative": GOOD.replace("= 0.98", "= -0.98"),
         "nan": with_damping("nan"),
         "comma": with_damping("0,1"), "law": GOOD.replace("gaussian", "cauchy"),
         "missing": GOOD.replace("rate = 1", ""), "longkey": "[system]\n" + "k" * 100000 + " = 1\n",
         "longvalue": with_damping("9" * 100000), "nul": with_damping("0.1\0"),
         "utf16": GOOD.encode("utf-16"),
+        "twowalls": GOOD + "[wall]\nleft = 0\nleft_restitution = 1\n",
+        "nowall": GOOD.replace("restitution = 0.98\n", ""),
+        "halfwall": GOOD.replace("restitution = 0.98\n", "[wall]\nleft = 0\n"),
+        "crossed": GOOD.replace("restitution = 0.98\n", "[wall]\nleft = 1\nleft_restitution = 1\n"
+                                "right = 0\nright_restitution = 1\n"),
+        "still": GOOD[:GOOD.index("[impulse]")],
     }
     for name, contents in files.items():
         write(name + ".ini", contents)
