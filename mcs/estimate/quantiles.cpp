@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "mcs/estimate/density_estimate.hpp"
 
@@ -56,6 +57,23 @@ class Distribution {
   std::vector<double> below_;
 };
 
+/// Mirrored, what is below lies above.
+std::vector<Quantile> on_the_physical_axis(const problem::Frame& frame,
+                                           transform::Variable variable,
+                                           std::vector<Quantile> quantiles) {
+  const auto seen = [&](double x) {
+    return variable == transform::Variable::y ? frame.y(x) : frame.v(x);
+  };
+  for (Quantile& q : quantiles) {
+    q = {q.probability, seen(q.value), seen(q.lower), seen(q.upper)};
+    if (!frame.mirrored) continue;
+    q.probability = 1 - q.probability;
+    std::swap(q.lower, q.upper);
+  }
+  if (frame.mirrored) std::ranges::reverse(quantiles);
+  return quantiles;
+}
+
 }  // namespace
 
 std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
@@ -81,6 +99,9 @@ std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const Str
     const double half = weights.interval_factor() * ((1 - share) * error[k - 1] + share * error[k]);
     if (!distribution.reaches(p - half) || !distribution.reaches(p + half)) continue;
     quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
+  }
+  if (const auto& general = simulation.plan().general) {
+    return on_the_physical_axis(general->frame, variable, std::move(quantiles));
   }
   return quantiles;
 }
