@@ -222,8 +222,9 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   }
   summary.crossings = estimate_crossings(simulation, weights);
   // Under white noise there are infinitely many; of what is mirrored they are the minima.
-  const auto& general = simulation.plan().general;
-  if (!general || !(general->kicks.present() || general->frame.mirrored)) {
+  const Plan& plan = simulation.plan();
+  const bool noisy = plan.general && plan.general->kicks.present();
+  if (!noisy && !plan.frame.mirrored) {
     summary.peaks = estimate_peaks(simulation, weights);
   }
 }

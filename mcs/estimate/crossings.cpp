@@ -11,11 +11,6 @@ double above(const std::vector<double>& sums, std::size_t edge) {
   return std::accumulate(sums.begin() + static_cast<std::ptrdiff_t>(edge) + 1, sums.end(), 0.0);
 }
 
-double physical(const Simulation& simulation, double level) {
-  const auto& general = simulation.plan().general;
-  return general ? general->frame.y(level) : level;
-}
-
 template <class Of>
 std::vector<LevelRate> rates(const Simulation& simulation, const StreamWeights& weights,
                              std::size_t first, Of of) {
@@ -25,7 +20,7 @@ std::vector<LevelRate> rates(const Simulation& simulation, const StreamWeights& 
     const auto values = each(simulation.streams(), [&](const StreamRecord& record) {
       return of(record, k) / simulation.stream_time();
     });
-    found.push_back({physical(simulation, edges[k]), weights.estimate(values)});
+    found.push_back({simulation.plan().frame.y(edges[k]), weights.estimate(values)});
   }
   return found;
 }

@@ -100,10 +100,9 @@ std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const Str
     if (!distribution.reaches(p - half) || !distribution.reaches(p + half)) continue;
     quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
   }
-  if (const auto& general = simulation.plan().general) {
-    return on_the_physical_axis(general->frame, variable, std::move(quantiles));
-  }
-  return quantiles;
+  const problem::Frame& frame = simulation.plan().frame;
+  return frame.is_identity() ? quantiles
+                             : on_the_physical_axis(frame, variable, std::move(quantiles));
 }
 
 }  // namespace fpkcheck::mcs

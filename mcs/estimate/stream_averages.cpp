@@ -24,10 +24,10 @@ double power_of_y(const Simulation& simulation, const StreamRecord& record, int 
 }  // namespace
 
 double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
-  const auto& general = simulation.plan().general;
-  if (!general || general->frame.is_identity()) return moment(simulation, record, p, q);
+  const problem::Frame& frame = simulation.plan().frame;
+  if (frame.is_identity()) return moment(simulation, record, p, q);
   // y^p = (origin + sign x)^p
-  const auto [origin, sign] = std::pair{general->frame.origin, general->frame.sign()};
+  const auto [origin, sign] = std::pair{frame.origin, frame.sign()};
   double sum = 0, binomial = 1;
   for (int n = 0; n <= p; ++n) {
     const double of_x = n + q == 0 ? 1 : moment(simulation, record, n, q);

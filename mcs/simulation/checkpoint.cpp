@@ -88,9 +88,8 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
       text += fmt::format(" {:a} {:a}", by, probability);
   }
   if (plan.general) {
-    const auto& [frame, scales, o, kicks, power, rests, mixed] = *plan.general;
-    text += fmt::format("; of frame {:a} {}; of {:a} {:a} {:a}", frame.origin, frame.mirrored,
-                        fmt::join(o.force, " "),
+    const auto& [scales, o, kicks, power, rests, mixed] = *plan.general;
+    text += fmt::format("; of {:a} {:a} {:a}", fmt::join(o.force, " "),
                         fmt::join(s.damping_polynomial().coefficients(), " "), o.rayleigh);
     for (const auto& w : {o.left, o.right}) {
       text += fmt::format("; wall {} {:a} {:a}", w.stands, w.position, w.restitution);

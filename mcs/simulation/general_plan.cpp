@@ -27,8 +27,7 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
       problem.noise.diffusion() + (white ? problem.impulses.rate_moment(2) / 2 : 0);
   const auto scales = problem::scales(problem);
   const auto features = problem::features(problem);
-  return {.frame = problem.frame,
-          .scales = scales,
+  return {.scales = scales,
           .oscillator = general_oscillator(
               problem, scales, white ? problem.impulses.rate_moment(1) : 0, diffusion > 0),
           .kicks = general_kicks(problem, scales, diffusion,

@@ -10,7 +10,6 @@ namespace fpkcheck::mcs {
 
 /// What the plan has besides of an oscillator that is not the paper's.
 struct GeneralPlan {
-  problem::Frame frame;  ///< moments are stated by it
   problem::Scales scales;
   GeneralOscillator oscillator;
   GeneralKicks kicks;

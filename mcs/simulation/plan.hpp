@@ -24,6 +24,7 @@ struct Plan {
   int streams;
   int threads;
   std::uint64_t seed;
+  problem::Frame frame;  ///< moments are stated by it
   double step;
   double burn_in;
   double sampling_interval;
