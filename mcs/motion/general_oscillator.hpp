@@ -33,7 +33,7 @@ struct GeneralOscillator {
   std::array<double, 3> damping{};                 ///< c; 0 where it belongs to the kicks
   double rayleigh = 0;                             ///< c_vv
   Kind kind = Kind::linear;
-  GeneralWall left, right;
+  GeneralWall left{}, right{};
   double length = 1;     ///< of the motion, which errors of the flights are relative to
   double frequency = 1;  ///< no flight is longer than for a hundredth of it
 };

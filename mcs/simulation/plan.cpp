@@ -78,7 +78,11 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
   validate_of_any_domain(options);
   GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
-  const double interval = 2 * std::numbers::pi / s.frequency / kSamplesPerPeriod;
+  // The frequency is that of the motion's mean energy: where rest is the rule, of bounces that are
+  // hardly there.
+  constexpr double kSamplesPerRest = 50;
+  const double least = general.rests ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
+  const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);
   const double step = options.step.value_or(kAutomaticStep);
   const double kicks = general.kicks.present() ? 1 / general.kicks.longest : 0;
   const bool white = options.equation == Equation::white;
@@ -90,8 +94,10 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
       std::min(kAutomaticTime / s.slowest_decay, kMostAutomaticEvents / events);
   const bool open_ended = options.samples || options.target_error;
   const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
+  constexpr double kLongestBurnIn = 1.0 / 8;  // of the automatic time
   const double whole_burn_in = kBurnIn / s.slowest_decay;
-  const double burn_in = std::min(whole_burn_in, std::max(automatic, time) / options.streams);
+  const double burn_in =
+      std::min(whole_burn_in, std::max(kLongestBurnIn * automatic, time) / options.streams);
   constexpr double kMixed = 0.25;  // of the burn-in: exp(-5) of the start is left
   general.mixed = burn_in >= kMixed * whole_burn_in;
   const auto [samples, rounds] = rounds_of(options, automatic, time, interval, events);
