@@ -7,6 +7,7 @@
 #include "controlled/solution.hpp"
 #include "dual/backward/normal_equations.hpp"
 #include "mcs/simulation/plan.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::controlled {
 namespace {
@@ -43,6 +44,12 @@ transform::Solution plainly(const problem::Problem& problem, const Options& opti
 transform::Solution solve(const problem::Problem& problem, const Options& options) {
   if (options.simulation.equation != mcs::Equation::kf || options.simulation.tails) {
     return plainly(problem, options, "control functions are those of the impulses, unsplit");
+  }
+  if (!problem::features(problem).original || !problem.frame.is_identity()) {
+    return plainly(
+        problem, options,
+        "control functions are those of one wall at y = 0 on the left, at the equilibrium, constant damping and "
+        "impulses alone");
   }
   const auto begin = std::chrono::steady_clock::now();
   const Places where = places(problem, cells_of(problem, options));

@@ -132,6 +132,12 @@ void validate(const EnsembleOptions& options) {
 std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
                                                 const EnsembleOptions& options) {
   validate(options);
+  const problem::System& system = problem.system;
+  require(system.left() && system.left()->position == 0 && !system.right() &&
+              system.damping_is_constant() && problem.impulses.present() &&
+              !problem.noise.present(),
+          "ensembles have one wall at y = 0 on the left, damping c y' and impulses alone (simulate "
+          "the stationary law, or leave out what else there is)");
   const auto bins = [](const std::vector<double>& edges) {
     return edges.empty() ? Bins() : Bins(edges);
   };

@@ -50,8 +50,23 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
   set(&Moments::v4, 0, 4);
 }
 
+/// E[y' f(y, y')].
+double damping_power(const problem::System& system, const Simulation& simulation,
+                     const StreamRecord& r) {
+  const auto& c = system.damping_polynomial();
+  return c.coefficient(0) * moment(simulation, r, 0, 2) +
+         c.coefficient(1) * moment(simulation, r, 1, 2) +
+         c.coefficient(2) * moment(simulation, r, 2, 2) +
+         system.rayleigh() * moment(simulation, r, 0, 4);
+}
+
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
                       const StreamWeights& weights, Result& result) {
+  const auto& general = simulation.plan().general;
+  const auto right = [&](const StreamRecord& r, double GeneralSums::*sum) {
+    return r.general ? (*r.general).*sum / simulation.stream_time() : 0.0;
+  };
+  result.summary.impacts_accumulate = general && general->rests;
   result.summary.impact_rate = weights.estimate(each(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
   // Linear in the averages: the average of the streams' own residuals.
@@ -60,7 +75,9 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
         problem, problem::Impact::exact,
         {.mean_velocity = moment(simulation, r, 0, 1),
          .mean_square_velocity = moment(simulation, r, 0, 2),
-         .impact_energy_flux = r.impact_energy / simulation.stream_time()});
+         .impact_energy_flux = r.impact_energy / simulation.stream_time(),
+         .right_energy_flux = right(r, &GeneralSums::right_energy),
+         .mean_damping_power = damping_power(problem.system, simulation, r)});
   }));
   result.solution.energy_residual = residual.mean;
   result.solution.standard_errors->energy_residual = residual.standard_error;
@@ -72,7 +89,25 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
                        const StreamWeights& weights, Summary& summary) {
   const auto& force = problem.system.force();
   const auto virial = force.times_argument();
-  if (virial.degree() > kHighestPower) return;  // E[y g(y)] is not among the averages
+  const bool general = simulation.plan().general.has_value();
+  if (!general && virial.degree() > kHighestPower) return;  // E[y g(y)] is not among the averages
+  const auto right_momentum = [&](const StreamRecord& r) {
+    return r.general ? r.general->right_speed / simulation.stream_time() : 0.0;
+  };
+  // Of impacts that accumulate: what they bring is counted, and rest itself is none.
+  const auto held = [&](const StreamRecord& r) {
+    if (!general || !simulation.plan().general->rests) return 0.0;
+    const GeneralOscillator& o = simulation.plan().general->oscillator;
+    return (o.left.pressing * r.general->rest_left - o.right.pressing * r.general->rest_right) /
+           simulation.stream_samples();
+  };
+  // What holds the mass at rest on the right, at y = b, takes the force from the virial.
+  const auto virial_at_rest = [&](const StreamRecord& r) {
+    if (!general || !simulation.plan().general->rests) return 0.0;
+    const GeneralWall& wall = simulation.plan().general->oscillator.right;
+    return wall.position * std::max(wall.pressing, 0.0) * r.general->rest_right /
+           simulation.stream_samples();
+  };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
     const auto difference = weights.estimate(
         each(simulation.streams(), [&](const auto& r) { return balance(r).difference(); }));
@@ -85,17 +120,22 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   };
   set(
       [&](const StreamRecord& r) {
-        return problem::virial_balance(problem,
-                                       {.mean_displacement = moment(simulation, r, 1, 0),
-                                        .mean_square_velocity = moment(simulation, r, 0, 2),
-                                        .mean_virial = mean_of(simulation, r, virial)});
+        return problem::virial_balance(
+            problem, {.mean_displacement = moment(simulation, r, 1, 0),
+                      .mean_square_velocity = moment(simulation, r, 0, 2),
+                      .mean_virial = mean_of(simulation, r, virial) + virial_at_rest(r),
+                      .right_momentum = right_momentum(r),
+                      .mean_y_cubed_velocity = moment(simulation, r, 1, 3)});
       },
       &transform::BalanceResiduals::virial);
   set(
       [&](const StreamRecord& r) {
         return problem::momentum_balance(
             problem, {.mean_force = mean_of(simulation, r, force),
-                      .impact_momentum = r.impact_speed / simulation.stream_time()});
+                      .impact_momentum = r.impact_speed / simulation.stream_time(),
+                      .right_momentum = right_momentum(r),
+                      .mean_cubed_velocity = moment(simulation, r, 0, 3),
+                      .held_at_rest = held(r)});
       },
       &transform::BalanceResiduals::momentum);
 }
@@ -138,6 +178,25 @@ double outside(const Simulation& simulation, const StreamWeights& weights) {
   return std::max(0.0, weights.estimate(beyond).mean);
 }
 
+/// In the coordinates of the frame, as the density.
+void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
+                    transform::Solution& solution) {
+  const auto& general = simulation.plan().general;
+  if (!general || !general->rests) return;
+  const auto add = [&](const GeneralWall& wall, double GeneralSums::*rest) {
+    if (!(wall.stands && wall.pressing > 0 && wall.restitution < 1)) return;
+    const Estimate p = weights.estimate(each(simulation.streams(), [&](const StreamRecord& r) {
+      return (*r.general).*rest / simulation.stream_samples();
+    }));
+    solution.atoms.push_back({.y = wall.position,
+                              .probability = p.mean,
+                              .standard_error = p.standard_error,
+                              .stated_error = {}});
+  };
+  add(general->oscillator.left, &GeneralSums::rest_left);
+  add(general->oscillator.right, &GeneralSums::rest_right);
+}
+
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
                         Result& result) {
   auto& solution = result.solution;
@@ -151,14 +210,23 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   solution.sampling = transform::SamplingError{
       .y = y.expected, .ydot = ydot.expected, .y_99 = y.in_99, .ydot_99 = ydot.in_99};
   auto joint = estimate_joint_density(simulation, weights);
+  estimate_atoms(simulation, weights, solution);
   solution.mass = transform::mass(joint.density);
+  for (const auto& atom : solution.atoms) solution.mass += atom.probability;
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
   summary.outside = outside(simulation, weights);
-  summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
-  summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
+  if (solution.atoms.empty()) {  // they are jumps of the distribution functions
+    summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
+    summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
+  }
   summary.crossings = estimate_crossings(simulation, weights);
-  summary.peaks = estimate_peaks(simulation, weights);
+  // Under white noise there are infinitely many; of what is mirrored they are the minima.
+  const Plan& plan = simulation.plan();
+  const bool noisy = plan.general && plan.general->kicks.present();
+  if (!noisy && !plan.frame.mirrored) {
+    summary.peaks = estimate_peaks(simulation, weights);
+  }
 }
 
 void describe(const Simulation& simulation, Summary& summary) {
@@ -173,6 +241,9 @@ void describe(const Simulation& simulation, Summary& summary) {
   summary.step = plan.step;
   if (plan.excitation.arrivals == Excitation::Arrivals::even) {
     summary.kick_interval = plan.excitation.interval;
+  }
+  if (plan.general && plan.general->kicks.present()) {
+    summary.kick_interval = plan.general->kicks.longest;
   }
   summary.burn_in = plan.burn_in;
   summary.rounds = simulation.rounds();
@@ -196,14 +267,22 @@ std::vector<StreamDeposit> deposits(const Simulation& simulation) {
 }
 
 /// @param unreached why the simulation did not come to what was asked for; empty when it did
-void judge(const Summary& summary, transform::Solution& solution, const std::string& unreached) {
+void judge(const Plan& plan, const Summary& summary, transform::Solution& solution,
+           const std::string& unreached) {
   constexpr std::uint64_t kFewestImpulses = 10;  // of a stream
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
   solution.status = unreached.empty() ? transform::Status::ok : transform::Status::not_converged;
   solution.reason = unreached;
   const auto streams = static_cast<std::uint64_t>(summary.streams);
-  if (summary.impulses < kFewestImpulses * streams) {
+  if (plan.general && !plan.general->mixed) {
+    solution.status = transform::Status::not_converged;
+    solution.reason =
+        "the burn-in is too short for the slowest deviation to decay (what the wells hold may be what "
+        "was started with) give more --time";
+  }
+  const bool has_impulses = std::isfinite(plan.excitation.interval);
+  if (has_impulses && summary.impulses < kFewestImpulses * streams) {
     solution.status = transform::Status::not_converged;
     solution.reason = fmt::format(
         "only {} impulses came in {} streams (errors cannot be told from so few) give more --time",
@@ -261,8 +340,9 @@ bool gather(const Team& team, Simulation& simulation) {
 }  // namespace
 
 void require_solvable(const problem::Problem& problem, const Options& options) {
-  make_plan(problem, options);
+  const Plan plan = make_plan(problem, options);
   require_shareable(options);
+  if (plan.general) return;
   if (!problem::collapse_objection(problem, options.equation).empty()) return;  // it fails
   [[maybe_unused]] const Oscillator oscillator(problem.system);
 }
@@ -277,14 +357,15 @@ Result solve(const problem::Problem& problem, const Options& options) {
   require_shareable(options);
   // Kicks at even times would part the particle from the wall after each interval: an answer that
   // depends on the interval and tends to no motion that is stated.
-  solution.reason = problem::collapse_objection(problem, options.equation);
+  solution.reason = plan.general ? noise_objection(problem, options.equation)
+                                 : problem::collapse_objection(problem, options.equation);
   if (!solution.reason.empty()) return result;  // failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
     if (options.warn) options.warn(warning);
   });
   std::optional<Splitting> splitting;
-  if (options.tails) splitting = plan_splitting(problem, plan);
+  if (options.tails && !plan.general) splitting = plan_splitting(problem, plan);
   const Splitting* splits = splitting ? &*splitting : nullptr;
   Simulation simulation(problem, plan, splits);
   simulation.share(options.team.part, options.team.parts);
@@ -312,7 +393,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
           "without --tails, or with more --streams)";
     }
   }
-  judge(summary, solution, unreached);
+  judge(plan, summary, solution, unreached);
   solution.observations = observations(summary);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

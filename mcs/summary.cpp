@@ -83,7 +83,9 @@ transform::Observations observations(const Summary& summary) {
       .result("step", summary.step)
       .result("sampling_interval", summary.sampling_interval)
       .result("burn_in", summary.burn_in);
-  observe(observer, "impact_rate", summary.impact_rate, "impact_rate_error");
+  if (!summary.impacts_accumulate) {
+    observe(observer, "impact_rate", summary.impact_rate, "impact_rate_error");
+  }
   observe(observer, summary.balances, summary.balance_errors);
   observer.work("impulses", counted(summary.impulses))
       .work("flights", counted(summary.flights))

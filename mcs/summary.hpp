@@ -48,6 +48,7 @@ struct Summary {
   std::optional<double> kick_interval{};   ///< white noise: time between kicks
   double burn_in = 0;                      ///< of each stream
   Estimate impact_rate{};                  ///< impacts per unit time, int |v| p(0, v) dv over v < 0
+  bool impacts_accumulate = false;         ///< to rest: the rate has no bound, and none is stated
   transform::BalanceResiduals balances{};  ///< of the weighted averages
   transform::BalanceResiduals balance_errors{};  ///< their standard errors
   std::uint64_t impulses = 0;

@@ -20,7 +20,7 @@ std::vector<LevelRate> rates(const Simulation& simulation, const StreamWeights& 
     const auto values = each(simulation.streams(), [&](const StreamRecord& record) {
       return of(record, k) / simulation.stream_time();
     });
-    found.push_back({edges[k], weights.estimate(values)});
+    found.push_back({simulation.plan().frame.y(edges[k]), weights.estimate(values)});
   }
   return found;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "mcs/estimate/density_estimate.hpp"
 
@@ -56,6 +57,23 @@ class Distribution {
   std::vector<double> below_;
 };
 
+/// Mirrored, what is below lies above.
+std::vector<Quantile> on_the_physical_axis(const problem::Frame& frame,
+                                           transform::Variable variable,
+                                           std::vector<Quantile> quantiles) {
+  const auto seen = [&](double x) {
+    return variable == transform::Variable::y ? frame.y(x) : frame.v(x);
+  };
+  for (Quantile& q : quantiles) {
+    q = {q.probability, seen(q.value), seen(q.lower), seen(q.upper)};
+    if (!frame.mirrored) continue;
+    q.probability = 1 - q.probability;
+    std::swap(q.lower, q.upper);
+  }
+  if (frame.mirrored) std::ranges::reverse(quantiles);
+  return quantiles;
+}
+
 }  // namespace
 
 std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
@@ -82,7 +100,9 @@ std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const Str
     if (!distribution.reaches(p - half) || !distribution.reaches(p + half)) continue;
     quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
   }
-  return quantiles;
+  const problem::Frame& frame = simulation.plan().frame;
+  return frame.is_identity() ? quantiles
+                             : on_the_physical_axis(frame, variable, std::move(quantiles));
 }
 
 }  // namespace fpkcheck::mcs

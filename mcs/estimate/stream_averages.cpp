@@ -1,6 +1,7 @@
 #include "mcs/estimate/stream_averages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "mcs/estimate/stream_weights.hpp"
@@ -12,19 +13,44 @@ double moment(const Simulation& simulation, const StreamRecord& record, int p, i
   return record.powers[static_cast<std::size_t>(place)] / simulation.stream_samples();
 }
 
+namespace {
+
+double power_of_y(const Simulation& simulation, const StreamRecord& record, int n) {
+  if (n <= static_cast<int>(kHighestPower)) return moment(simulation, record, n, 0);
+  const GeneralSums& sums = record.general.value();
+  return (n == 5 ? sums.y5 : sums.y6) / simulation.stream_samples();
+}
+
+}  // namespace
+
+double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
+  const problem::Frame& frame = simulation.plan().frame;
+  if (frame.is_identity()) return moment(simulation, record, p, q);
+  // y^p = (origin + sign x)^p
+  const auto [origin, sign] = std::pair{frame.origin, frame.sign()};
+  double sum = 0, binomial = 1;
+  for (int n = 0; n <= p; ++n) {
+    const double of_x = n + q == 0 ? 1 : moment(simulation, record, n, q);
+    sum += binomial * std::pow(origin, p - n) * std::pow(sign, n + q) * of_x;
+    binomial *= static_cast<double>(p - n) / (n + 1);
+  }
+  return sum;
+}
+
 double mean_of(const Simulation& simulation, const StreamRecord& record,
                const problem::Polynomial& g) {
   double mean = g.coefficient(0);
   for (std::size_t n = 1; n <= g.degree(); ++n) {
     if (g.coefficient(n) == 0) continue;
-    mean += g.coefficient(n) * moment(simulation, record, static_cast<int>(n), 0);
+    mean += g.coefficient(n) * power_of_y(simulation, record, static_cast<int>(n));
   }
   return mean;
 }
 
 std::vector<double> moments(const Simulation& simulation, int p, int q) {
-  return each(simulation.streams(),
-              [&](const StreamRecord& record) { return moment(simulation, record, p, q); });
+  return each(simulation.streams(), [&](const StreamRecord& record) {
+    return physical_moment(simulation, record, p, q);
+  });
 }
 
 std::vector<double> excess_powers(const Simulation& simulation) {

@@ -6,7 +6,7 @@
 namespace fpkcheck::mcs {
 
 /// What random numbers are for: numbers of different purposes never coincide.
-enum class Purpose : std::uint32_t { impulses, start };
+enum class Purpose : std::uint32_t { impulses, start, noise };
 
 /// 128 random bits as a function of (seed, stream, purpose, number): Philox4x32-10 (Salmon et al.,
 /// SC 2011, Random123). Nothing is remembered between calls, so that it does not matter who asks

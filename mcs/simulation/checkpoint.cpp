@@ -87,6 +87,15 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
     for (const auto& [by, probability] : g.shifts)
       text += fmt::format(" {:a} {:a}", by, probability);
   }
+  if (plan.general) {
+    const auto& [scales, o, kicks, power, rests, mixed] = *plan.general;
+    text += fmt::format("; of {:a} {:a} {:a}", fmt::join(o.force, " "),
+                        fmt::join(s.damping_polynomial().coefficients(), " "), o.rayleigh);
+    for (const auto& w : {o.left, o.right}) {
+      text += fmt::format("; wall {} {:a} {:a}", w.stands, w.position, w.restitution);
+    }
+    text += fmt::format("; kicks {:a} {:a}", kicks.diffusion, kicks.longest);
+  }
   if (splitting) text += fmt::format("; thresholds {:a}", fmt::join(splitting->thresholds(), " "));
   return text;
 }

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mcs/simulation/workers.hpp"
 #include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -27,8 +29,9 @@ constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less
 // or so, or an eighth of what was asked for if that is less.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-constexpr double kMostEvents = 2e7;          // impulses and flights of a round, in all streams
-constexpr double kMostAutomaticTimes = 1e4;  // where samples or an error are asked for
+constexpr double kMostEvents = 2e7;           // impulses and flights of a round, in all streams
+constexpr double kMostAutomaticEvents = 4e7;  // of any oscillator: seconds
+constexpr double kMostAutomaticTimes = 1e4;   // where samples or an error are asked for
 
 std::vector<double> evenly_spaced(double from, double to) {
   std::vector<double> edges;
@@ -42,9 +45,89 @@ BinFinder bins(const std::vector<double>& edges, double from, double to) {
   return BinFinder(edges.empty() ? evenly_spaced(from, to) : edges);
 }
 
+struct Rounds {
+  std::uint64_t samples, rounds;
+};
+
+/// @param events impulses, kicks and flights per unit time
+Rounds rounds_of(const Options& options, double automatic, double time, double interval,
+                 double events) {
+  const double round_time =
+      std::min({automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
+  // Of a length that does not depend on the time asked for, unless that is short: so a longer
+  // simulation can go on from the checkpoint of a shorter one.
+  const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
+  const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
+  if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
+    throw InputError(fmt::format(
+        "mcs.time = {} (each of {} streams would take {:.0e} samples; at most {:.0e}) use less",
+        time, options.streams, samples * rounds, kMostSamples));
+  }
+  return {static_cast<std::uint64_t>(samples), static_cast<std::uint64_t>(rounds)};
+}
+
+/// Edges may begin anywhere where there is no wall.
+void validate_of_any_domain(const Options& options) {
+  if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
+  Options others = options;
+  others.y_edges.clear();
+  validate(others);
+}
+
+Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options& options) {
+  validate_of_any_domain(options);
+  GeneralPlan general = make_general_plan(problem, options);
+  const auto& s = general.scales;
+  // The frequency is that of the motion's mean energy: where rest is the rule, of bounces that are
+  // hardly there.
+  constexpr double kSamplesPerRest = 50;
+  const double least = general.rests ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
+  const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);
+  const double step = options.step.value_or(kAutomaticStep);
+  const double kicks = general.kicks.present() ? 1 / general.kicks.longest : 0;
+  const bool white = options.equation == Equation::white;
+  const double impulses = white ? 0 : problem.impulses.arrival_rate();
+  const double events = impulses + kicks + s.frequency / step;
+  // Wells that are hardly ever left would take forever: their masses are those of the start then, if
+  // not of the burn-in.
+  const double automatic =
+      std::min(kAutomaticTime / s.slowest_decay, kMostAutomaticEvents / events);
+  const bool open_ended = options.samples || options.target_error;
+  const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
+  constexpr double kLongestBurnIn = 1.0 / 8;  // of the automatic time
+  const double whole_burn_in = kBurnIn / s.slowest_decay;
+  const double burn_in =
+      std::min(whole_burn_in, std::max(kLongestBurnIn * automatic, time) / options.streams);
+  constexpr double kMixed = 0.25;  // of the burn-in: exp(-5) of the start is left
+  general.mixed = burn_in >= kMixed * whole_burn_in;
+  const auto [samples, rounds] = rounds_of(options, automatic, time, interval, events);
+  Excitation excitation = poisson_excitation(problem.impulses);
+  if (impulses == 0) excitation.interval = std::numeric_limits<double>::infinity();
+  excitation.power = general.power;
+  // What is expected of the kicks' own is 0; see receive_kick().
+  if (impulses == 0) excitation.work = 0;
+  return {.streams = options.streams,
+          .threads = std::min(number_of_threads(options.threads), options.streams),
+          .seed = options.seed,
+          .frame = problem.frame,
+          .step = step,
+          .burn_in = burn_in,
+          .sampling_interval = interval,
+          .samples_per_round = samples,
+          .rounds = rounds,
+          .displacement_deviation = s.displacement_deviation,
+          .velocity_deviation = s.velocity_deviation,
+          .excitation = excitation,
+          .y_bins = bins(options.y_edges, s.y_low, s.y_high),
+          .v_bins = bins(options.v_edges, -s.v_high, s.v_high),
+          .deposit = {},
+          .general = general};
+}
+
 }  // namespace
 
 Plan make_plan(const problem::Problem& problem, const Options& options) {
+  if (!problem::features(problem).original) return make_plan_of_any_oscillator(problem, options);
   validate(options);
   const auto linear = problem::equivalent_linearisation(problem);
   const double decay = problem::slowest_decay(linear);
@@ -62,17 +145,7 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
           : poisson_excitation(problem.impulses);
   const double step = options.step.value_or(kAutomaticStep);
   const double events = 1 / excitation.interval + frequency / step;
-  const double round_time =
-      std::min({automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
-  // Of a length that does not depend on the time asked for, unless that is short: so a longer
-  // simulation can go on from the checkpoint of a shorter one.
-  const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
-  const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
-  if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
-    throw InputError(fmt::format(
-        "mcs.time = {} (each of {} streams would take {:.0e} samples; at most {:.0e}) use less",
-        time, options.streams, samples * rounds, kMostSamples));
-  }
+  const auto [samples, rounds] = rounds_of(options, automatic, time, interval, events);
   std::optional<DepositPlan> deposit;
   if (options.deposit) {
     deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
@@ -80,18 +153,20 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
   return {.streams = options.streams,
           .threads = std::min(number_of_threads(options.threads), options.streams),
           .seed = options.seed,
+          .frame = problem.frame,
           .step = step,
           .burn_in = kBurnIn / decay,
           .sampling_interval = interval,
-          .samples_per_round = static_cast<std::uint64_t>(samples),
-          .rounds = static_cast<std::uint64_t>(rounds),
+          .samples_per_round = samples,
+          .rounds = rounds,
           .displacement_deviation = s1,
           .velocity_deviation = s2,
           .excitation = excitation,
           .y_bins =
               bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
           .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2),
-          .deposit = deposit};
+          .deposit = deposit,
+          .general = {}};
 }
 
 }  // namespace fpkcheck::mcs

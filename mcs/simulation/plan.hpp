@@ -5,6 +5,7 @@
 
 #include "mcs/impulses/excitation.hpp"
 #include "mcs/options.hpp"
+#include "mcs/simulation/general_plan.hpp"
 #include "mcs/streams/histogram.hpp"
 #include "transform/marginal.hpp"
 
@@ -23,6 +24,7 @@ struct Plan {
   int streams;
   int threads;
   std::uint64_t seed;
+  problem::Frame frame;  ///< moments are stated by it
   double step;
   double burn_in;
   double sampling_interval;
@@ -35,6 +37,8 @@ struct Plan {
   BinFinder y_bins;
   BinFinder v_bins;
   std::optional<DepositPlan> deposit{};
+  /// Of an oscillator that is not the paper's: it is moved by GeneralMotion.
+  std::optional<GeneralPlan> general{};
 
   /// Measured time of one stream in a round.
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
@@ -44,7 +48,7 @@ struct Plan {
   }
 };
 
-/// @throws InputError as validate()
+/// @throws InputError as validate() and make_general_plan()
 Plan make_plan(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::mcs

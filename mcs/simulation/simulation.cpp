@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
+#include <limits>
 #include <ostream>
+#include <utility>
 
 #include "mcs/motion/start.hpp"
+#include "mcs/simulation/general_start.hpp"
 #include "mcs/simulation/saved_numbers.hpp"
 #include "mcs/simulation/workers.hpp"
 #include "parameters/input_error.hpp"
@@ -28,6 +31,23 @@ bool is_finite(const Numbers& numbers) {
   return std::ranges::all_of(numbers, [](const auto& number) { return is_finite(number); });
 }
 
+bool is_between_walls(double y, double farthest, const Plan& plan) {
+  if (!plan.general) return y >= 0 && y <= farthest;
+  const GeneralOscillator& o = plan.general->oscillator;
+  const double centre = plan.general->scales.centre;
+  return y >= (o.left.stands ? 0.0 : centre - farthest) &&
+         y <= (o.right.stands ? o.right.position : centre + farthest);
+}
+
+bool is_possible(const GeneralBranch& branch, const GeneralKicks& kicks) {
+  const double longest = 1.01 * kicks.longest;  // and rounding
+  const bool waits = kicks.present()
+                         ? branch.until_kick >= 0 && branch.until_kick <= longest &&
+                               branch.kick_interval >= 0 && branch.kick_interval <= longest
+                         : branch.until_kick > 0 && branch.kick_interval == 0;
+  return waits && branch.bouncing >= -1;
+}
+
 /// A branch between two rounds, within what chance and the motion can bring it to.
 bool is_possible(const Branch& branch, const Plan& plan) {
   constexpr double kFarthest = 1e4;     // of the deviations and of what an impulse adds
@@ -38,7 +58,7 @@ bool is_possible(const Branch& branch, const Plan& plan) {
   const double y = v * plan.displacement_deviation / plan.velocity_deviation;
   const double sample = 2 * plan.sampling_interval;
   const auto between = [](double least, double x, double most) { return x >= least && x <= most; };
-  return between(0, branch.y, y) && between(-v, branch.v, v) &&
+  return is_between_walls(branch.y, y, plan) && between(-v, branch.v, v) &&
          between(-strongest, branch.amplitude, strongest) &&
          between(0, branch.until_impulse, kRarestDraws * impulses.interval) &&
          between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0);
@@ -48,15 +68,19 @@ bool is_possible(const Branch& branch, const Plan& plan) {
 
 Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
                        const Splitting* splitting)
-    : plan_(&plan),
-      motion_{.oscillator = Oscillator(problem.system),
-              .step = plan.step,
-              .sampling_interval = plan.sampling_interval,
-              .y_bins = &plan.y_bins,
-              .v_bins = &plan.v_bins,
-              .splitting = splitting,
-              .shift = plan.excitation.shift,
-              .deposit = plan.deposit ? &*plan.deposit : nullptr} {
+    : plan_(&plan) {
+  if (plan.general) {
+    begin_any(problem);
+    return;
+  }
+  motion_ = Motion{.oscillator = Oscillator(problem.system),
+                   .step = plan.step,
+                   .sampling_interval = plan.sampling_interval,
+                   .y_bins = &plan.y_bins,
+                   .v_bins = &plan.v_bins,
+                   .splitting = splitting,
+                   .shift = plan.excitation.shift,
+                   .deposit = plan.deposit ? &*plan.deposit : nullptr};
   for (int s = 0; s < plan.streams; ++s) {
     ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
     const State start = folded_start(source, plan.displacement_deviation, plan.velocity_deviation);
@@ -73,21 +97,68 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
   }
 }
 
-void Simulation::burn_in() {
-  Motion unseen = motion_;
-  unseen.records = false;
-  unseen.splitting = nullptr;
-  unseen.deposit = nullptr;
-  move(unseen, plan_->burn_in);
+void Simulation::begin_any(const problem::Problem& problem) {
+  const Plan& plan = *plan_;
+  const GeneralPlan& general = *plan.general;
+  // Of the flights between kicks there are fewer coefficients.
+  constexpr double kShorter = 0.35;
+  general_ = GeneralMotion{.oscillator = general.oscillator,
+                           .kicks = general.kicks,
+                           .step = plan.step * (general.kicks.present() ? kShorter : 1),
+                           .sampling_interval = plan.sampling_interval,
+                           .y_bins = &plan.y_bins,
+                           .v_bins = &plan.v_bins};
+  const GeneralStart start_of(problem);
+  for (int s = 0; s < plan.streams; ++s) {
+    const auto stream = static_cast<std::uint32_t>(s);
+    ImpulseSource source(plan.excitation, plan.seed, stream);
+    const State start = start_of(plan.seed, stream);
+    Impulse first{.waiting = std::numeric_limits<double>::infinity(), .amplitude = 0};
+    if (std::isfinite(plan.excitation.interval)) first = source.next();
+    Stream made{.branch = {.y = start.y,
+                           .v = start.v,
+                           .until_impulse = first.waiting,
+                           .amplitude = first.amplitude,
+                           .until_sample = plan.sampling_interval / 2,
+                           .remaining = 0},
+                .source = source,
+                .record = StreamRecord(plan.y_bins, plan.v_bins),
+                .noise = NoiseSource(plan.seed, stream)};
+    made.record.general.emplace();
+    if (general.kicks.present()) {
+      // At any time within the interval: samples then see all of it alike.
+      const double share = uniforms(plan.seed, stream, Purpose::start, kBlock).third[1];
+      made.general.kick_interval = general.kicks.longest;
+      made.general.until_kick = share * general.kicks.longest;
+    }
+    streams_.push_back(std::move(made));
+  }
 }
 
+void Simulation::burn_in() { move(false, plan_->burn_in); }
+
 void Simulation::round() {
-  move(motion_, plan_->round_time());
+  move(true, plan_->round_time());
   ++rounds_;
 }
 
-void Simulation::move(const Motion& motion, double time) {
+void Simulation::move(bool recorded, double time) {
   static const LaneSet lanes = available_lanes().back();
+  if (general_) {
+    GeneralMotion motion = *general_;
+    motion.records = recorded;
+    return move([&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
+  }
+  Motion motion = *motion_;
+  if (!recorded) {
+    motion.records = false;
+    motion.splitting = nullptr;
+    motion.deposit = nullptr;
+  }
+  move([&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
+}
+
+void Simulation::move(const std::function<void(std::span<Stream* const>)>& move) {
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   share_work(plan_->threads, groups, [&](std::size_t g) {
     if (!is_of(part_, g * kGroup)) return;
@@ -95,7 +166,7 @@ void Simulation::move(const Motion& motion, double time) {
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
     }
-    advance(motion, group, time, lanes);
+    move(group);
   });
 }
 
@@ -111,18 +182,29 @@ bool Simulation::is_of(int part, std::size_t stream) const {
 void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
   put(out, stream.branch);
   put(out, stream.source.number());
+  if (general_) {
+    put(out, stream.general);
+    put(out, stream.noise.number());
+  }
   for_each_sum(stream.record, [&](const auto& sum) { put(out, sum); });
 }
 
 void Simulation::load_stream(std::istream& in, Stream& stream) const {
   std::uint64_t number = 0;
   get(in, stream.branch);
-  const int levels = motion_.splitting == nullptr ? 0 : motion_.splitting->levels();
+  const bool splits = motion_ && motion_->splitting != nullptr;
+  const int levels = splits ? motion_->splitting->levels() : 0;
   require_possible(is_possible(stream.branch, *plan_) && stream.branch.level >= 0 &&
                    stream.branch.level <= levels && stream.branch.floor >= 0 &&
                    stream.branch.floor <= levels);
   get(in, number);
   stream.source.continue_from(number);
+  if (general_) {
+    get(in, stream.general);
+    require_possible(is_possible(stream.general, plan_->general->kicks));
+    get(in, number);
+    stream.noise.continue_from(number);
+  }
   for_each_sum(stream.record, [&](auto& sum) {
     get(in, sum);
     require_possible(is_finite(sum));

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "mcs/motion/advance.hpp"
+#include "mcs/motion/general_motion.hpp"
 #include "mcs/simulation/plan.hpp"
 
 namespace fpkcheck::mcs {
@@ -13,8 +17,8 @@ namespace fpkcheck::mcs {
 /// a round ends for all of them, so that nothing depends on how many threads there are.
 class Simulation {
  public:
-  /// Streams from the Gaussian of equivalent linearisation folded to y >= 0, paper (5), at the
-  /// beginning of their burn-in.
+  /// Streams from the Gaussian of equivalent linearisation folded to y >= 0, paper (5), or from
+  /// GeneralStart, at the beginning of their burn-in.
   /// @param plan must outlive the simulation
   /// @param splitting none, or what must outlive it as well
   /// @throws InputError as Oscillator
@@ -49,13 +53,17 @@ class Simulation {
   void load_part(std::istream& in, int part);
 
  private:
-  void move(const Motion& motion, double time);
+  void begin_any(const problem::Problem& problem);
+  /// @param move what moves some streams
+  void move(const std::function<void(std::span<Stream* const>)>& move);
+  void move(bool recorded, double time);
   bool is_of(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;
   void load_stream(std::istream& in, Stream& stream) const;
 
   const Plan* plan_;
-  Motion motion_;
+  std::optional<Motion> motion_;          // of the paper's oscillator
+  std::optional<GeneralMotion> general_;  // of any other one
   std::uint64_t rounds_ = 0;
   int part_ = 0, parts_ = 1;
   std::vector<Stream> streams_;

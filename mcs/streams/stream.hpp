@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "mcs/deposit/deposit.hpp"
 #include "mcs/impulses/impulse_source.hpp"
+#include "mcs/impulses/noise_source.hpp"
 #include "mcs/streams/histogram.hpp"
 
 namespace fpkcheck::mcs {
@@ -28,6 +31,14 @@ inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {1, 3},
                                                               {0, 4}}};
 
+/// What a stream sees besides where the oscillator is not the paper's; likewise sums.
+struct GeneralSums {
+  double y5 = 0, y6 = 0;  ///< of y^5 and y^6 over samples: a force may have the degree 5
+  double right_speed = 0, right_energy = 0;  ///< of v and v^2 over impacts on the right
+  double rest_left = 0, rest_right = 0;      ///< samples at rest in contact; not in the histogram
+  double kicks = 0;                          ///< how many stood for Gaussian noise
+};
+
 /// What one stream has seen: sums over samples and events, each with the weight of its branch
 /// (1 without splitting).
 struct StreamRecord {
@@ -46,6 +57,8 @@ struct StreamRecord {
   std::vector<double> energies{};
   /// On the grid of Options::deposit; empty without.
   Deposit deposit{};
+  /// Only of an oscillator that is not the paper's.
+  std::optional<GeneralSums> general{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bins() + 2), troughs(y.bins() + 2) {}
@@ -67,6 +80,13 @@ void for_each_sum(Record& record, Visit visit) {
   visit(record.troughs);
   visit(record.energies);
   if (!record.deposit.flow.empty()) for_each_deposit_sum(record.deposit, visit);
+  if (record.general) {
+    auto& sums = *record.general;
+    for (auto* sum : {&sums.y5, &sums.y6, &sums.right_speed, &sums.right_energy, &sums.rest_left,
+                      &sums.rest_right, &sums.kicks}) {
+      visit(*sum);
+    }
+  }
 }
 
 /// A trajectory somewhere on its way.
@@ -81,12 +101,22 @@ struct Branch {
   int floor = 0;     ///< the branch ends where its level falls below
 };
 
+/// What a trajectory has besides where the oscillator is not the paper's.
+struct GeneralBranch {
+  double until_kick = std::numeric_limits<double>::infinity();
+  double kick_interval = 0;  ///< that ends with the next kick
+  /// Time until bounces on a wall have come to rest, 0 from then on; -1 where the motion is free.
+  double bouncing = -1;
+};
+
 /// One realisation with its random numbers and what it has seen.
 struct Stream {
   Branch branch;
   ImpulseSource source;
   StreamRecord record;
   std::vector<Branch> waiting{};  ///< branches to be followed, the stream itself first
+  GeneralBranch general{};
+  NoiseSource noise{0, 0};  ///< for Gaussian noise
 
   /// The stream itself moves, not one of its branches.
   bool whole() const { return waiting.empty(); }

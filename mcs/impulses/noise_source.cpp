@@ -1,0 +1,20 @@
+#include "mcs/impulses/noise_source.hpp"
+
+#include "mcs/lanes/instruction_set.hpp"
+
+namespace fpkcheck::mcs {
+
+void NoiseSource::make_block() {
+  static const auto make = compiled_for(available_lanes().back().instructions, baseline::make_block,
+                                        avx2::make_block, avx512::make_block);
+  static const Excitation normal = standard_normal_excitation();
+  block_ = make(normal, uniforms(seed_, stream_, Purpose::noise, number_));
+}
+
+void NoiseSource::continue_from(std::uint64_t number) {
+  number_ = number - number % kBlock;
+  if (number_ < number) make_block();
+  number_ = number;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "mcs/lanes/elementary.hpp"
+#include "mcs/motion/general_motion.hpp"
+
+// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+namespace fpkcheck::mcs {
+namespace {
+
+/// A change of the velocity from without: what it does to the maxima and minima of y.
+inline void note_turn(const GeneralMotion& motion, Stream& stream, double before, double after) {
+  if (!motion.records) return;
+  const double y = stream.branch.y;
+  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += 1;
+  const bool at_wall = motion.oscillator.left.stands && !(y > 0);
+  if (before < 0 && after > 0 && !at_wall) stream.record.troughs[(*motion.y_bins)(y)] += 1;
+}
+
+/// Paper (3): one impulse, and the next one drawn.
+inline void receive_general_impulse(const GeneralMotion& motion, Stream& stream) {
+  Branch& b = stream.branch;
+  const double before = b.v;
+  b.v += b.amplitude;
+  stream.general.bouncing = -1;
+  note_turn(motion, stream, before, b.v);
+  if (motion.records) {
+    ++stream.record.impulses;
+    stream.record.work += b.amplitude * before + b.amplitude * b.amplitude / 2;
+  }
+  const Impulse next = stream.source.next();
+  b.until_impulse = next.waiting;
+  b.amplitude = next.amplitude;
+}
+
+/// The Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for the latter half of the interval before
+/// and the former half of the one after.
+inline void receive_kick(const GeneralMotion& motion, Stream& stream) {
+  Branch& b = stream.branch;
+  GeneralBranch& g = stream.general;
+  const GeneralKicks& kicks = motion.kicks;
+  const double next = kick_interval(motion, b.y, b.v);
+  const double time = (g.kick_interval + next) / 2;
+  const double x = kicks.damping * time;
+  const double decay = exponential(larger(smaller(-x, 300.0), -300.0));
+  // 2 D time (1 - exp(-2x)) / (2x), by the series where the difference loses digits
+  const double mean_decay =
+      x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
+  const double kick = square_root(2 * kicks.diffusion * time * mean_decay) * stream.noise.next();
+  const double before = b.v;
+  const double damped = decay * b.v;
+  b.v = damped + kick;
+  g.bouncing = -1;
+  note_turn(motion, stream, before, b.v);
+  if (motion.records) {
+    stream.record.general->kicks += 1;
+    // Of expectation 0, whatever the motion.
+    stream.record.work +=
+        damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
+  }
+  g.until_kick = next;
+  g.kick_interval = next;
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,138 @@
+#pragma once
+
+#include "mcs/motion/flight.hpp"
+#include "mcs/motion/general_series.hpp"
+
+// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+namespace fpkcheck::mcs {
+namespace {
+
+/// The motion of a GeneralOscillator from one event to the next, as a Taylor polynomial.
+template <class Real, int kOrder>
+class GeneralFlight {
+ public:
+  /// @param oscillator must outlive the flight
+  FPKCHECK_INLINE GeneralFlight(const GeneralOscillator& oscillator, const BasicState<Real>& start)
+      : oscillator_(oscillator) {
+    a_[0] = start.y;
+    a_[1] = start.v;
+    continue_general_series<kOrder, Real>(oscillator, a_);
+  }
+
+  /// Stays where it is, in these lanes.
+  template <class Mask>
+  FPKCHECK_INLINE void hold(const Mask& held) {
+#pragma GCC unroll 16
+    for (int n = 1; n <= kOrder; ++n) a_[n] = select(held, Real{}, a_[n]);
+  }
+
+  /// How long the polynomial is used: `phase` radians of a frequency w with |d^n y/ds^n| <= A w^n for
+  /// its last coefficients, A the extent of the motion, and w^2 no less than the tangent stiffness.
+  /// The energy may grow, so that none bounds the motion beforehand.
+  ///
+  /// The velocity of a flight obeys a linear equation with the coefficient g'(y): within less than
+  /// half a period (phase < pi) it changes its sign at most once (Sturm).
+  FPKCHECK_INLINE Real reach(double phase) const {
+    const Real extent = oscillator_.length + larger(a_[0], -a_[0]);
+    const Real over = 1.0 / extent;
+    Real logarithm_of_frequency = all_lanes<Real>(-1e3);
+    double factorial = 1;
+#pragma GCC unroll 16
+    for (int n = 2; n <= kOrder; ++n) {
+      factorial *= n;
+      if (n <= kOrder - kLooked) continue;
+      const Real size = factorial * larger(a_[n], -a_[n]) * over + 1e-290;
+      logarithm_of_frequency = larger(logarithm_of_frequency, logarithm(size) * (1.0 / n));
+    }
+    const double longest = 1e-2 * oscillator_.frequency;
+    Real frequency = exponential(larger(logarithm_of_frequency, all_lanes<Real>(-600.0))) + longest;
+    const Real slope = general_stiffness(oscillator_, a_[0]);
+    const Real stiffness = larger(slope, -slope);
+    const Real c = oscillator_.damping[0] +
+                   a_[0] * (oscillator_.damping[1] + a_[0] * oscillator_.damping[2]) +
+                   (3 * oscillator_.rayleigh) * (a_[1] * a_[1]);
+    frequency = larger(frequency, square_root(stiffness) + larger(c, -c));
+    return phase / frequency;
+  }
+
+  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const {
+    static_assert(kOrder % 2 == 0);
+    const Real s2 = s * s;
+    Real y_even = a_[kOrder], v_odd = double{kOrder} * a_[kOrder];
+    Real y_odd{}, v_even{};
+#pragma GCC unroll 16
+    for (int n = kOrder - 1; n >= 1; n -= 2) {
+      y_odd = y_odd * s2 + a_[n];
+      v_even = v_even * s2 + static_cast<double>(n) * a_[n];
+      y_even = y_even * s2 + a_[n - 1];
+      if (n > 1) v_odd = v_odd * s2 + static_cast<double>(n - 1) * a_[n - 1];
+    }
+    return {y_even + s * y_odd, v_even + s * v_odd};
+  }
+
+  FPKCHECK_INLINE Real acceleration(const Real& s) const {
+    Real sum = double{kOrder * (kOrder - 1)} * a_[kOrder];
+#pragma GCC unroll 16
+    for (int n = kOrder - 1; n >= 2; --n) sum = sum * s + static_cast<double>(n * (n - 1)) * a_[n];
+    return sum;
+  }
+
+  /// The zero of v in [0, end], in the lanes where v(0) and v(end) are of different signs: to 1e-6 of
+  /// the time from there to either end, which leaves 1e-12 in y.
+  template <class Mask>
+  FPKCHECK_INLINE Real turning_time(const Real& end, const BasicState<Real>& at_end,
+                                    const Mask& wanted) const {
+    Real low{}, high = end;
+    Real s = end * (a_[1] / (a_[1] - select(wanted, at_end.v, -a_[1] - 1.0)));
+    Mask open = wanted;
+    for (int n = 0; n < kMostIterations && any(open); ++n) {
+      const Real v = at(s).v;
+      const Mask before = v * a_[1] > 0.0;
+      low = select(before, s, low);
+      high = select(before, high, s);
+      const Real newton = s - v / acceleration(s);
+      const Mask inside = (newton >= low) & (newton <= high);
+      const Real next = select(inside, newton, 0.5 * (low + high));
+      const Real moved = larger(next - s, s - next);
+      s = select(open, next, s);
+      open = open & (moved > 1e-4 * s);
+    }
+    return s;
+  }
+
+  /// The zero of y(s) - wall in [low, high], to rounding, in the lanes `wanted`, where y - wall changes
+  /// its sign from `inside` to the other one.
+  /// @param guess within [low, high]
+  template <class Mask>
+  FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, Real low, Real high,
+                                   const Real& guess, const Mask& wanted) const {
+    Real s = guess;
+    Mask open = wanted;
+    for (int n = 0; n < kMostIterations && any(open); ++n) {
+      const BasicState<Real> state = at(s);
+      const Real distance = inside * (state.y - wall), speed = inside * state.v;
+      const Mask before = distance > 0.0;
+      low = select(before, s, low);
+      high = select(before, high, s);
+      const Real halley =
+          s - distance * speed / (speed * speed - 0.5 * (distance * (inside * acceleration(s))));
+      const Mask fine = (halley >= low) & (halley <= high);
+      const Real next = select(fine, halley, 0.5 * (low + high));
+      const Real moved = larger(next - s, s - next);
+      s = select(open, next, s);
+      // A correction of 1e-6 by a step of third order leaves an error of rounding.
+      open = open & (moved > 1e-6 * s);
+    }
+    return s;
+  }
+
+ private:
+  static constexpr int kMostIterations = 60;
+  static constexpr int kLooked = 6;  // y'' = -y^5 has every sixth coefficient from y = 0
+
+  const GeneralOscillator& oscillator_;
+  GeneralSeries<Real, kOrder> a_;
+};
+
+}  // namespace
+}  // namespace fpkcheck::mcs

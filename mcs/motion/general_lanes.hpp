@@ -1,0 +1,358 @@
+#pragma once
+
+#include "mcs/motion/general_events.hpp"
+#include "mcs/motion/general_flight.hpp"
+
+// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+namespace fpkcheck::mcs {
+namespace {
+
+/// The bin in lanes, by arithmetic, for even edges; a number within rounding of an edge may go to
+/// either side of it.
+template <class Real>
+FPKCHECK_INLINE Real place_in(const BinFinder& bins, const Real& x) {
+  return smaller(larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
+                 all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
+}
+
+/// The branches of streams in lanes, and what they see.
+template <int W, int kOrder>
+struct GeneralLanes {
+  using Real = typename LanesOf<W>::Real;
+  using Mask = decltype(Real{} < Real{});
+  using Flight = GeneralFlight<Real, kOrder>;
+  template <class Number>
+  struct alignas(64) Array {
+    Number at[W];
+  };
+
+  const GeneralMotion& motion;
+  Stream* const* streams;
+  double* cells[W];  // of the streams' histograms
+  Real y{}, v{}, until_impulse{}, until_kick{}, until_sample{}, remaining{}, bouncing{};
+  Real powers[kPowers.size()]{};
+  Real y5{}, y6{};
+  Real samples{}, impacts{}, flights{};
+  Real left_speed{}, left_energy{}, right_speed{}, right_energy{};
+  Real rest_left{}, rest_right{};
+
+  FPKCHECK_INLINE GeneralLanes(const GeneralMotion& m, Stream* const* s) : motion(m), streams(s) {
+    for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
+  }
+
+  FPKCHECK_INLINE void load_branches() {
+    Array<double> a[7];
+    for (int i = 0; i < W; ++i) {
+      const Branch& b = streams[i]->branch;
+      const GeneralBranch& g = streams[i]->general;
+      a[0].at[i] = b.y;
+      a[1].at[i] = b.v;
+      a[2].at[i] = b.until_impulse;
+      a[3].at[i] = b.until_sample;
+      a[4].at[i] = b.remaining;
+      a[5].at[i] = g.until_kick;
+      a[6].at[i] = g.bouncing;
+    }
+    y = load<Real>(a[0].at);
+    v = load<Real>(a[1].at);
+    until_impulse = load<Real>(a[2].at);
+    until_sample = load<Real>(a[3].at);
+    remaining = load<Real>(a[4].at);
+    until_kick = load<Real>(a[5].at);
+    bouncing = load<Real>(a[6].at);
+  }
+  FPKCHECK_INLINE void store_branches() const {
+    for (int i = 0; i < W; ++i) {
+      Branch& b = streams[i]->branch;
+      b.y = lane(y, i);
+      b.v = lane(v, i);
+      b.until_impulse = lane(until_impulse, i);
+      b.until_sample = lane(until_sample, i);
+      b.remaining = lane(remaining, i);
+      streams[i]->general.until_kick = lane(until_kick, i);
+      streams[i]->general.bouncing = lane(bouncing, i);
+    }
+  }
+
+  FPKCHECK_INLINE void store_sums() const {
+    for (int i = 0; i < W; ++i) {
+      StreamRecord& record = streams[i]->record;
+      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += lane(powers[p], i);
+      record.samples += lane(samples, i);
+      record.impacts += lane(impacts, i);
+      record.impact_speed += lane(left_speed, i);
+      record.impact_energy += lane(left_energy, i);
+      record.flights += static_cast<std::uint64_t>(lane(flights, i));
+      GeneralSums& sums = *record.general;
+      sums.y5 += lane(y5, i);
+      sums.y6 += lane(y6, i);
+      sums.right_speed += lane(right_speed, i);
+      sums.right_energy += lane(right_energy, i);
+      sums.rest_left += lane(rest_left, i);
+      sums.rest_right += lane(rest_right, i);
+    }
+  }
+
+  /// Paper (2) at one wall.
+  /// @param inwards 1 at the wall on the left, -1 on the right
+  FPKCHECK_INLINE void rebound(const GeneralWall& wall, double inwards, const Mask& active,
+                               Real& speed_sum, Real& energy_sum) {
+    const double r = wall.restitution;
+    const Real speed = -inwards * v;  // towards the wall
+    Mask impact = active & (inwards * (y - wall.position) <= 0.0) & (bouncing < 0.0);
+    // Pressed to the wall it comes back however slow it is, and may stay.
+    impact = impact & (wall.pressing > 0 ? speed >= 0.0 : speed > 0.0);
+    if (!any(impact)) return;
+    if (motion.records) {
+      impacts = impacts + where(impact, all_lanes<Real>(1.0));
+      speed_sum = speed_sum + where(impact, speed);
+      energy_sum = energy_sum + where(impact, speed * speed);
+    }
+    Real after = -r * v;
+    if (wall.pressing > 0) {
+      const Mask stays = impact & (speed < wall.slow);
+      if (any(stays)) {
+        // Bounces of r, r^2, .. times the speed, each for 2 speed / pressing; of r = 1 no end.
+        constexpr double kForever = 1e300;
+        const double times = r < 1 ? 2 * r / ((1 - r) * wall.pressing) : 0;
+        const Real time = r < 1 ? speed * times : all_lanes<Real>(kForever);
+        bouncing = select(stays, time, bouncing);
+        after = select(stays, Real{}, after);
+        if (motion.records && r < 1) {
+          speed_sum = speed_sum + where(stays, speed * (r / (1 - r)));
+          energy_sum = energy_sum + where(stays, speed * speed * (r * r / (1 - r * r)));
+        }
+      }
+    }
+    v = select(impact, after, v);
+  }
+
+  FPKCHECK_INLINE void sample(const Flight& flight, const Real& span, const Mask& held) {
+    const bool rests = !motion.kicks.present();
+    for (;;) {
+      const Mask due = until_sample < span;
+      if (!any(due)) break;
+      const Real time = where(due, until_sample);
+      count(flight.at(time), due, due & held & (bouncing <= time), rests);
+      until_sample = until_sample + where(due, all_lanes<Real>(motion.sampling_interval));
+    }
+    until_sample = until_sample - span;
+  }
+
+  // A lane with nothing to count counts it with the weight 0.
+  FPKCHECK_INLINE void count(const BasicState<Real>& at, const Mask& due, const Mask& at_rest,
+                             bool rests) {
+    const Real one = all_lanes<Real>(1.0);
+    const Real counted = where(due, one);
+    const Real x = at.y, u = at.v;
+    const Real xx = x * x, xu = x * u, uu = u * u;
+    const Real terms[] = {x,      u,      xx,      xu,      uu,      x * xx,  xx * u,
+                          x * uu, u * uu, xx * xx, xx * xu, xx * uu, xu * uu, uu * uu};
+#pragma GCC unroll 16
+    for (std::size_t p = 0; p < kPowers.size(); ++p) {
+      powers[p] = powers[p] + counted * terms[p];
+    }
+    y5 = y5 + counted * (xx * xx * x);
+    y6 = y6 + counted * (xx * xx * xx);
+    samples = samples + counted;
+    Real into_bins = counted;
+    if (rests && any(at_rest)) {
+      into_bins = select(at_rest, Real{}, counted);
+      const GeneralWall& right = motion.oscillator.right;
+      const Real resting = where(at_rest, one);
+      if (right.stands) {
+        const Real there = select(x > right.position / 2, resting, Real{});
+        rest_right = rest_right + there;
+        rest_left = rest_left + (resting - there);
+      } else {
+        rest_left = rest_left + resting;
+      }
+    }
+    put_into_bins(x, u, into_bins);
+  }
+
+  FPKCHECK_INLINE void put_into_bins(const Real& x, const Real& u, const Real& counted) {
+    // A sample within rounding of an impact may lie beyond a wall by as much.
+    Real between = x;
+    if (motion.oscillator.right.stands) {
+      const double last = motion.oscillator.right.position - motion.y_bins->hair();
+      between = smaller(between, all_lanes<Real>(last));
+    }
+    if (motion.oscillator.left.stands) between = larger(between, Real{});
+    if (motion.y_bins->even() && motion.v_bins->even()) {
+      const auto row = truncated(place_in(*motion.y_bins, between));
+      // At rest the side of 0 counts, however close: half of a spike is there.
+      const Real hair = all_lanes<Real>(motion.v_bins->hair());
+      const Real off_zero = select(u < 0.0, smaller(u, -hair), larger(u, hair));
+      const auto column = truncated(place_in(*motion.v_bins, off_zero));
+      const auto cell = row * static_cast<std::int32_t>(motion.v_bins->bins() + 2) + column;
+      Array<std::int32_t> cell_of;
+      Array<double> weights;
+      __builtin_memcpy(&cell_of, &cell, sizeof cell);
+      store(counted, weights.at);
+#pragma GCC unroll 8
+      for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
+    } else {
+      for (int i = 0; i < W; ++i) {
+        streams[i]->record.histogram.add((*motion.y_bins)(lane(between, i)),
+                                         (*motion.v_bins)(lane(u, i)), lane(counted, i));
+      }
+    }
+  }
+
+  /// Adds 1 to the bin of y in the lanes of the mask.
+  FPKCHECK_INLINE void note(std::vector<double> StreamRecord::*of, const Real& at,
+                            const Mask& there) {
+    if (!any(there)) return;
+    for (int i = 0; i < W; ++i) {
+      if (lane(there, i) == 0) continue;
+      (streams[i]->record.*of)[(*motion.y_bins)(lane(at, i))] += 1;
+    }
+  }
+
+  /// Ends the flight at the first impact in [0, span], if any. Within it the velocity changes its sign
+  /// once at most, so that the ends and the extreme between them tell; the signs at the ends alone
+  /// would miss the return to a wall that a force presses to, and a dip below one across a gap.
+  FPKCHECK_INLINE void meet(const Flight& flight, Real& span, BasicState<Real>& end,
+                            const Mask& free) {
+    const GeneralOscillator& o = motion.oscillator;
+    const Mask turned = free & (v * end.v < 0.0);
+    Real turning{}, extreme = y;
+    if (any(turned)) {
+      turning = flight.turning_time(span, end, turned);
+      extreme = flight.at(turning).y;
+    }
+    const Mask none = turned & (v != v);
+    const Mask low_turn = turned & (v < 0.0), high_turn = turned & (v > 0.0);
+    Mask left_first = none, right_first = none, left = none, right = none;
+    if (o.left.stands) {
+      left_first = low_turn & (extreme < 0.0);
+      left = free & (end.y < 0.0);
+    }
+    if (o.right.stands) {
+      right_first = high_turn & (extreme > o.right.position);
+      right = free & (end.y > o.right.position);
+    }
+    const Mask first = left_first | right_first;
+    left = left_first | (left & (right_first == none));
+    right = right_first | (right & (left_first == none));
+    const Mask impact = left | right;
+    if (any(impact)) {
+      const Real wall = select(right, all_lanes<Real>(o.right.position), Real{});
+      const Real inside = select(right, all_lanes<Real>(-1.0), all_lanes<Real>(1.0));
+      const Mask after_turn = turned & (first == none);
+      const Real low = select(after_turn, turning, Real{});
+      const Real high = select(first, turning, span);
+      // From the parabola about the extreme; without one, from the chord.
+      const Real from_extreme = extreme - wall;
+      const Real of_first = 1.0 - square_root(larger(from_extreme / (extreme - y), Real{}));
+      const Real of_last = square_root(larger(from_extreme / (extreme - end.y), Real{}));
+      const Real of_chord = (y - wall) / (y - end.y);
+      const Real part = select(first, of_first, select(after_turn, of_last, of_chord));
+      const Real guess = smaller(larger(low + (high - low) * part, low), high);
+      span = select(impact, flight.impact_time(wall, inside, low, high, guess, impact), span);
+      const BasicState<Real> at_wall = flight.at(span);
+      end.v = select(impact, at_wall.v, end.v);
+      end.y = select(impact, wall, end.y);
+    }
+    if (!motion.records) return;
+    note(&StreamRecord::peaks, extreme, high_turn & (right_first == none));
+    note(&StreamRecord::troughs, extreme, low_turn & (left_first == none));
+    if (o.right.stands) {
+      note(&StreamRecord::peaks, all_lanes<Real>(o.right.position - motion.y_bins->hair()), right);
+    }
+  }
+
+  /// Impulses and kicks: lane by lane.
+  FPKCHECK_INLINE void single_events(const Mask& active) {
+    const Mask impulse_now = active & (until_impulse <= 0.0);
+    const Mask kick_now = active & (until_kick <= 0.0);
+    const Mask now = impulse_now | kick_now;
+    if (!any(now)) return;
+    Array<double> a[5];
+    store(y, a[0].at);
+    store(v, a[1].at);
+    store(until_impulse, a[2].at);
+    store(until_kick, a[3].at);
+    store(bouncing, a[4].at);
+    for (int i = 0; i < W; ++i) {
+      if (lane(now, i) == 0) continue;
+      Stream& stream = *streams[i];
+      Branch& b = stream.branch;
+      b.y = a[0].at[i];
+      b.v = a[1].at[i];
+      b.until_impulse = a[2].at[i];
+      stream.general.until_kick = a[3].at[i];
+      stream.general.bouncing = a[4].at[i];
+      if (lane(impulse_now, i) != 0) receive_general_impulse(motion, stream);
+      if (lane(kick_now, i) != 0) receive_kick(motion, stream);
+      a[1].at[i] = b.v;
+      a[2].at[i] = b.until_impulse;
+      a[3].at[i] = stream.general.until_kick;
+      a[4].at[i] = stream.general.bouncing;
+    }
+    v = load<Real>(a[1].at);
+    until_impulse = load<Real>(a[2].at);
+    until_kick = load<Real>(a[3].at);
+    bouncing = load<Real>(a[4].at);
+  }
+
+  FPKCHECK_INLINE void move() {
+    const GeneralOscillator& o = motion.oscillator;
+    load_branches();
+    for (;;) {
+      const Mask active = remaining > 0.0;
+      if (!any(active)) break;
+      // Every turn of the loop either moves a lane on in time or brings it to a wall; there the
+      // velocity has been turned inwards, or the lane is held, so that the turn after moves on.
+      if (o.left.stands) rebound(o.left, 1, active, left_speed, left_energy);
+      if (o.right.stands) rebound(o.right, -1, active, right_speed, right_energy);
+      const Mask held = bouncing >= 0.0;
+      Flight flight(o, {y, v});
+      if (any(held)) flight.hold(held);
+      Real span = smaller(smaller(until_impulse, until_kick), remaining);
+      const Mask free = active & (bouncing < 0.0);
+      span = select(free, smaller(span, flight.reach(motion.step)), span);
+      span = where(active, span);
+      BasicState<Real> end = flight.at(span);
+      meet(flight, span, end, free);
+      if (motion.records) {
+        flights = flights + where(active, all_lanes<Real>(1.0));
+        sample(flight, span, held);
+      }
+      remaining = remaining - span;
+      until_impulse = until_impulse - span;
+      until_kick = until_kick - span;
+      bouncing = select(held, larger(bouncing - span, Real{}), bouncing);
+      // Beyond a wall by no more than a grazing turn's rounding.
+      y = end.y;
+      if (o.left.stands) y = larger(y, Real{});
+      if (o.right.stands) y = smaller(y, all_lanes<Real>(o.right.position));
+      v = end.v;
+      single_events(active);
+    }
+    store_branches();
+    if (motion.records) store_sums();
+  }
+};
+
+/// Under noise flights are short: fewer coefficients are as exact.
+inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
+
+template <int W>
+void move_general_lanes(const GeneralMotion& motion, Stream* const* streams) {
+  if (motion.kicks.present()) {
+    GeneralLanes<W, kOrderBetweenKicks>(motion, streams).move();
+  } else {
+    GeneralLanes<W, kOrderOfFlights>(motion, streams).move();
+  }
+}
+
+/// As many streams as `width`, which must be one of these.
+template <int... Widths>
+void move_general_any_of(const GeneralMotion& motion, Stream* const* streams, int width) {
+  ((width == Widths ? move_general_lanes<Widths>(motion, streams) : void()), ...);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

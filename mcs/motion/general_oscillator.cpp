@@ -1,0 +1,78 @@
+#include "mcs/motion/general_oscillator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/problem.hpp"
+#include "problem/scales.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+// Speeds below which bounces are summed up, as if the force were that at the wall: what this
+// neglects is of the second order, 1e-6 of E[y'^2] and of the time.
+constexpr double kSlow = 1e-3;
+
+double largest_damping(const problem::System& system, const problem::Scales& scales) {
+  const auto& c = system.damping_polynomial();
+  double largest = 0;
+  for (const double y : {scales.centre, scales.centre - scales.displacement_deviation,
+                         scales.centre + scales.displacement_deviation}) {
+    largest = std::max(largest, std::abs(c(y)));
+  }
+  const double v2 = scales.velocity_deviation * scales.velocity_deviation;
+  return largest + std::abs(system.rayleigh()) * v2;
+}
+
+}  // namespace
+
+GeneralOscillator general_oscillator(const problem::Problem& problem, const problem::Scales& scales,
+                                     double mean_force, bool kicked) {
+  const problem::System& system = problem.system;
+  GeneralOscillator o;
+  for (std::size_t n = 0; n < o.force.size(); ++n) o.force[n] = system.force().coefficient(n);
+  o.force[0] -= mean_force;
+  // Where f = c y' it belongs to the kicks.
+  if (!(kicked && system.damping_is_constant())) {
+    for (std::size_t n = 0; n < o.damping.size(); ++n) {
+      o.damping[n] = system.damping_polynomial().coefficient(n);
+    }
+  }
+  o.rayleigh = system.rayleigh();
+  const auto degree = system.force().degree();
+  const bool even_damping = o.damping[1] == 0 && o.damping[2] == 0;
+  using Kind = GeneralOscillator::Kind;
+  o.kind = degree <= 1 && even_damping && o.rayleigh == 0 ? Kind::linear
+           : degree <= 3 && o.rayleigh == 0               ? Kind::cubic
+                                                          : Kind::full;
+  o.length = scales.displacement_deviation;
+  o.frequency = scales.frequency;
+  const double rate = scales.frequency + largest_damping(system, scales);
+  const auto wall_of = [&](const problem::Wall& wall, double inwards) {
+    GeneralWall w{.stands = true, .position = wall.position, .restitution = wall.restitution};
+    w.pressing = inwards * (system.force()(wall.position) - mean_force);
+    if (w.pressing > 0) {
+      w.slow = kSlow * std::min(scales.velocity_deviation, w.pressing / rate);
+    }
+    return w;
+  };
+  if (system.left()) o.left = wall_of(*system.left(), 1);
+  if (system.right()) o.right = wall_of(*system.right(), -1);
+  return o;
+}
+
+GeneralKicks general_kicks(const problem::Problem& problem, const problem::Scales& scales,
+                           double diffusion, double step) {
+  if (diffusion == 0) return {};
+  const problem::System& system = problem.system;
+  GeneralKicks kicks{.diffusion = diffusion};
+  if (system.damping_is_constant()) kicks.damping = system.damping();
+  kicks.longest = step / (scales.frequency + 2 * largest_damping(system, scales));
+  constexpr double kGrading = 1e-5;
+  kicks.shortest = kGrading * kicks.longest;
+  const auto takes = [](const std::optional<problem::Wall>& w) { return w && w->restitution < 1; };
+  kicks.graded = takes(system.left()) || takes(system.right());
+  return kicks;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,51 @@
+#include "mcs/simulation/general_plan.hpp"
+
+#include <fmt/format.h>
+
+#include "parameters/input_error.hpp"
+#include "problem/features.hpp"
+#include "problem/inelastic_collapse.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kAutomaticKickStep = 0.2;  // radians
+
+}  // namespace
+
+GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options) {
+  if (options.deposit) {
+    throw InputError("mcs.deposit with an oscillator that is not the paper's (leave it)");
+  }
+  if (options.tails) {
+    throw InputError(
+        "mcs.tails with an oscillator that is not the paper's (splitting takes the energy to rise at "
+        "impulses only, above one well) leave it");
+  }
+  const bool white = options.equation == Equation::white;
+  const double diffusion =
+      problem.noise.diffusion() + (white ? problem.impulses.rate_moment(2) / 2 : 0);
+  const auto scales = problem::scales(problem);
+  const auto features = problem::features(problem);
+  return {.scales = scales,
+          .oscillator = general_oscillator(
+              problem, scales, white ? problem.impulses.rate_moment(1) : 0, diffusion > 0),
+          .kicks = general_kicks(problem, scales, diffusion,
+                                 options.white_step.value_or(kAutomaticKickStep)),
+          .power = problem::total_intensity(problem) / 2,
+          .rests = features.rests_in_contact && diffusion == 0};
+}
+
+std::string noise_objection(const problem::Problem& problem, Equation equation) {
+  if (!problem.noise.present() && equation != Equation::white) return "";
+  for (const auto& wall : {problem.system.left(), problem.system.right()}) {
+    if (!wall || wall->restitution > problem::kCollapseRestitution) continue;
+    return fmt::format(
+        "under white noise impacts with restitution {:.3g} accumulate to rest on the wall, and "
+        "nothing says how the motion leaves it (take a restitution above exp(-pi/sqrt 3) = {:.4f})",
+        wall->restitution, problem::kCollapseRestitution);
+  }
+  return "";
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mcs/motion/general_oscillator.hpp"
+#include "mcs/options.hpp"
+#include "problem/frame.hpp"
+#include "problem/problem.hpp"
+#include "problem/scales.hpp"
+
+namespace fpkcheck::mcs {
+
+/// What the plan has besides of an oscillator that is not the paper's.
+struct GeneralPlan {
+  problem::Scales scales;
+  GeneralOscillator oscillator;
+  GeneralKicks kicks;
+  double power;  ///< D + lambda E[Y^2]/2, what noise and impulses bring
+  bool rests;    ///< the law has atoms of rest in contact
+  /// The burn-in is long enough for the masses of the wells to forget their start.
+  bool mixed = true;
+};
+
+/// All but `mixed`.
+/// @throws InputError where the options ask for what such an oscillator does not have
+GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options);
+
+/// Why the noise, or what stands for the impulses, leads to no stationary density at the walls
+/// (problem/inelastic_collapse.hpp); empty where it does.
+std::string noise_objection(const problem::Problem& problem, Equation equation);
+
+}  // namespace fpkcheck::mcs

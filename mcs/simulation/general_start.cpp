@@ -1,0 +1,48 @@
+#include "mcs/simulation/general_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mcs/impulses/uniforms.hpp"
+
+namespace fpkcheck::mcs {
+
+GeneralStart::GeneralStart(const problem::Problem& problem)
+    : bands_(problem::EnergyAveraging(problem).bands()),
+      potential_(problem::UndampedOrbits(problem).potential()) {
+  double sum = 0;
+  for (const auto& band : bands_) below_.push_back(sum += band.mass);
+}
+
+State GeneralStart::operator()(std::uint64_t seed, std::uint32_t stream) const {
+  const Uniforms u = uniforms(seed, stream, Purpose::start, kBlock);
+  const auto place = std::ranges::upper_bound(below_, u.first[0] * below_.back()) - below_.begin();
+  const auto& band = bands_[std::min(static_cast<std::size_t>(place), bands_.size() - 1)];
+  const auto [left, right, at_left, at_right] = band.orbit.swing;
+  const double middle = (left + right) / 2, half = (right - left) / 2;
+  const auto speed = [&](double y) {
+    return std::sqrt(std::max(2 * (band.energy - potential_(y)), 0.0));
+  };
+  // y = middle + half sin(angle) for a time in proportion to half cos(angle) / speed, by rejection.
+  const auto time = [&](double angle) {
+    const double v = speed(middle + half * std::sin(angle));
+    return v > 0 ? half * std::cos(angle) / v : 0.0;
+  };
+  constexpr int kLooked = 64;
+  const auto angle_of = [](double share) { return (share - 0.5) * std::numbers::pi; };
+  double longest = 0;
+  for (int n = 0; n < kLooked; ++n) {
+    longest = std::max(longest, time(angle_of((n + 0.5) / kLooked)));
+  }
+  constexpr double kMargin = 1.2;  // between the points looked at
+  double angle = 0;
+  for (std::size_t k = 1; k < kBlock; ++k) {
+    angle = angle_of(u.first[k]);
+    if (u.second[k] * kMargin * longest < time(angle)) break;
+  }
+  const double y = middle + half * std::sin(angle);
+  return {y, u.third[0] < 0.5 ? -speed(y) : speed(y)};
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,274 @@
+#include "mcs/motion/general_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <vector>
+
+#include "uniform_edges.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kBetweenSamples = 0.25;
+constexpr double kNoImpulse = std::numeric_limits<double>::infinity();
+
+using Kind = GeneralOscillator::Kind;
+
+/// Streams without impulses, from given states.
+struct FreeStreams {
+  GeneralMotion motion;
+  BinFinder y{tests::uniform_edges(-4, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
+  std::deque<Stream> streams{};
+
+  FreeStreams(const GeneralOscillator& oscillator, const std::vector<State>& starts,
+              const GeneralKicks& kicks = {})
+      : motion{.oscillator = oscillator,
+               .kicks = kicks,
+               .step = kicks.present() ? 0.3 : 0.9,
+               .sampling_interval = kBetweenSamples,
+               .y_bins = nullptr,
+               .v_bins = nullptr} {
+    std::uint32_t number = 0;
+    for (const auto& [y_start, v_start] : starts) {
+      streams.push_back({.branch = {.y = y_start,
+                                    .v = v_start,
+                                    .until_impulse = kNoImpulse,
+                                    .amplitude = 0,
+                                    .until_sample = kBetweenSamples / 2,
+                                    .remaining = 0},
+                         .source = ImpulseSource(standard_normal_excitation(), 1, number),
+                         .record = StreamRecord(y, v),
+                         .noise = NoiseSource(1, number)});
+      streams.back().record.general.emplace();
+      if (kicks.present()) {
+        streams.back().general.kick_interval = kicks.longest;
+        streams.back().general.until_kick = kicks.longest / 2;
+      }
+      ++number;
+    }
+  }
+
+  void advance(double time, const LaneSet& lanes = available_lanes().back()) {
+    motion.y_bins = &y;
+    motion.v_bins = &v;
+    std::vector<Stream*> pointers;
+    for (Stream& stream : streams) pointers.push_back(&stream);
+    mcs::advance(motion, pointers, time, lanes);
+  }
+  const Stream& operator[](std::size_t s) const { return streams[s]; }
+};
+
+double acceleration(const GeneralOscillator& o, double y, double v) {
+  double force = 0, damping = 0;
+  for (std::size_t n = o.force.size(); n-- > 0;) force = force * y + o.force[n];
+  for (std::size_t n = o.damping.size(); n-- > 0;) damping = damping * y + o.damping[n];
+  return -force - v * (damping + o.rayleigh * v * v);
+}
+
+/// By the classical Runge-Kutta method.
+State followed(const GeneralOscillator& o, State s, double time) {
+  constexpr int kSteps = 20000;
+  const double h = time / kSteps;
+  for (int n = 0; n < kSteps; ++n) {
+    const auto slope = [&](const State& at) { return State{at.v, acceleration(o, at.y, at.v)}; };
+    const auto moved = [&](const State& by, double part) {
+      return State{s.y + part * h * by.y, s.v + part * h * by.v};
+    };
+    const State a = slope(s), b = slope(moved(a, 0.5)), c = slope(moved(b, 0.5)),
+                d = slope(moved(c, 1));
+    s = {s.y + h / 6 * (a.y + 2 * b.y + 2 * c.y + d.y),
+         s.v + h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
+  }
+  return s;
+}
+
+GeneralOscillator full_oscillator() {
+  return {.force = {0.1, -0.7, 0.2, 0.5, -0.1, 0.3},
+          .damping = {-0.1, 0.05, 0.2},
+          .rayleigh = 0.1,
+          .kind = Kind::full};
+}
+
+// Every coefficient enters; a wrong index or factor of the series would show in the first digits.
+TEST(GeneralMotion, FollowsTheEquationWithAllItsTerms) {
+  GeneralOscillator cubic{
+      .force = {0.1, -0.7, 0.2, 0.5, 0, 0}, .damping = {-0.1, 0.05, 0.2}, .kind = Kind::cubic};
+  GeneralOscillator linear{
+      .force = {0.3, 1.5, 0, 0, 0, 0}, .damping = {0.2, 0, 0}, .kind = Kind::linear};
+  for (const auto& oscillator : {full_oscillator(), cubic, linear}) {
+    const std::vector<State> starts{{0.3, 0.9}, {-1.5, 0}, {0, 2.5}, {1.2, -1}};
+    FreeStreams free(oscillator, starts);
+    free.advance(7);
+    for (std::size_t s = 0; s < starts.size(); ++s) {
+      const State exact = followed(oscillator, starts[s], 7);
+      EXPECT_NEAR(free[s].branch.y, exact.y, 1e-6);
+      EXPECT_NEAR(free[s].branch.v, exact.v, 1e-6);
+    }
+  }
+}
+
+// Far below what statistics see: E[v^2] is off by the drift within a time of decay.
+TEST(GeneralMotion, KeepsTheEnergyOfADoubleWell) {
+  const GeneralOscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
+  const auto energy = [](const Branch& b) {
+    const double y2 = b.y * b.y;
+    return b.v * b.v / 2 - y2 / 2 + y2 * y2 / 8 + y2 * y2 * y2 / 12;
+  };
+  FreeStreams free(well, {{0.5, 0.1}, {0, 0.01}, {0, 1}, {1, 2}});
+  std::vector<double> before;
+  for (const Stream& stream : free.streams) before.push_back(energy(stream.branch));
+  free.advance(1000);
+  for (std::size_t s = 0; s < before.size(); ++s) {
+    EXPECT_NEAR(energy(free[s].branch), before[s], 5e-6) << s;
+  }
+}
+
+/// y'' = -(y - 1), a wall at 0 that takes nothing: the motion of amplitude `a` dips below it by little.
+GeneralOscillator across_a_gap() {
+  return {.force = {-1, 1, 0, 0, 0, 0},
+          .left = {.stands = true, .position = 0, .restitution = 1, .pressing = -1}};
+}
+
+// The signs at the ends of a flight would not tell of it.
+TEST(GeneralMotion, MeetsAWallThatAFlightDipsBelow) {
+  const double a = 1.01, u = std::sqrt(a * a - 1);
+  const double period = 2 * std::acos(-1 / a);  // from impact to impact
+  std::vector<State> starts;
+  for (int n = 5; n < 14; ++n) {
+    starts.push_back({1 + a * std::cos(0.1 * n), -a * std::sin(0.1 * n)});
+  }
+  FreeStreams free(across_a_gap(), starts);
+  free.advance(100 * period);
+  for (const Stream& stream : free.streams) {
+    EXPECT_EQ(stream.record.impacts, 100);
+    EXPECT_NEAR(stream.record.impact_speed, 100 * u, 1e-3);
+    EXPECT_NEAR(stream.record.impact_energy, 100 * u * u, 1e-3);
+  }
+  // Twice the displacement reaches no farther than that of the wall on the other side.
+  GeneralOscillator mirrored{
+      .force = {-1, 1, 0, 0, 0, 0},
+      .right = {.stands = true, .position = 2, .restitution = 1, .pressing = -1}};
+  FreeStreams right(mirrored, starts);
+  right.advance(100 * period);
+  for (const Stream& stream : right.streams) {
+    EXPECT_EQ(stream.record.impacts, 100);
+    EXPECT_NEAR(stream.record.general->right_speed, 100 * u, 1e-3);
+    EXPECT_EQ(stream.record.impact_speed, 0);
+  }
+}
+
+TEST(GeneralMotion, FliesToAndFroBetweenTwoWalls) {
+  const double u = 0.8, r = 0.5, s = 0.75, b = 1.5;
+  GeneralOscillator box{.left = {.stands = true, .position = 0, .restitution = r},
+                        .right = {.stands = true, .position = b, .restitution = s}};
+  FreeStreams free(box, {{0, u}});
+  // b/u there, b/(s u) back, b/(r s u) there again, and half of the way back.
+  free.advance(b / u * (1 + 1 / s + 1 / (r * s) + 0.5 / (r * s * s)));
+  const Stream& stream = free[0];
+  EXPECT_EQ(stream.record.impacts, 3);
+  EXPECT_NEAR(stream.branch.y, b / 2, 1e-12);
+  EXPECT_NEAR(stream.branch.v, -u * r * s * s, 1e-12);
+  EXPECT_NEAR(stream.record.general->right_speed, u + u * r * s, 1e-12);
+  EXPECT_NEAR(stream.record.impact_speed, u * s, 1e-12);
+}
+
+/// A ball that falls on the floor: g = 1.
+GeneralOscillator ball(double r, double slow) {
+  return {.force = {1, 0, 0, 0, 0, 0},
+          .left = {.stands = true, .position = 0, .restitution = r, .pressing = 1, .slow = slow}};
+}
+
+// From the height u^2/2 it takes u, and 2 r^n u for the n-th bounce: (1 + r)/(1 - r) u in all.
+TEST(GeneralMotion, ComesToRestAfterInfinitelyManyBounces) {
+  const double r = 0.6, u = 2, time = 40;
+  for (const double slow : {1e-1, 1e-4}) {
+    FreeStreams free(ball(r, slow), {{u * u / 2, 0}, {u * u / 2, 0}});
+    free.advance(time);
+    const StreamRecord& record = free[0].record;
+    const double to_rest = u * (1 + r) / (1 - r);
+    EXPECT_EQ(free[0].branch.y, 0);
+    EXPECT_EQ(free[0].branch.v, 0);
+    EXPECT_NEAR(record.general->rest_left, (time - to_rest) / kBetweenSamples, 1.0);
+    EXPECT_NEAR(record.impact_speed, u / (1 - r), 1e-8);
+    EXPECT_NEAR(record.impact_energy, u * u / (1 - r * r), 1e-8);
+    double in_bins = 0;
+    for (const double weight : record.histogram.weights()) in_bins += weight;
+    EXPECT_EQ(in_bins + record.general->rest_left, record.samples);
+  }
+  // And on a ceiling.
+  GeneralOscillator up{
+      .force = {-1, 0, 0, 0, 0, 0},
+      .right = {.stands = true, .position = 3, .restitution = r, .pressing = 1, .slow = 1e-4}};
+  FreeStreams above(up, {{3 - u * u / 2, 0}});
+  above.advance(time);
+  EXPECT_EQ(above[0].branch.y, 3);
+  EXPECT_EQ(above[0].record.general->rest_left, 0);
+  EXPECT_NEAR(above[0].record.general->rest_right, (time - u * (1 + r) / (1 - r)) / kBetweenSamples,
+              1.0);
+}
+
+TEST(GeneralMotion, LeavesRestByAnImpulseEitherWay) {
+  const double r = 0.6;
+  for (const double amplitude : {1.0, -1.0}) {
+    FreeStreams free(ball(r, 1e-4), {{0, 0}});
+    free.advance(1);
+    free.streams[0].branch.until_impulse = 0.5;
+    free.streams[0].branch.amplitude = amplitude;
+    free.advance(0.75);
+    const double start = amplitude > 0 ? amplitude : r;
+    EXPECT_NEAR(free[0].branch.v, start - 0.25, 1e-12);
+    EXPECT_NEAR(free[0].branch.y, start * 0.25 - 0.03125, 1e-12);
+  }
+}
+
+TEST(GeneralMotion, GivesTheSameBitsForAnyWidthAndInstructions) {
+  GeneralOscillator walls = full_oscillator();
+  walls.left = {.stands = true, .position = 0, .restitution = 0.8, .pressing = 0.1, .slow = 1e-4};
+  walls.right = {.stands = true, .position = 1.5, .restitution = 0.7, .pressing = -1};
+  std::vector<State> starts;
+  for (int s = 0; s < 11; ++s) starts.push_back({0.1 * s, 1 - 0.2 * s});
+  const GeneralKicks noise{
+      .diffusion = 0.1, .damping = 0.2, .longest = 0.2, .shortest = 1e-5, .graded = true};
+  for (const auto& kicks : {GeneralKicks{}, noise}) {
+    FreeStreams reference(walls, starts, kicks);
+    reference.advance(100, {InstructionSet::baseline, 1});
+    for (const LaneSet& lanes : available_lanes()) {
+      SCOPED_TRACE(lanes.width);
+      FreeStreams group(walls, starts, kicks);
+      group.advance(100, lanes);
+      for (std::size_t s = 0; s < starts.size(); ++s) {
+        EXPECT_EQ(group[s].branch.y, reference[s].branch.y);
+        EXPECT_EQ(group[s].branch.v, reference[s].branch.v);
+        EXPECT_EQ(group[s].record.powers, reference[s].record.powers);
+        EXPECT_EQ(group[s].record.histogram.weights(), reference[s].record.histogram.weights());
+        EXPECT_EQ(group[s].record.peaks, reference[s].record.peaks);
+        EXPECT_EQ(group[s].record.flights, reference[s].record.flights);
+      }
+    }
+  }
+}
+
+TEST(GeneralMotion, KicksSoonAfterOneNearAWallThatTakesEnergy) {
+  GeneralMotion motion{
+      .oscillator = across_a_gap(),
+      .kicks = {.diffusion = 0.5, .damping = 0, .longest = 0.2, .shortest = 1e-6, .graded = true},
+      .step = 0.3,
+      .sampling_interval = 1,
+      .y_bins = nullptr,
+      .v_bins = nullptr};
+  EXPECT_EQ(kick_interval(motion, 0.01, 0), 0.2);  // it takes nothing
+  motion.oscillator.left.restitution = 0.7;
+  EXPECT_EQ(kick_interval(motion, 0, 0), 1e-6);
+  EXPECT_EQ(kick_interval(motion, 0, 2), 0.2);
+  EXPECT_EQ(kick_interval(motion, 5, 0), 0.2);
+  // Times of the motion under noise: v^2/D and (y^2/D)^(1/3).
+  EXPECT_NEAR(kick_interval(motion, 0, 0.2) / kick_interval(motion, 0, 0.1), 4, 1e-12);
+  EXPECT_NEAR(kick_interval(motion, 8e-3, 0) / kick_interval(motion, 1e-3, 0), 4, 1e-12);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs
