@@ -83,9 +83,10 @@ Solver epc_solver() {
                return solution;
              }
              if (setting.residuals != nullptr) {
-               state_measured_error(*setting.residuals, *options.accuracy, solution);
+               state_measured_error(*setting.residuals, *options.accuracy, solution, problem.frame);
              } else {
-               state_measured_error(ProblemResiduals(problem), *options.accuracy, solution);
+               state_measured_error(ProblemResiduals(problem), *options.accuracy, solution,
+                                    problem.frame);
              }
              return solution;
            },

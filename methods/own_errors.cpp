@@ -9,6 +9,7 @@
 #include "methods/out_of_memory.hpp"
 #include "methods/side_by_side.hpp"
 #include "parameters/input_error.hpp"
+#include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -22,11 +23,14 @@ struct Found {
   std::vector<results::ErrorSource> sources;
 };
 
-results::ErrorSource source(const dual::DensityResiduals& residuals, const std::string& solution,
-                            const transform::NamedMoment& moment,
+results::ErrorSource source(const dual::DensityResiduals& residuals, const problem::Frame& frame,
+                            const std::string& solution, const transform::NamedMoment& moment,
                             const Eigen::MatrixXd& contributions,
                             const transform::GridDensity& cells) {
-  const Eigen::MatrixXd values = residuals.spread(contributions, cells.y_edges, cells.v_edges);
+  Eigen::MatrixXd values =
+      residuals.spread(contributions, transform::x_edges_of(frame, cells.y_edges),
+                       transform::v_edges_of(frame, cells.v_edges));
+  if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
     // As files keep them.
@@ -38,10 +42,10 @@ results::ErrorSource source(const dual::DensityResiduals& residuals, const std::
 }
 
 /// @param cells of the maps; null for none
-std::optional<Found> own_error(const dual::DensityResiduals& residuals,
+std::optional<Found> own_error(const dual::DensityResiduals& residuals, const problem::Frame& frame,
                                const transform::Solution& solution,
                                const transform::GridDensity* cells) try {
-  const auto weighted = residuals.of(*solution.density);
+  const auto weighted = residuals.of(transform::in_coordinates_of(frame, *solution.density));
   Found found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
   for (std::size_t k = 0; k < dual::kMomentCount; ++k) {
     const auto& named = transform::kMoments[k];
@@ -50,7 +54,7 @@ std::optional<Found> own_error(const dual::DensityResiduals& residuals,
     const bool shown = named.moment == &Moments::y2 || named.moment == &Moments::v2;
     if (!shown || cells == nullptr) continue;
     found.sources.push_back(
-        source(residuals, solution.id(), named, weighted.contributions[k], *cells));
+        source(residuals, frame, solution.id(), named, weighted.contributions[k], *cells));
   }
   return found;
 } catch (const InputError&) {
@@ -72,8 +76,9 @@ void add_own_errors(Case& one, const ProblemResiduals& of_problem, int threads) 
   const bool remembered = unless_out_of_memory([&] {
     const auto* residuals = of_problem.get();
     if (residuals == nullptr) return;
-    side_by_side(densities.size(), threads,
-                 [&](std::size_t k) { found[k] = own_error(*residuals, *densities[k], cells); });
+    side_by_side(densities.size(), threads, [&](std::size_t k) {
+      found[k] = own_error(*residuals, of_problem.frame(), *densities[k], cells);
+    });
   });
   if (!remembered) return;
   for (auto& each : found) {

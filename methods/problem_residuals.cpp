@@ -7,8 +7,9 @@
 
 #include "dual/backward/normal_equations.hpp"
 #include "dual/residual/density_residuals.hpp"
+#include "dual/residual/offered.hpp"
 #include "parameters/input_error.hpp"
-#include "problem/features.hpp"
+#include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::methods {
 
@@ -16,9 +17,11 @@ using transform::Status;
 
 struct ProblemResiduals::Fit {
   explicit Fit(const problem::Problem& of)
-      : problem(problem::seen_from(problem::frame_of(of.system), of)) {}
+      : problem(of.frame.is_identity() ? problem::seen_from(problem::frame_of(of.system), of) : of),
+        refused(dual::residuals_refused(problem)) {}
 
   problem::Problem problem;
+  std::string refused;
   std::once_flag once = {};
   std::optional<dual::DensityResiduals> residuals = {};
 };
@@ -30,7 +33,7 @@ ProblemResiduals::~ProblemResiduals() = default;
 
 const dual::DensityResiduals* ProblemResiduals::get() const {
   std::call_once(fit_->once, [&] {
-    if (!problem::features(fit_->problem).original) return;
+    if (!fit_->refused.empty()) return;
     try {
       fit_->residuals.emplace(fit_->problem);
     } catch (const dual::FitBrokeDown&) {
@@ -39,6 +42,9 @@ const dual::DensityResiduals* ProblemResiduals::get() const {
   return fit_->residuals ? &*fit_->residuals : nullptr;
 }
 
+const problem::Frame& ProblemResiduals::frame() const { return fit_->problem.frame; }
+const std::string& ProblemResiduals::refused() const { return fit_->refused; }
+
 std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& problems) {
   return {problems.begin(), problems.end()};
 }
@@ -46,10 +52,12 @@ std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& 
 namespace {
 
 std::optional<transform::StatedError> measured_error(const ProblemResiduals& residuals,
-                                                     const transform::Density& density) try {
+                                                     const transform::Density& density,
+                                                     const problem::Frame& coordinates) try {
   const auto* known = residuals.get();
   if (known == nullptr) return std::nullopt;
-  return known->of(density).stated();
+  if (coordinates == residuals.frame()) return known->of(density).stated();
+  return known->of(transform::in_coordinates_of(residuals.frame(), density)).stated();
 } catch (const InputError&) {
   return std::nullopt;  // nothing that has a mean
 }
@@ -57,14 +65,16 @@ std::optional<transform::StatedError> measured_error(const ProblemResiduals& res
 }  // namespace
 
 void state_measured_error(const ProblemResiduals& residuals, double accuracy,
-                          transform::Solution& solution) {
+                          transform::Solution& solution, const problem::Frame& coordinates) {
   if (!solution.density) return;
-  solution.error = measured_error(residuals, *solution.density);
+  solution.error = measured_error(residuals, *solution.density, coordinates);
   if (!solution.is_ok()) return;
   if (!solution.error) {
     solution.status = Status::inaccurate;
-    solution.reason =
-        "its error cannot be measured: the backward equation of this problem is not solved";
+    solution.reason = fmt::format("its error cannot be measured: {}",
+                                  residuals.refused().empty()
+                                      ? "the backward equation of this problem is not solved"
+                                      : residuals.refused());
     return;
   }
   transform::hold_to(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "problem/problem.hpp"
@@ -12,16 +13,22 @@ class DensityResiduals;
 
 namespace fpkcheck::methods {
 
-/// The backward equations of a problem, by which densities know their own errors, solved when first
-/// asked for and once for all who ask.
+/// The backward equations of a problem, by which densities know their own errors, solved in its
+/// frame when first asked for and once for all who ask.
 class ProblemResiduals {
  public:
+  /// @param problem as it is or in its frame
   explicit ProblemResiduals(const problem::Problem& problem);
   ProblemResiduals(ProblemResiduals&&) noexcept;
   ~ProblemResiduals();
 
-  /// Null where the fit breaks down. May be called from several threads.
+  /// Of densities in the problem's frame. Null where the fit breaks down, or none is offered
+  /// (dual::residuals_refused). May be called from several threads.
   const dual::DensityResiduals* get() const;
+  /// Of the problem.
+  const problem::Frame& frame() const;
+  /// Why there are none for such a problem, in one phrase; empty where there are.
+  const std::string& refused() const;
 
  private:
   struct Fit;
@@ -35,7 +42,8 @@ std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& 
 /// as dual-weighted residuals measure it (dual/residual/density_residuals.hpp). If it is ok, but
 /// off by more in L1, or not to be measured, it becomes `inaccurate`.
 /// @param accuracy largest error of p(y) and of p(y') in L1
+/// @param coordinates in which its density lies: the physical ones unless it is in the frame
 void state_measured_error(const ProblemResiduals& residuals, double accuracy,
-                          transform::Solution& solution);
+                          transform::Solution& solution, const problem::Frame& coordinates = {});
 
 }  // namespace fpkcheck::methods

@@ -60,6 +60,12 @@ Density in_physical_coordinates(const problem::Frame& frame, Density density) {
   return std::visit([&](auto& form) { return Density(carried(frame, std::move(form))); }, density);
 }
 
+Density in_coordinates_of(const problem::Frame& frame, Density density) {
+  // x = -sign origin + sign y
+  const problem::Frame back{.origin = -frame.sign() * frame.origin, .mirrored = frame.mirrored};
+  return in_physical_coordinates(frame.is_identity() ? frame : back, std::move(density));
+}
+
 Solution in_physical_coordinates(const problem::Frame& frame, Solution solution) {
   if (frame.is_identity()) return solution;
   if (solution.density) {

@@ -13,8 +13,9 @@ std::vector<double> x_edges_of(const problem::Frame& frame, const std::vector<do
 /// Likewise velocities, whose sign alone may change.
 std::vector<double> v_edges_of(const problem::Frame& frame, const std::vector<double>& edges);
 
-/// A density over (x, x') as one over (y, y').
+/// A density over (x, x') as one over (y, y'); and back.
 Density in_physical_coordinates(const problem::Frame& frame, Density density);
+Density in_coordinates_of(const problem::Frame& frame, Density density);
 
 /// The solution of a problem in its frame, with densities, marginals and atoms on the physical axes.
 /// Moments, their errors and observations are left as they are: a solver states the physical ones.

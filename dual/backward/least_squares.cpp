@@ -31,10 +31,12 @@ class Rows {
   int v_points() const { return static_cast<int>(p_.v.v.size()); }
   double force(int i) const { return p_.problem.system.force()(p_.y.y[i]); }
 
-  /// At y = 0 both functions of a mirrored pair have one unknown.
+  /// At a wall both functions of a mirrored pair have one unknown.
   std::vector<Eigen::Index> block_sizes() const {
     std::vector<Eigen::Index> sizes(p_.displacement.size(), functions_);
-    sizes[0] = tied_;
+    for (std::size_t a : {std::size_t{0}, sizes.size() - 1}) {
+      if (is_tied(static_cast<int>(a))) sizes[a] = tied_;
+    }
     return sizes;
   }
 
@@ -107,21 +109,38 @@ class Rows {
   Eigen::MatrixXd unfolded(const Eigen::VectorXd& x) const {
     const int rows = p_.displacement.size(), centre = p_.velocity.centre();
     Eigen::MatrixXd c(rows, functions_);
-    for (int b = 0; b < tied_; ++b) c(0, centre - b) = c(0, centre + b) = x(b);
-    for (int a = 1; a < rows; ++a) {
-      c.row(a) = x.segment(tied_ + (a - 1) * functions_, functions_).transpose();
+    Eigen::Index first = 0;
+    for (int a = 0; a < rows; ++a) {
+      if (is_tied(a)) {
+        for (int b = 0; b < tied_; ++b) c(a, centre - b) = c(a, centre + b) = x(first + b);
+        first += tied_;
+      } else {
+        c.row(a) = x.segment(first, functions_).transpose();
+        first += functions_;
+      }
     }
     return c;
   }
 
  private:
+  bool is_tied(int row) const {
+    return (row == 0 && p_.tied_at_begin) || (row == p_.displacement.size() - 1 && p_.tied_at_end);
+  }
+
   Eigen::VectorXd folded(const Eigen::MatrixXd& g) const {
     const int columns = p_.displacement.size();
-    Eigen::VectorXd x(tied_ + (columns - 1) * functions_);
-    x.head(tied_) = folded_rows(g.col(0));
-    for (int a = 1; a < columns; ++a) {
-      x.segment(tied_ + (a - 1) * functions_, functions_) = g.col(a);
+    Eigen::VectorXd x(columns * functions_);
+    Eigen::Index first = 0;
+    for (int a = 0; a < columns; ++a) {
+      const Eigen::Index count = is_tied(a) ? tied_ : functions_;
+      if (is_tied(a)) {
+        x.segment(first, count) = folded_rows(g.col(a));
+      } else {
+        x.segment(first, count) = g.col(a);
+      }
+      first += count;
     }
+    x.conservativeResize(first);
     return x;
   }
 
@@ -133,12 +152,14 @@ class Rows {
   }
 
   void add(BlockBandedMatrix& matrix, int row, int column, const Eigen::MatrixXd& block) const {
-    if (column > 0) {
+    if (!is_tied(row) && !is_tied(column)) {
       matrix.block(row, column) += block;
-    } else if (row > 0) {
-      matrix.block(row, 0) += folded_rows(block.transpose()).transpose();
+    } else if (!is_tied(row)) {
+      matrix.block(row, column) += folded_rows(block.transpose()).transpose();
+    } else if (!is_tied(column)) {
+      matrix.block(row, column) += folded_rows(block);
     } else {
-      matrix.block(0, 0) += folded_rows(folded_rows(block).transpose()).transpose();
+      matrix.block(row, column) += folded_rows(folded_rows(block).transpose()).transpose();
     }
   }
 

@@ -12,7 +12,8 @@ namespace fpkcheck::dual {
 /// Approximate solutions of the backward equation L V = U - f, one per functional f.
 struct BackwardSolutions {
   /// Coefficients c_{ab} of A_a(y) B_b(v), shape (functions of y, functions of v), with
-  /// c_{0,b} = c_{0,mirrored(b)} to the last bit.
+  /// c_{0,b} = c_{0,mirrored(b)} to the last bit where there is a wall at the left; the last ones
+  /// likewise.
   std::vector<Eigen::MatrixXd> coefficients;
   std::vector<double> means;  ///< U, an estimate of E[f]
   /// The least and largest (f + L V - U) / (a weight for judging) at the points.
@@ -27,6 +28,8 @@ struct LeastSquaresProblem {
   const VelocitySamples& v;
   /// Weight of a row of the fit, and of a residual that is judged.
   std::function<double(double y, double v)> row_weight, judging_weight;
+  /// At which ends of y V meets the impact condition of the velocity's basis.
+  bool tied_at_begin = true, tied_at_end = false;
 };
 
 /// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once:

@@ -9,6 +9,7 @@
 #include "dual/backward/normal_equations.hpp"
 #include "dual/bounds/one_grid.hpp"
 #include "parameters/input_error.hpp"
+#include "problem/frame.hpp"
 #include "process/processors.hpp"
 
 namespace fpkcheck::dual {
@@ -36,17 +37,67 @@ std::vector<std::size_t> too_wide(const Bounds& bounds, const Options& options, 
   return numbers;
 }
 
+// The same expectation in the mirrored problem, up to its sign.
+Functional mirrored(const Functional& functional) {
+  if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
+    SmoothBin other = *bin;
+    for (std::size_t i = 0; i < bin->knots.size(); ++i) {
+      other.knots[i] = -bin->knots[bin->knots.size() - 1 - i];
+    }
+    return other;
+  }
+  return functional;
+}
+
+bool changes_sign(const Functional& functional) {
+  const PowerMean* const mean = std::get_if<PowerMean>(&functional);
+  return mean != nullptr && mean->power % 2 == 1;
+}
+
+// A lone wall at the right is one at the left of the mirrored problem.
+Bounds bounds_by_mirror(const problem::Problem& problem, const Options& options) {
+  Options there = options;
+  for (Functional& f : there.functionals) f = mirrored(f);
+  Bounds result = bounds(problem::seen_from({.origin = 0, .mirrored = true}, problem), there);
+  const auto turn = [](const Functional& f, Enclosure& value) {
+    if (changes_sign(f)) value = {-value.upper, -value.lower};
+  };
+  for (Bound& bound : result.each) {
+    turn(bound.functional, bound.value);
+    bound.functional = mirrored(bound.functional);
+  }
+  for (GridRecord& record : result.grids) {
+    for (std::size_t n = 0; n < record.each.size(); ++n) {
+      turn(result.each[record.each[n]].functional, record.values[n]);
+    }
+  }
+  return result;
+}
+
+// What follows from a mean: the momentum of impacts only where one wall has all of it.
+std::vector<Functional> that_can_be_bounded(const problem::System& system,
+                                            std::vector<Functional> functionals) {
+  if (system.left().has_value() == system.right().has_value()) {
+    std::erase_if(functionals,
+                  [](const auto& f) { return std::holds_alternative<ImpactMomentum>(f); });
+  }
+  return functionals;
+}
+
 }  // namespace
 
-Bounds bounds(const problem::Problem& problem, const Options& options) {
+Bounds bounds(const problem::Problem& problem, const Options& asked_for) {
   using Clock = std::chrono::steady_clock;
-  validate(options);
+  validate(asked_for);
   Bounds result;
   result.reason = weight_refused(problem);
   if (!result.reason.empty()) {
     result.status = BoundsStatus::not_offered;
     return result;
   }
+  Options options = asked_for;
+  options.functionals = that_can_be_bounded(problem.system, asked_for.functionals);
+  if (problem.system.right() && !problem.system.left()) return bounds_by_mirror(problem, options);
   const Weight tau = weight(problem, kWeightPower);
   for (const Functional& f : options.functionals) result.each.push_back({f, {-HUGE_VAL, HUGE_VAL}});
 

@@ -45,13 +45,15 @@ struct GridRecord {
 struct Bounds {
   BoundsStatus status = BoundsStatus::ok;
   std::string reason;       ///< in one line, empty when ok
-  std::vector<Bound> each;  ///< in the order of the options; none when not offered
+  std::vector<Bound> each;  ///< in the order of the options, less w1; none when not offered
   std::vector<GridRecord> grids;
 };
 
 /// Guaranteed bounds of stationary expectations of the oscillator with the exact impact under the
 /// impulses themselves (equation `kf`, impact `map`), by the backward equation; docs/bounds.md has
 /// the theorem and its proof. They hold for the problem whose parameters are the stored doubles.
+/// The impacts' momentum w1 is that at the only wall, and left out where there is none or are two.
+/// @param problem on its physical axes
 /// @throws InputError when the options cannot be used; std::runtime_error when the processor's
 /// rounding cannot be set; std::logic_error when bounds of two grids exclude each other
 Bounds bounds(const problem::Problem& problem, const Options& options = {});

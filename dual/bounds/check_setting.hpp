@@ -5,6 +5,7 @@
 #include "dual/backward/displacement_operators.hpp"
 #include "dual/backward/velocity_operators.hpp"
 #include "dual/bounds/functional.hpp"
+#include "dual/bounds/grid.hpp"
 #include "dual/bounds/weight.hpp"
 
 namespace fpkcheck::dual {
@@ -22,6 +23,7 @@ struct CheckSetting {
   const DisplacementOperators& y;
   const VelocityOperators& v;
   const Weight& weight;
+  Ends ends = {};
 };
 
 }  // namespace fpkcheck::dual

@@ -27,7 +27,8 @@ struct SmoothBin {
   static SmoothBin cardinal(Axis axis, double centre, double spacing);
 };
 
-/// w1 = int u^2 p(0, -u) du, the momentum that impacts carry: from E[L y'] = 0,
+/// w1 = int u^2 p(a, -u) du, the momentum that impacts carry to a wall at the left, y = a: from
+/// E[L y'] = 0,
 ///
 ///     (1 + r) w1 = E[k y + mu y^3] - lambda E[Y].
 struct ImpactMomentum {};

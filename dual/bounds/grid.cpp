@@ -1,16 +1,50 @@
 #include "dual/bounds/grid.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace fpkcheck::dual {
+namespace {
 
-SplineBasis displacement_basis(const Grid& grid, const Weight& weight) {
+constexpr double kFinestOfAll = 3e-2;
+
+}  // namespace
+
+SplineBasis displacement_basis(const Grid& grid, const Weight& weight,
+                               const problem::System& system) {
   // (k - c^2/4) y^2/2 + mu y^4/4 = edge h0
   const double a = weight.cubic / 4,
                b = (weight.stiffness - weight.damping * weight.damping / 4) / 2;
   const double energy = grid.edge * weight.scale;
   const double y = std::sqrt(2 * energy / (b + std::sqrt(b * b + 4 * a * energy)));
-  return SplineBasis(graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
+  const double begin = system.left() ? std::max(-y, system.left()->position) : -y;
+  const double end = system.right() ? std::min(y, system.right()->position) : y;
+  if (begin == 0 && end == y) {
+    return SplineBasis(graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
+  }
+  // V bends along the orbits that graze a wall, all over the plane: cells are hardly graded.
+  const double width = end - begin;
+  const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
+  std::vector<double> breaks = graded_breaks(width, cells, kFinestOfAll * width, grid.even * width);
+  if (begin == -y) {  // no wall to be fine at
+    for (std::size_t n = 0; n < breaks.size(); ++n) {
+      breaks[n] = width * static_cast<double>(n) / cells;
+    }
+  }
+  for (double& at : breaks) at += begin;
+  breaks.front() = begin;
+  breaks.back() = end;
+  return SplineBasis(std::move(breaks));
+}
+
+Ends ends_of(const SplineBasis& displacement, const problem::System& system) {
+  const double begin = displacement.breaks().front(), end = displacement.end();
+  return {.left_wall = system.left().has_value(),
+          .right_wall = system.right().has_value(),
+          .left_open = !system.left() || system.left()->position < begin,
+          .right_open = !system.right() || system.right()->position > end};
 }
 
 ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution) {

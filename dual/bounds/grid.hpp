@@ -12,7 +12,17 @@ struct Grid {
   double edge;          ///< G at the edges of the box, in units of the weight's h0
 };
 
-SplineBasis displacement_basis(const Grid& grid, const Weight& weight);
+/// What stands at the ends of the box in y, or beyond them: the motion may leave it at an open end,
+/// and V is continued by constants to a wall there.
+struct Ends {
+  bool left_wall = true, right_wall = false;
+  bool left_open = false, right_open = true;
+};
+
+/// From wall to wall, or as far as G at y' = -c y/2 is below the edge's.
+SplineBasis displacement_basis(const Grid& grid, const Weight& weight,
+                               const problem::System& system);
+Ends ends_of(const SplineBasis& displacement, const problem::System& system);
 ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution);
 
 /// What limits the accuracy of V.

@@ -76,7 +76,8 @@ std::vector<Enclosure> bounds_on_grid(const problem::Problem& problem, const Wei
                                       const Grid& grid, const std::vector<Functional>& functionals,
                                       int threads, OneGridReport* report) {
   const double begun = now();
-  const SplineBasis displacement = displacement_basis(grid, weight);
+  const SplineBasis displacement = displacement_basis(grid, weight, problem.system);
+  const Ends ends = ends_of(displacement, problem.system);
   const ImpactBasis velocity = velocity_basis(grid, weight, problem.system.restitution());
   const std::vector<double> y_cuts = breaks_on(Axis::displacement, functionals),
                             v_cuts = breaks_on(Axis::velocity, functionals);
@@ -98,11 +99,13 @@ std::vector<Enclosure> bounds_on_grid(const problem::Problem& problem, const Wei
        [&](double at, double speed) {
          return 1 / (1 + std::pow(weight.energy(at, speed) / weight.scale, weight.power / 2.0));
        },
-       [&](double at, double speed) { return 1 / weight(at, speed); }},
+       [&](double at, double speed) { return 1 / weight(at, speed); }, ends.left_wall,
+       ends.right_wall},
       integrands);
   const double fitted = now();
 
-  const CheckSetting setting{problem, displacement, velocity, y_operators, v_operators, weight};
+  const CheckSetting setting{problem,     displacement, velocity, y_operators,
+                             v_operators, weight,       ends};
   const int count = static_cast<int>(functionals.size());
   std::vector<Enclosure> bounds(functionals.size());
   std::vector<OneGridReport::Each> each(functionals.size());
@@ -119,8 +122,9 @@ std::vector<Enclosure> bounds_on_grid(const problem::Problem& problem, const Wei
     });
   });
   if (report != nullptr) {
-    *report = {displacement.size() * velocity.size() - velocity.centre(), tabulated - begun,
-               fitted - tabulated, now() - fitted, std::move(each)};
+    *report = {displacement.size() * velocity.size() -
+                   (ends.left_wall + ends.right_wall) * velocity.centre(),
+               tabulated - begun, fitted - tabulated, now() - fitted, std::move(each)};
   }
   return bounds;
 }

@@ -1,5 +1,6 @@
 #include "dual/bounds/outside.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dual/bounds/functional_enclosure.hpp"
@@ -24,10 +25,15 @@ class Outside {
     for (int span = 0; span < s_.displacement.spans(); ++span) {
       largest = std::max({largest, bound_in(above(span)), bound_in(below(span))});
     }
-    for (int span = 0; span < s_.velocity.speeds().spans(); ++span) {
-      largest = std::max({largest, bound_in(beyond(span, true)), bound_in(beyond(span, false))});
+    for (const bool at_right : {true, false}) {
+      if (!(at_right ? s_.ends.right_open : s_.ends.left_open)) continue;
+      for (int span = 0; span < s_.velocity.speeds().spans(); ++span) {
+        largest = std::max({largest, bound_in(beyond(at_right, span, true)),
+                            bound_in(beyond(at_right, span, false))});
+      }
+      largest = std::max(largest, bound_in(corners(at_right)));
     }
-    return std::max(largest, bound_in(corners()));
+    return largest;
   }
 
  private:
@@ -38,7 +44,6 @@ class Outside {
   Interval cubic() const { return s_.weight.cubic; }
   Interval stiffness() const { return k() - square(c()) / 4.0; }  // > 0
   Interval r() const { return s_.velocity.restitution(); }
-  Interval y_end() const { return s_.displacement.end(); }
   Interval u_end() const { return s_.velocity.speeds().end(); }
 
   // (k - c^2/4) y^2/2 + mu y^4/4
@@ -64,13 +69,14 @@ class Outside {
     return slope;
   }
 
-  // The least G where v <= -u and y >= `y`: as c u y/2 <= (c/(2 sqrt k)) (u^2 + k y^2)/2,
+  // The least G where |v| >= u and |y| >= `y`: as |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2,
   // G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
   Interval least_incoming(const Interval& u, const Interval& y) const {
     return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
            cubic() * power(y, 4) / 4.0;
   }
-  // The least G where v >= `v` >= 0 and y >= `y`: w = v + c y/2 grows with both.
+  // The least G where v >= `v` >= 0 and y >= `y` >= 0, or both are likewise below 0: |w| = |v| +
+  // c |y|/2 grows with both.
   Interval least_outgoing(const Interval& v, const Interval& y) const {
     return square(v + c() * y / 2.0) / 2.0 + potential(y);
   }
@@ -86,30 +92,43 @@ class Outside {
   }
   // v > r u_end, y in a span.
   Region above(int span) const {
-    return beside(span, last_column(),
-                  least_outgoing(r() * u_end(), s_.displacement.breaks()[span]));
+    const double y = s_.displacement.breaks()[span];
+    return beside(
+        span, last_column(),
+        y >= 0 ? least_outgoing(r() * u_end(), y) : least_incoming(r() * u_end(), nearest(span)));
   }
   // v < -u_end, y in a span.
-  Region below(int span) const {
-    return beside(span, 0, least_incoming(u_end(), s_.displacement.breaks()[span]));
+  Region below(int span) const { return beside(span, 0, least_incoming(u_end(), nearest(span))); }
+  // The least |y| of a span.
+  double nearest(int span) const {
+    const auto breaks = s_.displacement.breaks();
+    return std::max({0.0, breaks[span], -breaks[span + 1]});
   }
-  // y > y_end, v in a span.
-  Region beyond(int span, bool outgoing) const {
+  // |y| at an open end, which is beyond 0: at the right y > 0, at the left y < 0.
+  Interval end(bool at_right) const {
+    return at_right ? s_.displacement.end() : -s_.displacement.breaks().front();
+  }
+  // y beyond an open end, v in a span.
+  Region beyond(bool at_right, int span, bool outgoing) const {
     const ImpactBasis& velocity = s_.velocity;
     const Interval u = velocity.speeds().breaks()[span];
+    const Interval speed = outgoing ? r() * u : u, y = end(at_right);
+    // Outgoing is v >= 0: away from 0 at the right.
     const Interval energy =
-        outgoing ? least_outgoing(r() * u, y_end()) : least_incoming(u, y_end());
+        outgoing == at_right ? least_outgoing(speed, y) : least_incoming(speed, y);
+    const int row = at_right ? last_row() : 0;
     const double in_speed = steepest(velocity.speeds(), span, [&](int h) {
-      return candidate_.coefficients(last_row(),
-                                     outgoing ? velocity.outgoing(h) : velocity.incoming(h));
+      return candidate_.coefficients(row, outgoing ? velocity.outgoing(h) : velocity.incoming(h));
     });
     const double slope = outgoing ? (Interval(in_speed) / r()).upper() : in_speed;
-    return {energy, 0, slope, oscillation(last_row())};
+    return {energy, 0, slope, oscillation(row)};
   }
   // Beyond both: V does not depend on y nor, by itself, on v.
-  Region corners() const { return {potential(y_end()), 0, 0, oscillation(last_row())}; }
+  Region corners(bool at_right) const {
+    return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
+  }
 
-  // With y <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
+  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
   // at most a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0: over G^m it is
   // largest where G is least.
   double bound_in(const Region& region) const {

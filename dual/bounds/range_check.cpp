@@ -113,7 +113,7 @@ class Search {
   Interval lowest_weight(const Box& box) const {
     const Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
     const Interval w = v + Interval(s_.weight.damping) * y / 2.0;
-    const Interval y_low = box.y_from.lower();
+    const Interval y_low = std::max({0.0, box.y_from.lower(), -box.y_to.upper()});
     const Interval energy = square(w) / 2.0 + stiffness_ * square(y_low) / 2.0 +
                             Interval(s_.weight.cubic) * power(y_low, 4) / 4.0;
     const Interval low = std::max(0.0, energy.lower());
@@ -186,9 +186,14 @@ Range residual_range(const CheckSetting& s, const Functional& functional,
                      const Candidate& candidate, std::pair<double, double> expected, double slack) {
   const Eigen::MatrixXd& c = candidate.coefficients;
   // Condition (1) of docs/bounds.md: nothing is trusted that was not looked at.
-  for (int b = 0; b < s.velocity.size(); ++b) {
-    if (c(0, b) != c(0, s.velocity.mirrored(b))) return {-HUGE_VAL, HUGE_VAL};
-  }
+  const auto meets_impacts = [&](Eigen::Index row) {
+    for (int b = 0; b < s.velocity.size(); ++b) {
+      if (c(row, b) != c(row, s.velocity.mirrored(b))) return false;
+    }
+    return true;
+  };
+  if (s.ends.left_wall && !meets_impacts(0)) return {-HUGE_VAL, HUGE_VAL};
+  if (s.ends.right_wall && !meets_impacts(c.rows() - 1)) return {-HUGE_VAL, HUGE_VAL};
   const int rows = s.displacement.degree() + 4, columns = s.v.order();
   const int y_functions = static_cast<int>(c.rows());
   const Contracted v = contracted(s, c);

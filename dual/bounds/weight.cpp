@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "dual/backward/impulse_table.hpp"
-#include "problem/features.hpp"
 
 namespace fpkcheck::dual {
 namespace {
@@ -69,8 +68,23 @@ double Weight::operator()(double y, double v) const {
 }
 
 std::string weight_refused(const problem::Problem& problem) {
-  if (!problem::features(problem).original) {
-    return "no bounds but for one wall at the equilibrium, constant damping and impulses alone";
+  const problem::System& system = problem.system;
+  const auto& g = system.force().coefficients();
+  const auto &left = system.left(), &right = system.right();
+  if (problem.noise.present() || !problem.impulses.present()) {
+    return "no bounds with white noise: they are those of impulses alone";
+  }
+  if (!system.damping_is_constant() || !(system.damping() > 0)) {
+    return "no bounds but for constant damping c > 0: no weight is known";
+  }
+  if (g[0] != 0 || g[2] != 0 || g[3] < 0 || g[5] != 0) {
+    return "no bounds but for a force k y + mu y^3 with mu >= 0: no weight is known";
+  }
+  if ((left && left->position > 0) || (right && right->position < 0)) {
+    return "no bounds where the spring presses the mass to a wall: impacts raise the weight";
+  }
+  if (left && right && (left->restitution < 1 || right->restitution < 1)) {
+    return "no bounds with losses at two walls: splines meet the condition of one";
   }
   const double c = problem.system.damping(), k = problem.system.stiffness();
   const bool under_damped =

@@ -11,7 +11,8 @@ namespace fpkcheck::dual {
 ///
 ///     G = (v + c y/2)^2/2 + (k - c^2/4) y^2/2 + mu y^4/4,
 ///
-/// which falls along the motion (G' <= -c G) and at impacts, with E[G^j] <= M_j and
+/// which falls along the motion (G' <= -c G) and at impacts wherever walls stand, y <= 0 at the left
+/// and y >= 0 at the right, with E[G^j] <= M_j and
 /// h0 = (4 M_m)^(1/m), so that E[tau] <= 1.25.
 struct Weight {
   double damping, stiffness, cubic;  ///< c, k, mu
@@ -24,7 +25,7 @@ struct Weight {
   double operator()(double y, double v) const;
 };
 
-/// Why a problem has no such weight, in one line; empty when it has one.
+/// Why a problem has no such weight, or bounds could not use it, in one line; empty when it has one.
 std::string weight_refused(const problem::Problem& problem);
 
 /// Upper bounds M_0 .. M_power of E[G^j].

@@ -1,8 +1,6 @@
 #include "dual/control/control_functions.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "dual/backward/normal_equations.hpp"
 #include "dual/control/generator_factors.hpp"
@@ -13,7 +11,6 @@
 namespace fpkcheck::dual {
 namespace {
 
-constexpr int kTerms = kGeneratorTerms;
 constexpr int kDegree = KnotSplines::kDegree;
 constexpr int kPoints = 8;  // of Gauss's rule on a cell
 
@@ -24,13 +21,13 @@ void weigh(QuadratureRule& q, const std::function<double(double)>& weight) {
 }
 
 /// <factor a, factor b> under the weight.
-using Grams = std::array<std::array<Eigen::MatrixXd, kTerms>, kTerms>;
+using Grams = std::vector<std::vector<Eigen::MatrixXd>>;
 
 Grams grams(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
-  Grams g;
-  for (int a = 0; a < kTerms; ++a) {
+  Grams g(factors.size(), std::vector<Eigen::MatrixXd>(factors.size()));
+  for (std::size_t a = 0; a < factors.size(); ++a) {
     const Eigen::MatrixXd weighted = weights.asDiagonal() * factors[a];
-    for (int b = 0; b <= a; ++b) {
+    for (std::size_t b = 0; b <= a; ++b) {
       g[a][b].noalias() = weighted.transpose() * factors[b];
       if (b < a) g[b][a] = g[a][b].transpose();
     }
@@ -46,18 +43,12 @@ Eigen::VectorXd map(const std::vector<double>& points, const std::function<doubl
   return values;
 }
 
-/// int u w(0, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u).
-Eigen::MatrixXd wall_gram(const ControlProblem& p) {
-  const double r = p.problem.system.restitution(), end = std::max(p.v.end(), -p.v.begin());
-  std::vector<double> breaks{0};
-  for (const double v : p.v.breaks()) breaks.push_back(v < 0 ? -v : v / r);
-  std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::remove_if(breaks.begin(), breaks.end(), [&](double u) { return u > end; }),
-               breaks.end());
-  QuadratureRule q = gauss_rule<kPoints>(breaks);
+/// int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u), likewise at the right.
+Eigen::MatrixXd wall_gram(const ControlProblem& p, const ImpactWall& wall) {
+  QuadratureRule q = gauss_rule<kPoints>(breaks_of_jumps(p.v, wall));
   weigh(q, [&](double u) { return u * p.weight_v(u); });
-  const Eigen::MatrixXd jump = jumps_at(p.v, r, q.points);
-  return p.weight_y(0) * (jump.transpose() * (q.weights.asDiagonal() * jump));
+  const Eigen::MatrixXd jump = jumps_at(p.v, wall, q.points);
+  return p.weight_y(wall.position) * (jump.transpose() * (q.weights.asDiagonal() * jump));
 }
 
 BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& in_y, const Grams& in_v) {
@@ -67,12 +58,16 @@ BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& in_y, cons
   for (int column = 0; column < p.y.size(); ++column) {
     for (int row = column; row < std::min(column + kDegree + 1, p.y.size()); ++row) {
       auto block = matrix.block(row, column);
-      for (int a = 0; a < kTerms; ++a) {
-        for (int b = 0; b < kTerms; ++b) block += in_y[a][b](row, column) * in_v[a][b];
+      for (std::size_t a = 0; a < in_y.size(); ++a) {
+        for (std::size_t b = 0; b < in_y.size(); ++b) block += in_y[a][b](row, column) * in_v[a][b];
       }
     }
   }
-  matrix.block(0, 0) += p.wall_weight * wall_gram(p);
+  // One function of y alone is not 0 at a wall, where it is 1.
+  for (const ImpactWall& wall : impact_walls(p.problem.system)) {
+    const int at = wall.away > 0 ? 0 : p.y.size() - 1;
+    matrix.block(at, at) += p.wall_weight * wall_gram(p, wall);
+  }
   return matrix;
 }
 
@@ -87,7 +82,7 @@ ControlFunctions control_functions(const ControlProblem& problem,
   const GeneratorFactors y = factors_of_y(problem.problem.system, problem.y, in_y.points);
   const GeneratorFactors v =
       factors_of_v(problem.problem, problem.v, in_v.points,
-                   impulse_means(problem.v, problem.problem.impulses.law(), in_v.points));
+                   impulse_means(problem.v, problem.problem.impulses, in_v.points));
   const NormalEquations equations(
       normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights)),
       "the control functions");
@@ -106,7 +101,7 @@ ControlFunctions control_functions(const ControlProblem& problem,
     const Eigen::VectorXd wv = in_v.weights.cwiseProduct(map(in_v.points, of_v));
     integrals.push_back(wy.sum() * wv.sum());
     Eigen::Map<Eigen::MatrixXd> b(right.col(f).data(), nv, problem.y.size());
-    for (int a = 0; a < kTerms; ++a) {
+    for (std::size_t a = 0; a < y.size(); ++a) {
       b.noalias() -= (v[a].transpose() * wv) * (y[a].transpose() * wy).transpose();
     }
   }

@@ -17,11 +17,11 @@ struct SeparableFunction {
 /// What the control functions are fitted in, and how.
 struct ControlProblem {
   const problem::Problem& problem;
-  const KnotSplines& y;  ///< from the wall on
+  const KnotSplines& y;  ///< from wall to wall, or as far as there is motion
   const KnotSplines& v;
   /// w(y, v) = weight_y weight_v, somewhat wider than the density.
   std::function<double(double)> weight_y, weight_v;
-  /// What the square of a jump at the wall counts, by the flux u w(0, u) of impacts: the time
+  /// What the square of a jump at a wall counts, by the flux u w(wall, u) of impacts: the time
   /// between the samples of the simulation, inverted, makes the least variance of its mean.
   double wall_weight;
 };
@@ -34,11 +34,11 @@ struct ControlFunctions {
   std::vector<double> means;  ///< U, an estimate of E[f]
 };
 
-/// Minimises int w (f - U + L h)^2 + wall_weight int u w(0, u) (h(0, r u) - h(0, -u))^2 du for all
-/// functionals at once. The generator is a sum of three products, A' vB + A (lambda (K B - B) -
-/// c v B') - g A B', and the weight is one: nine Gram matrices of v and of y make the
-/// normal matrix, which is banded by blocks and factorised so. With the residuals e of f and of 1,
-/// U = <e_1, e_f> / <e_1, e_1>.
+/// Minimises int w (f - U + L h)^2 + wall_weight int u w(0, u) (h(0, r u) - h(0, -u))^2 du (the last
+/// for each wall) for all functionals at once. The generator is a sum of products
+/// (GeneratorFactors) and the weight is one: nine Gram matrices of v and of y, for three products,
+/// make the normal matrix, which is banded by blocks and factorised so. With the residuals e of f
+/// and of 1, U = <e_1, e_f> / <e_1, e_1>.
 /// @throws FitBrokeDown (dual/backward/normal_equations.hpp)
 ControlFunctions control_functions(const ControlProblem& problem,
                                    const std::vector<SeparableFunction>& functions);

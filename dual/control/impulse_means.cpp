@@ -60,4 +60,10 @@ Eigen::MatrixXd impulse_means(const KnotSplines& splines, const problem::Impulse
   return means;
 }
 
+Eigen::MatrixXd impulse_means(const KnotSplines& splines, const problem::ImpulseTrain& impulses,
+                              std::span<const double> v) {
+  if (!impulses.present()) return {};
+  return impulse_means(splines, impulses.law(), v);
+}
+
 }  // namespace fpkcheck::dual

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "dual/spline/knot_splines.hpp"
-#include "problem/impulse_law.hpp"
+#include "problem/impulse_train.hpp"
 
 namespace fpkcheck::dual {
 
@@ -13,6 +13,9 @@ namespace fpkcheck::dual {
 /// which leaves 1e-15; its atoms as they are.
 /// @return shape (points, functions)
 Eigen::MatrixXd impulse_means(const KnotSplines& splines, const problem::ImpulseLaw& law,
+                              std::span<const double> v);
+/// The same, and nothing (shape (0, 0)) where there are no impulses.
+Eigen::MatrixXd impulse_means(const KnotSplines& splines, const problem::ImpulseTrain& impulses,
                               std::span<const double> v);
 
 }  // namespace fpkcheck::dual

@@ -5,14 +5,16 @@
 #include <utility>
 #include <vector>
 
+#include "dual/control/general_control.hpp"
 #include "dual/residual/spline_shares.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::dual {
 namespace {
 
 // The jumps at the wall count as if in samples of the density four times a radian of the
-// linearised oscillator; the corrected moments hardly depend on it.
+// undamped motion; the corrected moments hardly depend on it.
 constexpr double kWallWeight = 4;
 
 WeakResiduals usual_residuals(const problem::Problem& problem, ControlSplines splines) {
@@ -21,9 +23,14 @@ WeakResiduals usual_residuals(const problem::Problem& problem, ControlSplines sp
 
 ControlFunctions backward_solutions(const problem::Problem& problem, const WeakResiduals& residuals,
                                     const std::vector<SeparableFunction>& functions) {
-  const double frequency = std::sqrt(problem::equivalent_linearisation(problem).stiffness);
-  return control_functions(
-      usual_control(problem, residuals.y(), residuals.v(), kWallWeight * frequency), functions);
+  const auto control = problem::features(problem).original ? usual_control : general_control;
+  const double wall_weight = kWallWeight * problem::scales(problem).frequency;
+  return control_functions(control(problem, residuals.y(), residuals.v(), wall_weight), functions);
+}
+
+const ControlCells& cells_for(const problem::Features& features) {
+  const bool sharp = features.wells > 1 && !features.noise;
+  return sharp ? DensityResiduals::kCellsOfWells : DensityResiduals::kCells;
 }
 
 // By how many times its error in L1 a density may be off where the backward equation is not
@@ -53,9 +60,12 @@ transform::StatedError WeightedResiduals::stated() const {
   return result;
 }
 
+DensityResiduals::DensityResiduals(const problem::Problem& problem)
+    : DensityResiduals(problem, cells_for(problem::features(problem))) {}
+
 DensityResiduals::DensityResiduals(const problem::Problem& problem, const ControlCells& cells)
     : residuals_(usual_residuals(problem, residual_splines(problem, cells))),
-      functions_(judged_functions(residuals_.y(), residuals_.v())),
+      functions_(judged_functions(residuals_.y(), residuals_.v(), problem.frame)),
       h_(backward_solutions(problem, residuals_, functions_.all)),
       unresolved_(problem, residuals_, functions_.all, h_) {}
 

@@ -56,14 +56,20 @@ struct WeightedResiduals {
 /// changes no sum; E_p[h] = 0 makes the parts comparable.
 ///
 /// The error is that against the full problem, whatever p solves itself: of a solution of the
-/// white-noise equation it is also the model's.
+/// white-noise equation it is also the model's. Moments are those of the physical coordinates
+/// (Problem::frame), all else is in the frame.
 class DensityResiduals {
  public:
   static constexpr ControlCells kCells{.y = 40, .v = 88};
+  /// Between two wells solutions of the backward equation bend sharply along the orbits that end on
+  /// top of the barrier, unless noise smoothes them.
+  static constexpr ControlCells kCellsOfWells{.y = 56, .v = 112};
 
   /// Takes most of the time: the fit of h.
+  /// @param problem in its frame, as the densities that are to be judged; residuals_refused() is empty
   /// @throws FitBrokeDown (dual/backward/normal_equations.hpp)
-  explicit DensityResiduals(const problem::Problem& problem, const ControlCells& cells = kCells);
+  explicit DensityResiduals(const problem::Problem& problem);
+  DensityResiduals(const problem::Problem& problem, const ControlCells& cells);
 
   /// @throws InputError when the density has no positive mass, or no usable cells or range
   WeightedResiduals of(const transform::Density& density) const;

@@ -4,7 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "dual/control/general_control.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::dual {
 namespace {
@@ -13,10 +15,6 @@ constexpr int kShrinking = 12;     // cells
 constexpr double kOffTheWall = 4;  // deviations
 
 double one_everywhere(double) { return 1; }
-
-std::function<double(double)> power_of(int n) {
-  return [n](double x) { return std::pow(x, n); };
-}
 
 /// The B-splines on every second break.
 std::shared_ptr<const KnotSplines> wider(const KnotSplines& splines) {
@@ -43,15 +41,21 @@ std::vector<std::function<double(double)>> bins_of(const KnotSplines& splines) {
 }  // namespace
 
 ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells) {
+  if (!problem::features(problem).original) return general_splines(problem, cells);
   const double deviation = problem::equivalent_linearisation(problem).displacement_deviation;
   const bool off_the_wall = problem::static_deflection(problem) > kOffTheWall * deviation;
   return usual_splines(problem, cells, off_the_wall ? 0 : kShrinking);
 }
 
-JudgedFunctions judged_functions(const KnotSplines& y, const KnotSplines& v) {
+JudgedFunctions judged_functions(const KnotSplines& y, const KnotSplines& v,
+                                 const problem::Frame& frame) {
   JudgedFunctions judged;
-  for (const int n : {1, 2, 4}) judged.all.push_back({power_of(n), one_everywhere});
-  for (const int n : {1, 2, 4}) judged.all.push_back({one_everywhere, power_of(n)});
+  for (const int n : {1, 2, 4}) {
+    judged.all.push_back({[=](double x) { return std::pow(frame.y(x), n); }, one_everywhere});
+  }
+  for (const int n : {1, 2, 4}) {
+    judged.all.push_back({one_everywhere, [=](double x) { return std::pow(frame.v(x), n); }});
+  }
   judged.moments = static_cast<int>(judged.all.size());
   for (auto& bin : bins_of(y)) judged.all.push_back({std::move(bin), one_everywhere});
   judged.y_bins = static_cast<int>(judged.all.size()) - judged.moments;

@@ -24,27 +24,39 @@ struct SampledAxis {
   }
 };
 
+/// A density at a wall.
+struct SampledImpacts {
+  SampledAxis speeds;  ///< u > 0, towards the wall
+  Eigen::VectorXd samples;
+};
+
 /// A density as linear functionals see it: an integral of a(y) b(v) p is a product of a row, the
 /// samples and a column.
 struct SampledDensity {
   SampledAxis y, v;
-  Eigen::MatrixXd samples;  ///< shape (samples along y, along v)
-  /// The speeds u of impacts, 0 < u.
-  SampledAxis wall;
-  Eigen::VectorXd wall_samples;  ///< of p(0, -u)
+  Eigen::MatrixXd samples;              ///< shape (samples along y, along v)
+  std::vector<SampledImpacts> impacts;  ///< at each wall
+};
+
+/// Where what is integrated over impacts is not smooth.
+struct ImpactBreaks {
+  double position;             ///< of the wall
+  double away;                 ///< 1 where y is larger than at the wall, -1 where it is less
+  std::vector<double> speeds;  ///< increasing from 0
 };
 
 /// Where integrands are not smooth, increasing; rules are cut there.
 struct IntegrandBreaks {
   std::span<const double> y, v;
-  std::span<const double> wall;  ///< speeds of impacts, from 0 on
+  std::span<const ImpactBreaks> walls;
 };
 
 /// A density by Gauss's rule of six points between all breaks, its own and those of the integrands:
 /// exact for splines of degree 5 times what reconstruction() makes of averages. Panels of a
 /// function are no longer than a 24th of its range.
-/// @throws InputError when the edges do not increase, do not begin at y = 0 or do not fit the
-/// averages, and when the range of a function is not positive
+/// Where it ends before a wall there are no impacts.
+/// @throws InputError when the edges do not increase, reach beyond a wall, do not begin at a left one
+/// or do not fit the averages, and when the range of a function is not positive
 SampledDensity sampled(const transform::Density& density, const IntegrandBreaks& breaks);
 
 }  // namespace fpkcheck::dual

@@ -18,14 +18,14 @@ class Unresolved {
   Unresolved(const problem::Problem& problem, const WeakResiduals& residuals,
              std::span<const SeparableFunction> functions, const ControlFunctions& h);
 
-  /// E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du of each function, for the density p whose
+  /// E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du (the last for each wall) of each function, for the density p whose
   /// weak form is given. (E_p - E)[f], less what -sum h rho says of it, is (E_p - E)[e] and the
   /// like at the wall: if p were as far off as can be, twice this.
   Eigen::VectorXd of(const WeakForm& density) const;
 
  private:
-  Eigen::MatrixXd in_cells_;  // shape (cells of y times cells of v, functions)
-  Eigen::MatrixXd at_wall_;   // shape (cells of speeds, functions)
+  Eigen::MatrixXd in_cells_;               // shape (cells of y times cells of v, functions)
+  std::vector<Eigen::MatrixXd> at_walls_;  // shape (cells of speeds, functions)
 };
 
 }  // namespace fpkcheck::dual

@@ -27,9 +27,13 @@ std::vector<double> nodes_of(const std::vector<double>& breaks) {
 
 /// The breaks of B_j, and what impulses of one size, or a corner of their density, make of the
 /// knots where B_j is less smooth than elsewhere.
-std::vector<double> breaks_after_impulse(const KnotSplines& v, const problem::ImpulseLaw& law) {
-  std::vector<double> amplitudes = law.smooth_pieces();
-  for (const auto& atom : law.atoms()) amplitudes.push_back(atom.amplitude);
+std::vector<double> breaks_after_impulse(const KnotSplines& v,
+                                         const problem::ImpulseTrain& impulses) {
+  std::vector<double> amplitudes;
+  if (impulses.present()) {
+    amplitudes = impulses.law().smooth_pieces();
+    for (const auto& atom : impulses.law().atoms()) amplitudes.push_back(atom.amplitude);
+  }
   std::vector<double> breaks(v.breaks());
   const auto& knots = v.knots();
   for (std::size_t k = 1; k < knots.size(); ++k) {
@@ -45,22 +49,22 @@ std::vector<double> breaks_after_impulse(const KnotSplines& v, const problem::Im
   return breaks;
 }
 
-/// Breaks of B_j(-u) and B_j(r u), u > 0, as far as the range of v.
-std::vector<double> breaks_of_jumps(const KnotSplines& v, double restitution) {
-  const double end = std::max(v.end(), -v.begin());
-  std::vector<double> breaks{0};
-  for (const double at : v.breaks()) {
-    const double speed = at < 0 ? -at : at / restitution;
-    if (0 < speed && speed <= end) breaks.push_back(speed);
+std::vector<ImpactBreaks> breaks_at(const std::vector<ImpactWall>& walls, const KnotSplines& v) {
+  std::vector<ImpactBreaks> all;
+  for (const ImpactWall& wall : walls) {
+    all.push_back({wall.position, wall.away, breaks_of_jumps(v, wall)});
   }
-  std::ranges::sort(breaks);
-  return breaks;
+  return all;
 }
 
-/// 1, x, .., x^4 at points, shape (points, 5).
-Eigen::MatrixXd powers_at(std::span<const double> points) {
+/// 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
+template <class Coordinate>
+Eigen::MatrixXd powers_at(std::span<const double> points, const Coordinate& coordinate) {
   Eigen::MatrixXd powers(std::ssize(points), kPowers);
-  const Eigen::Map<const Eigen::VectorXd> x(points.data(), std::ssize(points));
+  Eigen::VectorXd x(std::ssize(points));
+  for (Eigen::Index n = 0; n < x.size(); ++n) {
+    x(n) = coordinate(points[static_cast<std::size_t>(n)]);
+  }
   powers.col(0).setOnes();
   for (int n = 1; n < kPowers; ++n) powers.col(n) = powers.col(n - 1).cwiseProduct(x);
   return powers;
@@ -82,14 +86,16 @@ WeakResiduals::WeakResiduals(const problem::Problem& problem, KnotSplines y, Kno
     : problem_(problem),
       y_(std::move(y)),
       v_(std::move(v)),
-      wall_breaks_(breaks_of_jumps(v_, problem.system.restitution())),
-      v_breaks_(breaks_after_impulse(v_, problem.impulses.law())),
+      walls_(impact_walls(problem.system)),
+      wall_breaks_(breaks_at(walls_, v_)),
+      v_breaks_(breaks_after_impulse(v_, problem.impulses)),
       nodes_(nodes_of(v_breaks_)),
-      means_(impulse_means(v_, problem.impulses.law(), nodes_)) {}
+      means_(impulse_means(v_, problem.impulses, nodes_)) {}
 
 /// K B_j by interpolation between the nodes of a cell, where it is smooth; beyond the ends as at
 /// the ends.
 Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) const {
+  if (!problem_.impulses.present()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_.size());
   const auto& breaks = v_breaks_;
   for (std::size_t n = 0; n < v.size(); ++n) {
@@ -112,21 +118,25 @@ Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) co
   return result;
 }
 
-/// int u p(0, -u) [B_j(r u) - B_j(-u)] du
-Eigen::RowVectorXd WeakResiduals::impacts(const SampledDensity& density) const {
-  const auto& speeds = density.wall.points;
+/// int u p(0, -u) [B_j(r u) - B_j(-u)] du, likewise at the right
+Eigen::RowVectorXd WeakResiduals::impacts(const ImpactWall& wall,
+                                          const SampledImpacts& impacts) const {
+  const auto& speeds = impacts.speeds.points;
   const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
-  const Eigen::MatrixXd jumps = jumps_at(v_, problem_.system.restitution(), speeds);
-  return (density.wall.integrals(u.asDiagonal() * jumps) * density.wall_samples).transpose();
+  const Eigen::MatrixXd jumps = jumps_at(v_, wall, speeds);
+  return (impacts.speeds.integrals(u.asDiagonal() * jumps) * impacts.samples).transpose();
 }
 
 WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   const SampledDensity p =
-      sampled(density, {.y = y_.breaks(), .v = v_breaks_, .wall = wall_breaks_});
+      sampled(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
 
-  // E_p[y^m y'^n], before the mass is divided by.
-  const Eigen::MatrixXd along_y = p.y.integrals(powers_at(p.y.points)) * p.samples;
-  const Eigen::MatrixXd along_v = p.v.integrals(powers_at(p.v.points));
+  // E_p[y^m y'^n] of the physical coordinates, before the mass is divided by.
+  const problem::Frame& frame = problem_.frame;
+  const Eigen::MatrixXd along_y =
+      p.y.integrals(powers_at(p.y.points, [&](double x) { return frame.y(x); })) * p.samples;
+  const Eigen::MatrixXd along_v =
+      p.v.integrals(powers_at(p.v.points, [&](double x) { return frame.v(x); }));
   const Eigen::MatrixXd powers = along_y * along_v.transpose();
   const double mass = powers(0, 0);
   if (!(mass > 0) || !std::isfinite(mass)) {
@@ -138,14 +148,20 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   const GeneratorFactors v =
       factors_of_v(problem_, v_, p.v.points, means_after_impulse(p.v.points));
   Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
-  for (int term = 0; term < kGeneratorTerms; ++term) {
+  for (std::size_t term = 0; term < y.size(); ++term) {
     residuals.noalias() += p.y.integrals(y[term]) * p.samples * p.v.integrals(v[term]).transpose();
   }
-  residuals.row(0) += impacts(p);  // A_0(0) = 1, and all others vanish at the wall
+  std::vector<Eigen::VectorXd> of_impacts;
+  for (std::size_t n = 0; n < walls_.size(); ++n) {
+    // The first (last) function of y is 1 at the left (right) wall, and all others vanish there.
+    residuals.row(walls_[n].away > 0 ? 0 : y_.size() - 1) += impacts(walls_[n], p.impacts[n]);
+    const SampledAxis& speeds = p.impacts[n].speeds;
+    const Eigen::Map<const Eigen::VectorXd> u(speeds.points.data(), std::ssize(speeds.points));
+    const Eigen::MatrixXd flux = u.asDiagonal() * indicators(speeds.points, wall_breaks_[n].speeds);
+    of_impacts.push_back(speeds.integrals(flux) * p.impacts[n].samples / mass);
+  }
   const Eigen::MatrixXd cells = p.y.integrals(indicators(p.y.points, y_.breaks())) * p.samples *
                                 p.v.integrals(indicators(p.v.points, v_.breaks())).transpose();
-  const Eigen::Map<const Eigen::VectorXd> speeds(p.wall.points.data(), std::ssize(p.wall.points));
-  const Eigen::MatrixXd of_impacts = speeds.asDiagonal() * indicators(p.wall.points, wall_breaks_);
   const Eigen::MatrixXd means = p.y.integrals(values_at(y_, p.y.points).value) * p.samples *
                                 p.v.integrals(values_at(v_, p.v.points).value).transpose();
   return {.mass = mass,
@@ -158,7 +174,7 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
           .means = means / mass,
           .residuals = residuals / mass,
           .cells = cells / mass,
-          .impacts = p.wall.integrals(of_impacts) * p.wall_samples / mass};
+          .impacts = std::move(of_impacts)};
 }
 
 }  // namespace fpkcheck::dual

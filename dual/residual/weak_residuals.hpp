@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
+#include "dual/control/generator_factors.hpp"
 #include "dual/residual/sampled_density.hpp"
 #include "dual/spline/knot_splines.hpp"
 #include "problem/problem.hpp"
@@ -18,7 +20,8 @@ struct WeakForm {
   Eigen::MatrixXd residuals;  ///< rho_ij; both of shape (functions of y, functions of v)
   /// Probabilities of the cells between the breaks of the splines, shape (cells of y, of v).
   Eigen::MatrixXd cells;
-  Eigen::VectorXd impacts;  ///< int u p(0, -u) du between the wall's breaks
+  /// int u p(0, -u) du between breaks_of_jumps(), for each of impact_walls().
+  std::vector<Eigen::VectorXd> impacts;
 };
 
 /// The weak residuals of the stationary equation with the exact impact under the impulses
@@ -26,12 +29,15 @@ struct WeakForm {
 ///
 ///     rho_ij = int p L(A_i B_j) dy dv + A_i(0) int u p(0, -u) [B_j(r u) - B_j(-u)] du,
 ///
-/// which vanish for its solution, whatever the splines. As all A_i B_j sum to 1, all rho_ij sum to
-/// 0. Each of the three terms of L A_i B_j is a product, so p is integrated along one axis and then
+/// the last for each wall (at a right one, x = b, the last function of y takes the place of A_0, and
+/// p(b, u) [B_j(-r u) - B_j(u)] that of the integrand), which vanish for its solution, whatever the
+/// splines. As all A_i B_j sum to 1, all rho_ij sum to
+/// 0. Each term of L A_i B_j is a product, so p is integrated along one axis and then
 /// along the other.
 class WeakResiduals {
  public:
-  /// @param y splines from the wall on; v with 0 among the breaks
+  /// @param problem in its frame; moments are those of the physical coordinates
+  /// @param y splines from wall to wall, or as far as there is motion; v with 0 among the breaks
   WeakResiduals(const problem::Problem& problem, KnotSplines y, KnotSplines v);
 
   /// @throws InputError as sampled() does, and when the mass is not positive
@@ -39,16 +45,15 @@ class WeakResiduals {
 
   const KnotSplines& y() const { return y_; }
   const KnotSplines& v() const { return v_; }
-  /// Speeds of impacts, from 0 on: the breaks of B_j(r u) and B_j(-u).
-  const std::vector<double>& wall_breaks() const { return wall_breaks_; }
 
  private:
   Eigen::MatrixXd means_after_impulse(std::span<const double> v) const;
-  Eigen::RowVectorXd impacts(const SampledDensity& density) const;
+  Eigen::RowVectorXd impacts(const ImpactWall& wall, const SampledImpacts& impacts) const;
 
   problem::Problem problem_;
   KnotSplines y_, v_;
-  std::vector<double> wall_breaks_;
+  std::vector<ImpactWall> walls_;
+  std::vector<ImpactBreaks> wall_breaks_;
   std::vector<double> v_breaks_;  // of B_j and K B_j
   /// K B_j at eight points of Gauss's rule between neighbouring breaks of v, increasing.
   std::vector<double> nodes_;

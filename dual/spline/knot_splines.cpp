@@ -39,6 +39,27 @@ KnotSplines::Values KnotSplines::at(double x) const {
   return values;
 }
 
+std::array<double, KnotSplines::kDegree + 1> KnotSplines::curvatures(double x) const {
+  std::array<double, kDegree + 1> result{};
+  if (x < begin() || x > end()) return result;
+  const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
+  const int last = first_[after - breaks_.begin() - 1] + kDegree;
+  // As in at(), but two differences, p (share before - share), take the place of the last degrees.
+  std::array<double, kDegree + 1> b{1};
+  for (int p = 1; p <= kDegree; ++p) {
+    double carried = 0;
+    for (int l = 0; l < p; ++l) {
+      const double low = knots_[last - p + 1 + l], high = knots_[last + 1 + l];
+      const double share = b[l] / (high - low);
+      const bool differs = p >= kDegree - 1;
+      b[l] = carried + (differs ? -p : high - x) * share;
+      carried = (differs ? p : x - low) * share;
+    }
+    b[p] = carried;
+  }
+  return b;
+}
+
 std::vector<double> KnotSplines::power(int power) const {
   constexpr std::array<double, kDegree + 1> kChoices{1, 5, 10, 10, 5, 1};
   std::vector<double> coefficients;
@@ -68,6 +89,15 @@ std::vector<double> knots_of(const std::vector<double>& side, bool both, int rep
 }
 
 }  // namespace
+
+std::vector<double> knots_on(const std::vector<double>& breaks, int repetitions) {
+  std::vector<double> knots;
+  for (std::size_t k = 0; k < breaks.size(); ++k) {
+    const bool end = k == 0 || k + 1 == breaks.size();
+    knots.insert(knots.end(), end ? 6 : breaks[k] == 0 ? repetitions : 1, breaks[k]);
+  }
+  return knots;
+}
 
 std::vector<double> widening_knots(double begin, double end, double even, int cells,
                                    int repetitions, int shrinking) {

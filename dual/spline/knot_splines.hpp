@@ -27,6 +27,8 @@ class KnotSplines {
     std::array<double, kDegree + 1> value, slope;
   };
   Values at(double x) const;
+  /// Their second derivatives, 0 beyond the ends.
+  std::array<double, kDegree + 1> curvatures(double x) const;
 
   /// Coefficients of x^power, 0 <= power <= 5, by Marsden's identity: the mean of the products of
   /// `power` of the five inner knots of each function.
@@ -36,6 +38,10 @@ class KnotSplines {
   std::vector<double> knots_, breaks_;
   std::vector<int> first_;  // of each span
 };
+
+/// Knots on the given breaks, six at the ends.
+/// @param repetitions of the break at 0, if there is one inside
+std::vector<double> knots_on(const std::vector<double>& breaks, int repetitions = 1);
 
 /// Knots from `begin` to `end`, six at the ends, whose breaks are evenly spaced up to `even` from
 /// 0 and lie further and further apart beyond, by the same factor from one cell to the next: a

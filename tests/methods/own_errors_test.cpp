@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "exact/energy_law.hpp"
+#include "family.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
+#include "uniform_edges.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -50,6 +53,49 @@ TEST(OwnErrors, OfEverySolutionCorrectItToTheTruth) {
       EXPECT_NEAR(integral(source.density), error, 5e-6 + 2e-3 * std::abs(error));
     }
   }
+}
+
+TEST(OwnErrors, OfAMirroredProblemAreOnThePhysicalAxes) {
+  const problem::System system({.damping = 0.2, .stiffness = 1},
+                               {.right = 0.5, .right_restitution = 1});
+  const auto known = tests::with_noise(system, 0.4), weaker = tests::with_noise(system, 0.36);
+  const exact::EnergyLaw law(weaker), truth(known);
+  results::Case one{.problem = known,
+                    .solutions = {},
+                    .pairs = {},
+                    .budget = {},
+                    .limits = {},
+                    .curves = {},
+                    .joints = {}};
+  transform::Solution solution;
+  solution.identity.id = "one";
+  solution.identity.role = transform::Role::closure;
+  solution.density = transform::SmoothDensity{law, 0.5, 6, -6};
+  solution.moments = {law.moment(1, 0), law.moment(2, 0), law.moment(4, 0),
+                      law.moment(0, 1), law.moment(0, 2), law.moment(0, 4)};
+  one.solutions.push_back(solution);
+  const auto cells =
+      transform::on_cells(std::get<transform::SmoothDensity>(*solution.density),
+                          tests::uniform_edges(-6.5, 0.5, 35), tests::uniform_edges(-6, 7, 65));
+  one.joints.push_back({"one", cells});
+  add_own_errors(one, ProblemResiduals(known), 1);
+  ASSERT_EQ(one.own_errors.size(), 1u);
+  EXPECT_NEAR(one.own_errors[0].corrected.y1, truth.moment(1, 0), 1e-7);
+  EXPECT_NEAR(one.own_errors[0].corrected.y4, truth.moment(4, 0), 1e-6);
+  EXPECT_NEAR(one.own_errors[0].error.y1, law.moment(1, 0) - truth.moment(1, 0), 1e-7);
+  ASSERT_EQ(one.error_sources.size(), 2u);
+  const auto& map = one.error_sources[0].density;
+  EXPECT_EQ(map.y_edges, cells.y_edges);
+  EXPECT_NEAR(integral(map), one.own_errors[0].error.y2, 1e-5);
+  // Nothing lies far from where the density is: at the low end of y there is nothing.
+  double low = 0, high = 0;
+  for (std::size_t j = 0; j < map.nv(); ++j) {
+    for (std::size_t i = 0; i < 5; ++i) {
+      low = std::max(low, std::abs(map.average(i, j)));
+      high = std::max(high, std::abs(map.average(map.ny() - 1 - i, j)));
+    }
+  }
+  EXPECT_LT(low, 1e-3 * high);
 }
 
 TEST(OwnErrors, AreNoneWithoutADensity) {

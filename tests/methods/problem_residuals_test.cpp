@@ -7,9 +7,12 @@
 #include <thread>
 #include <vector>
 
+#include "exact/energy_law.hpp"
+#include "family.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
+#include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -80,6 +83,50 @@ TEST(MeasuredError, OfWhatHasNoMeanIsUnknownAndSoNotOk) {
   state_measured_error(ProblemResiduals(tests::paper_case(1)), 1e-3, solution);
   EXPECT_EQ(solution.status, Status::inaccurate);
   EXPECT_NE(solution.reason.find("cannot be measured"), std::string::npos);
+}
+
+TEST(MeasuredError, IsTheSameOnPhysicalAxesAndInTheFrame) {
+  // One wall, at the right: the exact density of weaker noise is off by what is known.
+  const problem::System system({.damping = 0.2, .stiffness = 1},
+                               {.right = 0.5, .right_restitution = 1});
+  const auto known = tests::with_noise(system, 0.4), weaker = tests::with_noise(system, 0.36);
+  const exact::EnergyLaw law(weaker);
+  Solution solution;
+  solution.status = Status::ok;
+  solution.density = transform::SmoothDensity{law, 0.5, 6, -6};
+  const ProblemResiduals residuals(known);
+  EXPECT_EQ(residuals.refused(), "");
+  state_measured_error(residuals, 0.1, solution);
+  ASSERT_TRUE(solution.error);
+  EXPECT_EQ(solution.status, Status::ok) << solution.reason;
+  const double y1 = law.moment(1, 0) - exact::EnergyLaw(known).moment(1, 0);
+  EXPECT_NEAR(solution.error->moments.y1, std::abs(y1), 1e-3 * std::abs(y1));
+  EXPECT_GT(solution.error->ydot_l1, 0.05);  // 1 - sqrt(0.9) of a Gaussian, nearly
+  EXPECT_LT(solution.error->ydot_l1, 0.1);
+
+  const auto seen = tests::in_frame(known);
+  Solution in_frame = solution;
+  in_frame.density = transform::in_coordinates_of(seen.frame, *solution.density);
+  state_measured_error(ProblemResiduals(seen), 0.1, in_frame, seen.frame);
+  ASSERT_TRUE(in_frame.error);
+  EXPECT_NEAR(in_frame.error->y_l1, solution.error->y_l1, 1e-12);
+  EXPECT_NEAR(in_frame.error->moments.y1, solution.error->moments.y1, 1e-12);
+  EXPECT_NEAR(in_frame.error->moments.y4, solution.error->moments.y4, 1e-12);
+}
+
+TEST(MeasuredError, IsRefusedWhereTheLawHasAnAtom) {
+  const problem::System pressed(
+      {.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  Solution solution;
+  solution.status = Status::ok;
+  solution.density =
+      transform::SmoothDensity{[](double y, double v) { return std::exp(-(y * y + v * v)); }, 6, 6};
+  state_measured_error(
+      ProblemResiduals(tests::with_impulses(pressed, tests::gaussian_impulses(1, 0.5))), 1,
+      solution);
+  EXPECT_FALSE(solution.error);
+  EXPECT_EQ(solution.status, Status::inaccurate);
+  EXPECT_NE(solution.reason.find("atom"), std::string::npos) << solution.reason;
 }
 
 TEST(ProblemResiduals, AreFittedOnceForAllThreads) {

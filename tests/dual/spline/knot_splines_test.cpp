@@ -33,6 +33,23 @@ TEST(KnotSplines, ReproducePowersAndTheirSlopes) {
   }
 }
 
+TEST(KnotSplines, HaveTheCurvaturesOfPowers) {
+  const auto curvature = [](int p, double x) {
+    const auto c = splines().power(p);
+    const auto at = splines().curvatures(x);
+    double sum = 0;
+    for (int l = 0; l <= KnotSplines::kDegree; ++l) sum += c[splines().at(x).first + l] * at[l];
+    return sum;
+  };
+  for (int p = 0; p <= 5; ++p) {
+    for (const double x : {-5.0, -3.3, -0.01, 0.0, 0.4, 1.999, 4.2, 5.0}) {
+      const double exact = p < 2 ? 0 : p * (p - 1) * std::pow(x, p - 2);
+      EXPECT_NEAR(curvature(p, x), exact, 1e-10 * std::pow(5, p)) << p << ' ' << x;
+    }
+    EXPECT_EQ(curvature(p, 5.1), 0);
+  }
+}
+
 TEST(KnotSplines, GoOnAsConstants) {
   const auto c = splines().power(1);
   EXPECT_NEAR(combined(splines(), c, 7, false), 5, 1e-13);

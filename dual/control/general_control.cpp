@@ -1,0 +1,145 @@
+#include "dual/control/general_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "problem/scales.hpp"
+
+namespace fpkcheck::dual {
+namespace {
+
+constexpr double kBeyondY = 9.0 / 7, kBeyondV = 1.5;  // in units of Scales' extents
+constexpr double kEvenShare = 0.55;                   // of the extent, in cells of one width
+constexpr double kLeastCell = 0.05;                   // the narrowest cell, of the widest
+constexpr double kGrowth = 0.25;                      // of cells away from where they are narrowest
+constexpr int kCorner = 3;                            // knots at v = 0 with a wall
+constexpr double kHeat = 2;  // temperature of the weight, in variances of y'
+constexpr double kLeast = 1e-9;
+
+/// Break points from `begin` to `end` where cells have about the widths that `width` says, up to one
+/// factor for all.
+std::vector<double> breaks_of_widths(double begin, double end, int cells,
+                                     const std::function<double(double)>& width) {
+  constexpr int kSteps = 4000;
+  std::vector<double> passed{0};  // cells up to a point
+  const double step = (end - begin) / kSteps;
+  for (int k = 0; k < kSteps; ++k) {
+    passed.push_back(passed.back() + step / width(begin + (k + 0.5) * step));
+  }
+  std::vector<double> breaks{begin};
+  std::size_t at = 0;
+  for (int n = 1; n < cells; ++n) {
+    const double wanted = passed.back() * n / cells;
+    while (passed[at + 1] < wanted) ++at;
+    const double part = (wanted - passed[at]) / (passed[at + 1] - passed[at]);
+    breaks.push_back(begin + step * (static_cast<double>(at) + part));
+  }
+  breaks.push_back(end);
+  return breaks;
+}
+
+/// The widths of cells that are narrow at some points and wide beyond `low` and `high`, in terms of
+/// the width between them.
+std::function<double(double)> widths(std::vector<double> narrow_at, double even, double low,
+                                     double high) {
+  return [=](double x) {
+    const double outside = std::max({0.0, low - x, x - high});
+    double width = even + kGrowth * outside;
+    for (const double place : narrow_at) {
+      width = std::min(width, even * kLeastCell + kGrowth * std::abs(x - place));
+    }
+    return width;
+  };
+}
+
+/// Largest size of an impulse that is not rarer than 1e-9.
+double farthest_impulse(const problem::ImpulseTrain& impulses) {
+  if (!impulses.present()) return 0;
+  double largest = 0;
+  for (const auto& atom : impulses.law().atoms()) {
+    largest = std::max(largest, std::abs(atom.amplitude));
+  }
+  constexpr int kSteps = 200;
+  const auto pieces = impulses.law().smooth_pieces();
+  if (pieces.empty()) return largest;
+  for (const double end : {pieces.front(), pieces.back()}) {
+    for (int k = 1; k <= kSteps; ++k) {
+      const double at = end * k / kSteps;
+      if (impulses.law().density(at) * impulses.law().deviation() > kLeast) {
+        largest = std::max(largest, std::abs(at));
+      }
+    }
+  }
+  return largest;
+}
+
+/// By how much the box is wider than what the averaged density fills.
+double wider_by(const problem::Problem& problem, const problem::Scales& scales) {
+  constexpr double kBefore = 2;  // deviations of y' from which impulses reach on
+  const double after = kBefore * scales.velocity_deviation + farthest_impulse(problem.impulses);
+  return std::max(1.0, after / (kBeyondV * scales.v_high));
+}
+
+}  // namespace
+
+ControlSplines general_splines(const problem::Problem& problem, const ControlCells& cells) {
+  const problem::Scales scales = problem::scales(problem);
+  const problem::System& system = problem.system;
+  const double wider = wider_by(problem, scales);
+  const double low = scales.centre - scales.y_low, high = scales.y_high - scales.centre;
+  double begin = scales.centre - wider * kBeyondY * low;
+  double end = scales.centre + wider * kBeyondY * high;
+  std::vector<double> narrow_at;
+  int of_y = 2 * cells.y;
+  if (system.left() && system.left()->position > begin) {
+    begin = system.left()->position;
+    narrow_at.push_back(begin);
+    of_y = cells.y;
+  }
+  if (system.right() && system.right()->position < end) {
+    end = system.right()->position;
+    narrow_at.push_back(end);
+  }
+  const double v_end = wider * kBeyondV * scales.v_high;
+  const double even_y = (high + low) / cells.y, even_v = 2 * scales.v_high / cells.v;
+  const auto of_width_y = widths(narrow_at, even_y, scales.centre - wider * kEvenShare * low,
+                                 scales.centre + wider * kEvenShare * high);
+  const double even_to = wider * kEvenShare * scales.v_high;
+  const bool walls = !narrow_at.empty();
+  const auto of_width_v =
+      widths(walls ? std::vector<double>{0} : std::vector<double>{}, even_v, -even_to, even_to);
+  std::vector<double> side = breaks_of_widths(0, v_end, cells.v / 2, of_width_v), v_breaks;
+  for (auto at = side.rbegin(); at != side.rend(); ++at) v_breaks.push_back(-*at);
+  v_breaks.back() = 0;
+  v_breaks.insert(v_breaks.end(), side.begin() + 1, side.end());
+  return {.y = KnotSplines(knots_on(breaks_of_widths(begin, end, of_y, of_width_y))),
+          .v = KnotSplines(knots_on(v_breaks, walls ? kCorner : 1))};
+}
+
+ControlProblem general_control(const problem::Problem& problem, const KnotSplines& y,
+                               const KnotSplines& v, double wall_weight) {
+  const problem::Scales scales = problem::scales(problem);
+  const double temperature =
+      kHeat * std::pow(wider_by(problem, scales) * scales.velocity_deviation, 2);
+  const double push = problem.impulses.rate_moment(1);
+  const auto work = [potential = problem.system.potential(), push](double at) {
+    return potential(at) - push * at;
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const double at : y.breaks()) least = std::min(least, work(at));
+  return {.problem = problem,
+          .y = y,
+          .v = v,
+          .weight_y =
+              [=](double at) {
+                return std::clamp(std::exp(-(work(at) - least) / temperature), kLeast, 1.0);
+              },
+          .weight_v =
+              [=](double at) { return std::max(std::exp(-at * at / (2 * temperature)), kLeast); },
+          .wall_weight = wall_weight};
+}
+
+}  // namespace fpkcheck::dual
