@@ -32,6 +32,14 @@ inline constexpr double kUsualAccuracy = 1e-4;
 /// time for another.
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline);
 
+/// What solve_within() goes on for.
+struct Aim {
+  double accuracy = kUsualAccuracy;
+  bool until_ok = false;  ///< finer grids also where the error is small and the status not `ok`
+};
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
+                    const Aim& aim);
+
 /// Whether the one is ok and the other is not, or has an error estimate, or the smaller one.
 bool better(const Result& one, const Result& other);
 
