@@ -10,6 +10,7 @@
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -133,6 +134,11 @@ std::optional<double> RegularisationRow::growth(const problem::Problem& problem)
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const RegularisationStudyOptions& options,
                                          const std::function<void(int, int)>& progress) {
+  if (!of_the_paper(problem)) {
+    throw InputError(
+        "a study of the cut series beyond the paper's class (one wall at the equilibrium, constant "
+        "damping and impulses alone)");
+  }
   const auto& law = problem.impulses.law();
   RegularisationStudy study{.default_length = default_regularisation_length(law),
                             .shortest_length = shortest_regularisation_length(law),

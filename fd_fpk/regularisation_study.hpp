@@ -51,6 +51,7 @@ struct RegularisationStudyOptions {
 /// What the literal and the regularised fourth difference of km4, and its Pade approximant, do on
 /// finer and finer velocity steps: growth rates, eigenvalues and null vectors, well-posed or not.
 /// Steps are not refused: fd_fpk::solve does that.
+/// @throws InputError beyond the paper's class (problem::Features::original)
 /// @param progress called before each row with its number and the number of all
 RegularisationStudy study_regularisation(
     const problem::Problem& problem, const RegularisationStudyOptions& options = {},

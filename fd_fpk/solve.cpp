@@ -12,6 +12,10 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
+// The error in L1 that automatic grids are made for beyond the paper's class, where most densities are
+// smooth.
+constexpr double kAccuracyOfFamily = 2e-5;
+
 // Impulses per decay time beyond which characteristics are not tried.
 constexpr double kMostFrequent = 3000;
 
@@ -70,7 +74,9 @@ class Solver {
       : problem_(problem), options_(options), deadline_(options.max_seconds) {}
 
   Result solve() const {
-    if (!may_follow_characteristics(options_)) return by(Transport::upwind);
+    if (!of_the_paper(problem_) || !may_follow_characteristics(options_)) {
+      return by(Transport::upwind);
+    }
     if (options_.transport == Transport::characteristics) return by(Transport::characteristics);
     const bool along = prefer_characteristics(problem_);
     if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
@@ -104,13 +110,22 @@ class Solver {
   Result by(Transport transport, const Deadline& deadline, Answer so_far = Answer::none_yet) const {
     Options options = options_;
     options.transport = transport;
+    const bool family = !of_the_paper(problem_);
+    Surroundings surroundings{.scales = problem::scales(problem_)};
+    // All grids share it, and the lengths by which their cells are measured.
+    if (family) {
+      surroundings.box = stationary_box(problem_, surroundings.scales, options_, deadline, so_far);
+    }
     const auto on_one_grid = [&](const Options& grid, Answer before) {
       return transport == Transport::characteristics
                  ? solve_along_characteristics(problem_, grid, deadline, before)
-                 : solve_on_one_grid(problem_, grid, deadline, before);
+                 : solve_on_one_grid(problem_, surroundings, grid, deadline, before);
     };
     if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline, so_far);
-    if (grid_is_free(options)) return solve_within(on_one_grid, options, deadline, so_far);
+    if (grid_is_free(options)) {
+      const Aim aim = family ? Aim{.accuracy = kAccuracyOfFamily, .until_ok = true} : Aim{};
+      return solve_within(on_one_grid, options, deadline, aim, so_far);
+    }
     if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options, so_far);
     return on_one_grid(options, so_far);
   }

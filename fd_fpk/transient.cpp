@@ -12,6 +12,7 @@
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stopwatch.hpp"
+#include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -64,8 +65,9 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   Snapshot s{.time = time, .moments = moments(grid, averages, options.order)};
   s.energy = mean_energy(problem.system, grid, averages, options.order);
   const double energy_rate = mean_energy(problem.system, grid, op * averages, options.order);
-  const auto [input, dissipated] = problem::power(
-      problem, options.impact, energy_terms(s.moments, grid, averages, options.order));
+  const auto [input, dissipated] =
+      problem::power(problem, options.impact,
+                     energy_terms(problem.system, s.moments, grid, averages, options.order));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem.impulses.intensity() / 2);
   s.impact_rate = impact_flux(grid, averages, options.order, 1);
@@ -174,6 +176,11 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient) {
   validate(options, transient);
+  if (!of_the_paper(problem)) {
+    throw InputError(
+        "a density over time beyond the paper's class (one wall at the equilibrium, constant damping "
+        "and impulses alone: take the stationary density)");
+  }
   const Stopwatch stopwatch;
   TransientResult result = integrate_untimed(problem, options, transient);
   result.seconds = stopwatch.seconds();

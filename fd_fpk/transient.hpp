@@ -56,7 +56,8 @@ struct TransientResult {
 /// Status: `ok`; `ill_posed` as solve(); `not_converged` when CVODE stopped on the way;
 /// `inadmissible` when the density at some snapshot exceeds kBarsOverTime; `failed` when the box is
 /// too small or the grid would be too large.
-/// @throws InputError when the options cannot be used
+/// @throws InputError when the options cannot be used, and beyond the paper's class
+///         (problem::Features::original)
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient);
 

@@ -6,7 +6,8 @@
 
 namespace fpkcheck::fd_fpk {
 
-Line::Line(std::vector<double> faces, Beyond left) : faces_(std::move(faces)), left_(left) {}
+Line::Line(std::vector<double> faces, Beyond left, Beyond right)
+    : faces_(std::move(faces)), left_(left), right_(right) {}
 
 Line Line::uniform(double origin, double step, int cells, Beyond left) {
   std::vector<double> faces(cells + 1);

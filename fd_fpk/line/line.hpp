@@ -6,15 +6,16 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// What lies beyond face 0 of a line: nothing (p = 0 there, an outer wall of the box), or a
-/// boundary across which p must not be continued (the impact wall), so that stencils are shifted
-/// inwards. Beyond the last face there is always nothing.
+/// What lies beyond an end of a line: nothing (p = 0 there, an outer wall of the box), or a
+/// boundary across which p must not be continued (an impact wall), so that stencils are shifted
+/// inwards.
 enum class Beyond { vacuum, boundary };
 
 /// A line cut into cells: `cells() + 1` increasing faces.
 class Line {
  public:
-  explicit Line(std::vector<double> faces, Beyond left = Beyond::vacuum);
+  explicit Line(std::vector<double> faces, Beyond left = Beyond::vacuum,
+                Beyond right = Beyond::vacuum);
   /// `cells` cells of width `step`; the first begins at `origin`.
   static Line uniform(double origin, double step, int cells, Beyond left = Beyond::vacuum);
 
@@ -27,6 +28,7 @@ class Line {
   double smallest_width() const;
 
   Beyond left() const { return left_; }
+  Beyond right() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
   Eigen::VectorXd widths() const;
   /// The line that begins at an inner face, with vacuum on both sides.
@@ -34,7 +36,7 @@ class Line {
 
  private:
   std::vector<double> faces_;
-  Beyond left_;
+  Beyond left_, right_;
 };
 
 /// How cells grow away from x = 0. The number of cells up to x is proportional to

@@ -49,6 +49,11 @@ void append(Triplets& entries, const Line& line, int row, int first_cell,
   }
 }
 
+// Shifts a stencil off a boundary at the end of the line.
+int not_beyond(const Line& line, int first, int points) {
+  return line.right() == Beyond::boundary ? std::min(first, line.cells() - points) : first;
+}
+
 // Shifts a stencil off a boundary at face `limit` on its left.
 int not_before(const Line& line, int first, int limit) {
   return limit > 0 || line.left() == Beyond::boundary ? std::max(first, limit) : first;
@@ -61,7 +66,7 @@ LineOperator on_inner_faces(const Line& line, int points, Bias bias, int derivat
   Triplets entries;
   const int upstream = bias == Bias::left ? (points + 1) / 2 : points / 2;
   for (int f = 1; f < line.cells(); ++f) {
-    const int first = not_before(line, f - upstream, 0);
+    const int first = not_beyond(line, not_before(line, f - upstream, 0), points);
     const double width = line.width(f);
     append(entries, line, f, first,
            exact_weights(line, first, points, line.face(f), width, functional) /
@@ -90,6 +95,15 @@ LineOperator end_value(const Line& line, int points) {
   return assemble(1, line.cells(), entries);
 }
 
+LineOperator last_value(const Line& line, int points) {
+  Triplets entries;
+  const int last = line.cells();
+  append(entries, line, 0, last - points,
+         exact_weights(line, last - points, points, line.face(last), line.width(last - 1),
+                       value_at_zero));
+  return assemble(1, line.cells(), entries);
+}
+
 LineOperator weighted_averages(const Line& line, int points, const problem::Polynomial& weight,
                                std::optional<int> barrier) {
   Triplets entries;
@@ -98,6 +112,7 @@ LineOperator weighted_averages(const Line& line, int points, const problem::Poly
     const bool beyond = barrier && i >= *barrier;
     int first = not_before(line, i - points / 2, beyond ? *barrier : 0);
     if (barrier && !beyond) first = std::min(first, *barrier - points);
+    first = not_beyond(line, first, points);
     // weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division.
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {

@@ -26,6 +26,9 @@ LineOperator face_derivatives(const Line& line, int points);
 /// The value at face 0 by extrapolation from the first `points` cells, shape (1, cells).
 LineOperator end_value(const Line& line, int points);
 
+/// The same at the last face from the last cells.
+LineOperator last_value(const Line& line, int points);
+
 /// Averages of weight(x) p over each cell from averages of p, shape (cells, cells). Stencils of
 /// `points` cells (odd) do not reach across the inner face `barrier`, if one is given.
 LineOperator weighted_averages(const Line& line, int points, const problem::Polynomial& weight,

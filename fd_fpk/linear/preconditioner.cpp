@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -35,16 +35,20 @@ Excitation without_exchange(const Excitation& excitation, const Line& x2) {
 }  // namespace
 
 Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                               problem::Impact impact, const Grid& grid, int order) {
+                               problem::Impact impact, const Grid& grid, int order)
+    : Preconditioner(problem.system, problem::scales(problem).slowest_decay, excitation, impact,
+                     grid, order) {}
+
+Preconditioner::Preconditioner(const problem::System& system, double loss,
+                               const Excitation& excitation, problem::Impact impact,
+                               const Grid& grid, int order) {
   const bool centred = order % 2 == 0;
-  const double loss = problem::slowest_decay(problem::equivalent_linearisation(problem));
-  approximation_ =
-      shifted(1,
-              fokker_planck_operator(problem.system, without_exchange(excitation, grid.x2), impact,
-                                     grid, centred ? order : kOrder,
-                                     centred ? Weighting::full : Weighting::lumped)
-                  .local,
-              -loss);
+  approximation_ = shifted(1,
+                           fokker_planck_operator(system, without_exchange(excitation, grid.x2),
+                                                  impact, grid, centred ? order : kOrder,
+                                                  centred ? Weighting::full : Weighting::lumped)
+                               .local,
+                           -loss);
 }
 
 bool Preconditioner::factor(double gamma) {

@@ -7,6 +7,7 @@
 
 namespace fpkcheck::problem {
 struct Problem;
+class System;
 }  // namespace fpkcheck::problem
 
 namespace fpkcheck::fd_fpk {
@@ -21,6 +22,9 @@ class Preconditioner {
   ///        differences lack the upwind dissipation, and GMRES would not get along with it.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order = 3);
+  /// @param loss problem::Scales::slowest_decay, where it is known
+  Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
+                 problem::Impact impact, const Grid& grid, int order);
 
   /// Factors I - gamma M. False when it failed; see failure().
   bool factor(double gamma);

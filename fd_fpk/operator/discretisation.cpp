@@ -7,6 +7,7 @@
 
 #include "fd_fpk/line/growth.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 #include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -61,8 +62,9 @@ Grading x1_grading(const problem::Problem& problem, const Options& options, doub
   return {.reach = kLongReach * deviation, .core = std::pow(of_x2.core, 3) / d2};
 }
 
-Excitation excitation(const problem::ImpulseTrain& impulses, const Options& options,
-                      const Line& line, double regularisation_length) {
+Excitation of_impulses(const problem::ImpulseTrain& impulses, const Options& options,
+                       const Line& line, double regularisation_length) {
+  if (!impulses.present()) return {};  // then all equations are the same
   switch (options.equation) {
     case Equation::white:
       return white_noise(impulses);
@@ -76,10 +78,18 @@ Excitation excitation(const problem::ImpulseTrain& impulses, const Options& opti
   return {};
 }
 
+// White noise adds D p'' to every equation.
+Excitation excitation(const problem::Problem& problem, const Options& options, const Line& line,
+                      double regularisation_length) {
+  Excitation terms = of_impulses(problem.impulses, options, line, regularisation_length);
+  terms.diffusion += problem.noise.diffusion();
+  return terms;
+}
+
 // l of km4 on these cells: 0 asks for the literal scheme.
 double regularisation_length(const problem::Problem& problem, const Options& options,
                              const Line& line) {
-  if (options.equation != Equation::km4) return 0;
+  if (options.equation != Equation::km4 || !problem.impulses.present()) return 0;
   if (!options.regularisation_length) {
     return default_regularisation_length(problem.impulses, line, centred_points(options.order));
   }
@@ -99,6 +109,12 @@ std::string objection(const problem::Problem& problem, const Options& options, c
     std::string collapse = problem::collapse_objection(problem, options.equation);
     if (!collapse.empty()) return collapse;
   }
+  if (!(nx * nv <= kMostCells)) {
+    return fmt::format(
+        "the grid needs {:.9g} x {:.9g} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
+        kMostCells);
+  }
+  if (!problem.impulses.present()) return "";
   if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
     return "the Pade approximant of the truncated series does not exist for so skew a law, "
            "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2 (solve km4 or kf)";
@@ -117,11 +133,6 @@ std::string objection(const problem::Problem& problem, const Options& options, c
         "impulses of deviation {:.2g} are lost in cells of width {:.2g}: the jumps cannot be told "
         "from white noise (solve white, whose relative error is of the order 1e-4)",
         deviation, width);
-  }
-  if (!(nx * nv <= kMostCells)) {
-    return fmt::format(
-        "the grid needs {:.9g} x {:.9g} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
-        kMostCells);
   }
   return "";
 }
@@ -153,19 +164,155 @@ int cells_more(int cells, double length, double factor, const Grading& grading) 
   return static_cast<int>(std::lround((quotient - 1) * cells));
 }
 
+// The coefficient of p'' in the terms that act on the shortest lengths.
+double local_diffusion(const problem::Problem& problem, Equation equation) {
+  const bool series = equation == Equation::white || equation == Equation::km4;
+  return problem.noise.diffusion() + (series ? problem.impulses.rate_moment(2) / 2 : 0);
+}
+
+bool loses(const std::optional<problem::Wall>& wall) {
+  constexpr double kSmallJump = 0.1;  // of the density at the wall, at x2 = 0
+  return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
+}
+
+// Where cells shrink beyond the paper's class, and how far: at walls with losses and at x2 = 0. Under
+// noise, which takes hold of what is slow at the wall whatever the force, as the cube of x2's
+// (x1_grading). The long reach in both directions: with it neighbours differ by less than a fifth.
+struct GradingsAtWalls {
+  Grading x1, x2;
+};
+GradingsAtWalls gradings_at_walls(const problem::Problem& problem, const Options& options,
+                                  double factor, const Lengths& lengths) {
+  if (factor == 1) return {};
+  const auto of = [&](double length) {
+    return Grading{.reach = kLongReach * length, .core = kLongReach * length / (factor - 1)};
+  };
+  GradingsAtWalls gradings{.x1 = of(lengths.x1), .x2 = of(lengths.x2)};
+  const double diffusion = local_diffusion(problem, options.equation);
+  if (diffusion > 0 && (options.order == 3 || options.order == 5)) {
+    gradings.x1.core = std::min(gradings.x1.core, std::pow(gradings.x2.core, 3) / diffusion);
+  }
+  return gradings;
+}
+
+// The automatic choice of origin_refinement() beyond the paper's class.
+double refinement_at_walls(const problem::Problem& problem, const Options& options) {
+  if (!loses(problem.system.left()) && !loses(problem.system.right())) return 1;
+  const bool singular = local_diffusion(problem, options.equation) > 0;
+  return singular ? kOriginUnderWhiteNoise : kRefinedOrigin;
+}
+
+// Faces between the walls or the ends of the box, so many if they are given.
+std::vector<double> faces_between_walls(const problem::System& system, const Box& box, double step,
+                                        const Grading& grading, std::optional<int> cells) {
+  std::vector<Centre> centres;
+  if (grading.reach > 0 && loses(system.left())) centres.push_back({box.x1_min, grading});
+  if (grading.reach > 0 && loses(system.right())) centres.push_back({box.x1_max, grading});
+  if (cells) {
+    double all = box.x1_max - box.x1_min;
+    for (std::size_t n = 0; n < centres.size(); ++n) {
+      all += graded_cells(box.x1_max - box.x1_min, 1, grading) - (box.x1_max - box.x1_min);
+    }
+    step = all / *cells * (1 + 1e-12);
+  }
+  return faces_graded_to(box.x1_min, box.x1_max, step, centres);
+}
+
+Discretisation discretise_family(const problem::Problem& problem, const Options& options,
+                                 const Box& box) {
+  const problem::System& system = problem.system;
+  const double at_walls = origin_refinement(problem, options);
+  const GradingsAtWalls gradings = gradings_at_walls(problem, options, at_walls, box.lengths);
+  const double width = (at_walls == 1 ? 1 : kGradedWidth) / options.refinement;
+  const double from_end_to_end = box.x1_max - box.x1_min;
+  const double about =
+      options.nx ? *options.nx : cells_over(from_end_to_end, width * kX1Step * box.lengths.x1, {});
+  const double step = from_end_to_end / about;
+  const double nv = options.nv
+                        ? *options.nv
+                        : 2 * cells_over(box.x2_max, width * kX2Step * box.lengths.x2, gradings.x2);
+  std::string refusal = objection(problem, options, box, about, nv);
+  std::vector<double> faces;
+  if (refusal.empty()) {
+    faces = faces_between_walls(system, box, step, gradings.x1, options.nx);
+    refusal = objection(problem, options, box, static_cast<double>(faces.size() - 1), nv);
+  }
+  if (!refusal.empty()) {
+    return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};
+  }
+  Grid grid = symmetric_grid(std::move(faces),
+                             graded_faces(box.x2_max, static_cast<int>(nv) / 2, gradings.x2),
+                             system.left() ? Beyond::boundary : Beyond::vacuum,
+                             system.right() ? Beyond::boundary : Beyond::vacuum);
+  const double length = regularisation_length(problem, options, grid.x2);
+  Excitation terms = excitation(problem, options, grid.x2, length);
+  return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};
+}
+
 }  // namespace
 
+bool of_the_paper(const problem::Problem& problem) { return problem::features(problem).original; }
+
+Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
+                   const problem::Scales& scales) {
+  constexpr double kFaint = 1e-3;     // of the peak: what is below may be noise of the grid
+  constexpr double kShortest = 0.25;  // deviations
+  const Eigen::Index nx = grid.nx(), nv = grid.nv();
+  const double faint = kFaint * averages.maxCoeff();
+  double of_x1 = 0, of_x2 = 0, mass = 0;
+  const auto slope = [&](double p, double next, double distance) {
+    return p > faint && next > faint ? std::pow((next - p) / distance, 2) * 2 / (p + next) : 0;
+  };
+  for (Eigen::Index i = 0; i < nx; ++i) {
+    const int x1 = static_cast<int>(i);
+    for (Eigen::Index j = 0; j < nv; ++j) {
+      const int x2 = static_cast<int>(j);
+      const double area = grid.x1.width(x1) * grid.x2.width(x2), p = averages(i * nv + j);
+      mass += area * p;
+      if (i + 1 < nx) {
+        of_x1 += area *
+                 slope(p, averages((i + 1) * nv + j), grid.x1.centre(x1 + 1) - grid.x1.centre(x1));
+      }
+      if (j + 1 < nv) {
+        of_x2 +=
+            area * slope(p, averages(i * nv + j + 1), grid.x2.centre(x2 + 1) - grid.x2.centre(x2));
+      }
+    }
+  }
+  const auto length = [&](double information, double deviation) {
+    return std::clamp(std::sqrt(mass / information), kShortest * deviation, deviation);
+  };
+  return {length(of_x1, scales.displacement_deviation), length(of_x2, scales.velocity_deviation)};
+}
+
 Box initial_box(const problem::Problem& problem, const Options& options) {
-  const auto linear = problem::equivalent_linearisation(problem);
+  return initial_box(problem, problem::scales(problem), options);
+}
+
+Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
+                const Options& options) {
   const auto& law = problem.impulses.law();
+  if (!of_the_paper(problem)) {
+    const problem::System& system = problem.system;
+    Box box{.x1_max = options.x1_max.value_or(scales.y_high),
+            .x2_max = options.x2_max.value_or(std::max(
+                scales.v_high, problem.impulses.present()
+                                   ? std::abs(law.moment(1)) + kImpulseBox * law.deviation()
+                                   : 0)),
+            .x1_min = options.x1_max ? -*options.x1_max : scales.y_low,
+            .lengths = {scales.displacement_deviation, scales.velocity_deviation}};
+    if (system.left()) box.x1_min = system.left()->position;
+    if (system.right()) box.x1_max = system.right()->position;
+    return box;
+  }
   return {
-      options.x1_max.value_or(problem::static_deflection(problem) +
-                              kX1Box * linear.displacement_deviation),
-      options.x2_max.value_or(std::max(kX2Box * linear.velocity_deviation,
+      options.x1_max.value_or(scales.centre + kX1Box * scales.displacement_deviation),
+      options.x2_max.value_or(std::max(kX2Box * scales.velocity_deviation,
                                        std::abs(law.moment(1)) + kImpulseBox * law.deviation()))};
 }
 
 bool unbounded_at_origin(const problem::Problem& problem) {
+  if (!of_the_paper(problem)) return false;
   return problem::impulses_per_decay_time(problem) <= 2;
 }
 
@@ -176,6 +323,9 @@ bool off_the_wall(const problem::Problem& problem) {
 }
 
 double origin_refinement(const problem::Problem& problem, const Options& options) {
+  if (!of_the_paper(problem)) {
+    return options.origin_refinement.value_or(refinement_at_walls(problem, options));
+  }
   constexpr double kSmallJump = 0.1;
   const double r = problem.system.restitution();
   const bool jumps = 1 / (r * r) - 1 > kSmallJump;
@@ -202,6 +352,7 @@ Extent beyond(const problem::Problem& problem, const Options& options, const Gri
 }
 
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
+  if (!of_the_paper(problem)) return discretise_family(problem, options, box);
   const auto linear = problem::equivalent_linearisation(problem);
   const auto [of_x1, of_x2] = gradings(problem, options);
   const double width =
@@ -220,7 +371,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   Grid grid =
       make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max, of_x1, of_x2);
   const double length = regularisation_length(problem, options, grid.x2);
-  Excitation terms = excitation(problem.impulses, options, grid.x2, length);
+  Excitation terms = excitation(problem, options, grid.x2, length);
   return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};
 }
 
@@ -241,7 +392,7 @@ UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const 
         std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / step));
   }
   Line line = Line::uniform(0, step, 2 * reach + 1);
-  Excitation terms = excitation(problem.impulses, options, line, length);
+  Excitation terms = excitation(problem, options, line, length);
   return {std::move(line), std::move(terms)};
 }
 

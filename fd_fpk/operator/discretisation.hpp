@@ -5,13 +5,21 @@
 #include "fd_fpk/operator/operator.hpp"
 #include "fd_fpk/options.hpp"
 #include "problem/problem.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 
-/// The box in which the density is sought.
+/// Over how much the density changes in either direction; 0 where nobody has looked.
+struct Lengths {
+  double x1 = 0, x2 = 0;
+};
+
+/// The box in which the density is sought: impact walls stand at its ends, where there are any.
 struct Box {
   double x1_max;
   double x2_max;
+  double x1_min = 0;
+  Lengths lengths = {};  ///< what cells are fractions of, beyond the paper's class
 };
 
 /// Most cells of a grid: the factors of the preconditioner and GMRES's vectors then take about two
@@ -42,8 +50,8 @@ inline constexpr double kOriginUnderWhiteNoise = 32;
 /// options.origin_refinement, or the automatic choice.
 double origin_refinement(const problem::Problem& problem, const Options& options);
 
-/// Cells of about 1/7 (x1) and 1/6 (x2) of a deviation of equivalent linearisation, wider by 1.6
-/// far out on a graded grid, unless the options set their number.
+/// Cells of about 1/7 (x1) and 1/6 (x2) of a deviation of equivalent linearisation, or of the box's
+/// lengths, wider by 1.6 far out on a graded grid, unless the options set their number.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
 /// A box, and cells that it is cut into.
@@ -71,7 +79,19 @@ UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const 
                                          double step);
 
 /// What the options say of the box, else 6 (x1, beyond the static deflection) and 7 (x2) deviations
-/// of equivalent linearisation, and 6.5 deviations of a single impulse in x2.
+/// of equivalent linearisation, and 6.5 deviations of a single impulse in x2. Beyond the paper's
+/// class to where problem::Scales end, and to the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
+Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
+                const Options& options);
+
+/// The problem is of the paper's class (problem::Features::original): scales, cells and grading are
+/// those of equivalent linearisation.
+bool of_the_paper(const problem::Problem& problem);
+
+/// The lengths of a density on a coarse grid, by its Fisher information: l^-2 = E[(d ln p/dx)^2], the
+/// variance of what is normal and less in several wells or on a ring; at most the deviations.
+Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
+                   const problem::Scales& scales);
 
 }  // namespace fpkcheck::fd_fpk

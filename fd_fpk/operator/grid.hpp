@@ -6,16 +6,18 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Cells on x1 in [0, x1_max], x2 in [-x2_max, x2_max]: the half of the (z, z') plane that point
-/// symmetry leaves. x1 = 0 and x2 = 0 lie on faces, and the faces of x2 are symmetric. The unknown
-/// is the average of p(y, y') = 2 p(z, z') over each cell; cell (i, j) has index i nv() + j.
+/// Cells on x1 in [x1_min, x1_max], x2 in [-x2_max, x2_max]. With a wall x1_min = 0: in the paper's
+/// class this is the half of the (z, z') plane that point symmetry leaves. x2 = 0 lies on a face, and
+/// the faces of x2 are symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the paper)
+/// over each cell; cell (i, j) has index i nv() + j.
 struct Grid {
-  Line x1;  ///< the impact wall is its boundary on the left
+  Line x1;  ///< impact walls are its boundaries
   Line x2;
 
   int nx() const { return x1.cells(); }
   int nv() const { return x2.cells(); }  ///< even
   int size() const { return nx() * nv(); }
+  double x1_min() const { return x1.faces().front(); }
   double x1_max() const { return x1.faces().back(); }
   double x2_max() const { return x2.faces().back(); }
   /// Areas of the cells, shape (size).
@@ -24,8 +26,10 @@ struct Grid {
   Line speeds() const { return x2.from(nv() / 2); }
 };
 
-/// @param x1, positive_x2 faces from 0 on; those of x2 are mirrored
-Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2);
+/// @param positive_x2 faces from 0 on, which are mirrored
+/// @param left,right what is at the ends of x1
+Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
+                    Beyond left = Beyond::boundary, Beyond right = Beyond::vacuum);
 
 /// @param nx,nv cells in x1 and x2; nv even
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "fd_fpk/line/line_operators.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "fd_fpk/operator/discretisation.hpp"
 #include "problem/motion_balances.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -24,11 +24,35 @@ double integral(const Line& line, const Eigen::VectorXd& marginal, int order,
   return line.widths().dot(weighted_averages(line, weighting_points(order), weight) * marginal);
 }
 
-Eigen::VectorXd bell(const Line& line, double deviation) {
-  const auto cdf = [&](double x) { return 0.5 * std::erfc(-x / (deviation * std::sqrt(2.0))); };
+// The integral of a product of polynomials against the joint density.
+double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int order,
+                      const problem::Polynomial& of_x1, const problem::Polynomial& of_x2) {
+  const int points = weighting_points(order);
+  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  const Eigen::RowVectorXd v =
+      grid.x2.widths().transpose() * weighted_averages(grid.x2, points, of_x2);
+  const Eigen::RowVectorXd x =
+      grid.x1.widths().transpose() * weighted_averages(grid.x1, points, of_x1);
+  return v * p * x.transpose();
+}
+
+Eigen::VectorXd bell(const Line& line, double deviation, double centre = 0) {
+  const auto cdf = [&](double x) {
+    return 0.5 * std::erfc(-(x - centre) / (deviation * std::sqrt(2.0)));
+  };
   Eigen::VectorXd averages(line.cells());
   for (int i = 0; i < line.cells(); ++i) averages(i) = cdf(line.face(i + 1)) - cdf(line.face(i));
   return averages.cwiseQuotient(line.widths());
+}
+
+// Of mass 1 on the grid.
+Eigen::VectorXd gaussian(const Grid& grid, double centre, double displacement_deviation,
+                         double velocity_deviation) {
+  const Eigen::VectorXd y = bell(grid.x1, displacement_deviation, centre);
+  const Eigen::VectorXd v = bell(grid.x2, velocity_deviation);
+  Eigen::VectorXd averages(grid.size());
+  Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
+  return averages / grid.areas().dot(averages);
 }
 
 }  // namespace
@@ -46,6 +70,24 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, in
   return {.y1 = of_y(1), .y2 = of_y(2), .y4 = of_y(4), .v1 = of_v(1), .v2 = of_v(2), .v4 = of_v(4)};
 }
 
+transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
+                                    const Eigen::VectorXd& averages, int order) {
+  transform::Moments result = moments(grid, averages, order);
+  if (frame.is_identity()) return result;
+  const Eigen::VectorXd y = marginals(grid, averages).y;
+  // y = frame.origin + sign x as a polynomial of x
+  const problem::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
+  const auto of_y = [&](const problem::Polynomial::Coefficients& monomial_of_y) {
+    return integral(grid.x1, y, order,
+                    problem::Polynomial(monomial_of_y).of_shifted(frame.origin, frame.sign()));
+  };
+  result.y1 = of_y(y1);
+  result.y2 = of_y(y2);
+  result.y4 = of_y(y4);
+  result.v1 *= frame.sign();
+  return result;
+}
+
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
                    int order) {
   const auto [y, v] = marginals(grid, averages);
@@ -53,8 +95,16 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
          integral(grid.x1, y, order, system.potential());
 }
 
-double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power) {
+double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power,
+                   End end) {
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  if (end == End::right) {
+    const Eigen::VectorXd wall = p * last_value(grid.x1, order).transpose();
+    const int outgoing = grid.nv() / 2;
+    const LineOperator weighted =
+        weighted_averages(grid.x2, weighting_points(order), monomial(power), outgoing);
+    return grid.x2.widths().tail(outgoing).dot((weighted * wall).tail(outgoing));
+  }
   const Eigen::VectorXd wall = p * end_value(grid.x1, order).transpose();
   const auto speed = monomial(power, power % 2 == 0 ? 1 : -1);  // |v|^power for v < 0
   const int half = grid.nv() / 2;
@@ -62,17 +112,33 @@ double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order,
   return grid.x2.widths().head(half).dot((weighted * wall).head(half));
 }
 
-problem::EnergyTerms energy_terms(const transform::Moments& moments, const Grid& grid,
-                                  const Eigen::VectorXd& averages, int order) {
-  return {.mean_velocity = moments.v1,
-          .mean_square_velocity = moments.v2,
-          .impact_energy_flux = impact_flux(grid, averages, order, 3)};
+double impact_rate(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
+                   int order) {
+  double rate = 0;
+  if (system.left()) rate += impact_flux(grid, averages, order, 1);
+  if (system.right()) rate += impact_flux(grid, averages, order, 1, End::right);
+  return rate;
+}
+
+problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
+                                  const Grid& grid, const Eigen::VectorXd& averages, int order) {
+  problem::EnergyTerms terms{
+      .mean_velocity = moments.v1, .mean_square_velocity = moments.v2, .impact_energy_flux = 0};
+  if (system.left()) terms.impact_energy_flux = impact_flux(grid, averages, order, 3);
+  if (system.right()) terms.right_energy_flux = impact_flux(grid, averages, order, 3, End::right);
+  if (!system.damping_is_constant()) {
+    terms.mean_damping_power =
+        joint_integral(grid, averages, order, system.damping_polynomial(), monomial(2)) +
+        system.rayleigh() * moments.v4;
+  }
+  return terms;
 }
 
 double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
                        const Eigen::VectorXd& averages, int order) {
   return problem::energy_residual(
-      problem, impact, energy_terms(moments(grid, averages, order), grid, averages, order));
+      problem, impact,
+      energy_terms(problem.system, moments(grid, averages, order), grid, averages, order));
 }
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
@@ -80,37 +146,58 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
                                               double impact_momentum) {
   const auto [y, v] = marginals(grid, averages);
   const auto& force = problem.system.force();
-  const auto virial = problem::virial_balance(
-      problem, {.mean_displacement = integral(grid.x1, y, order, monomial(1)),
-                .mean_square_velocity = integral(grid.x2, v, order, monomial(2)),
-                .mean_virial = integral(grid.x1, y, order, force.times_argument())});
-  const auto momentum = problem::momentum_balance(
-      problem,
-      {.mean_force = integral(grid.x1, y, order, force), .impact_momentum = impact_momentum});
-  return {.virial = virial.residual(), .momentum = momentum.residual()};
+  const problem::System& system = problem.system;
+  problem::VirialTerms for_virial{
+      .mean_displacement = integral(grid.x1, y, order, monomial(1)),
+      .mean_square_velocity = integral(grid.x2, v, order, monomial(2)),
+      .mean_virial = integral(grid.x1, y, order, force.times_argument())};
+  problem::MomentumTerms for_momentum{.mean_force = integral(grid.x1, y, order, force),
+                                      .impact_momentum = impact_momentum};
+  if (system.right()) {
+    for_virial.right_momentum = for_momentum.right_momentum =
+        impact_flux(grid, averages, order, 2, End::right);
+  }
+  if (system.rayleigh() != 0) {
+    for_virial.mean_y_cubed_velocity =
+        joint_integral(grid, averages, order, monomial(1), monomial(3));
+    for_momentum.mean_cubed_velocity = integral(grid.x2, v, order, monomial(3));
+  }
+  transform::BalanceResiduals residuals{
+      .virial = problem::virial_balance(problem, for_virial).residual()};
+  if (system.left() || system.right() || problem.impulses.rate_moment(1) != 0) {
+    residuals.momentum = problem::momentum_balance(problem, for_momentum).residual();
+  }
+  return residuals;
 }
 
 WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
                                   const Eigen::VectorXd& averages) {
-  const auto linear = problem::equivalent_linearisation(problem);
+  return relative_wall_density(problem::scales(problem), grid, averages);
+}
+
+WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
+                                  const Eigen::VectorXd& averages) {
   // Two half-plane Gaussians at the origin: 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
-      1 / (std::numbers::pi * linear.displacement_deviation * linear.velocity_deviation);
+      1 / (std::numbers::pi * scales.displacement_deviation * scales.velocity_deviation);
   return wall_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
 }
 
 Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
                                 double velocity_deviation) {
-  const Eigen::VectorXd y = bell(grid.x1, displacement_deviation);
-  const Eigen::VectorXd v = bell(grid.x2, velocity_deviation);
-  Eigen::VectorXd averages(grid.size());
-  Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
-  return averages / grid.areas().dot(averages);
+  return gaussian(grid, 0, displacement_deviation, velocity_deviation);
 }
 
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem) {
-  const auto linear = problem::equivalent_linearisation(problem);
-  return folded_gaussian(grid, linear.displacement_deviation, linear.velocity_deviation);
+  return gaussian_start(grid, problem, problem::scales(problem));
+}
+
+Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem,
+                               const problem::Scales& scales) {
+  if (of_the_paper(problem)) {
+    return folded_gaussian(grid, scales.displacement_deviation, scales.velocity_deviation);
+  }
+  return gaussian(grid, scales.centre, scales.displacement_deviation, scales.velocity_deviation);
 }
 
 }  // namespace fpkcheck::fd_fpk

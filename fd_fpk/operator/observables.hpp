@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 
 #include "fd_fpk/operator/grid.hpp"
+#include "fd_fpk/operator/operator.hpp"
 #include "problem/energy_balance.hpp"
+#include "problem/scales.hpp"
 #include "transform/balance_residuals.hpp"
 #include "transform/density.hpp"
 
@@ -16,29 +18,40 @@ struct Marginals {
 };
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
 
-/// E[y^n], E[y'^n] from cell averages, with the same order as the operator.
+/// E[x^n], E[x'^n] from cell averages, with the same order as the operator, in the grid's
+/// coordinates: y where the problem is its own frame.
 transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order);
+
+/// E[y^n], E[y'^n] of cell averages in coordinates x: of y = frame.y(x), y' = frame.v(x').
+transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
+                                    const Eigen::VectorXd& averages, int order);
 
 /// E[v^2]/2 + E[U(y)], U the potential of the spring: averaged over the cells as the operator
 /// averages the force. Linear in the averages, so that the rate of a density gives the energy's.
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
                    int order);
 
-/// int_{v<0} |v|^power p(0, v) dv from the extrapolation to the wall that the operator uses;
-/// power >= 1: 1 is the impact rate, 3 enters the energy balance.
-double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power);
+/// int_{v<0} |v|^power p(0, v) dv, or int_{v>0} v^power p(b, v) dv at the end b, from the
+/// extrapolation to the wall that the operator uses; power >= 1: 1 is the impact rate, 3 enters the
+/// energy balance.
+double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power,
+                   End end = End::left);
+/// The sum of it over what walls there are.
+double impact_rate(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
+                   int order);
 
-/// What the balance of power needs of cell averages with these moments.
-problem::EnergyTerms energy_terms(const transform::Moments& moments, const Grid& grid,
-                                  const Eigen::VectorXd& averages, int order);
+/// What the balance of power needs of cell averages with these moments (in the grid's coordinates).
+problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
+                                  const Grid& grid, const Eigen::VectorXd& averages, int order);
 
 /// problem::energy_residual of cell averages.
 double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
                        const Eigen::VectorXd& averages, int order);
 
 /// problem::virial_balance and problem::momentum_balance of cell averages. The force is averaged
-/// over the cells as the operator averages it.
-/// @param impact_momentum int_{v<0} v^2 p(0, v) dv
+/// over the cells as the operator averages it. Without a wall and without a mean of the impulses
+/// there is no residual of momentum: both sides are 0.
+/// @param impact_momentum int_{v<0} v^2 p(0, v) dv; not looked at without a wall on the left
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
                                               const Eigen::VectorXd& averages, int order,
                                               double impact_momentum);
@@ -47,6 +60,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
 /// where that is lower: a spike at rest must not hide a tail.
 WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
                                   const Eigen::VectorXd& averages);
+WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
+                                  const Eigen::VectorXd& averages);
 
 /// Cell averages, with mass 1, of the Gaussian of (z, z') with mean zero and these deviations,
 /// folded to the half-plane: twice its density on y >= 0.
@@ -54,7 +69,10 @@ Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
                                 double velocity_deviation);
 
 /// Cell averages of the density of equivalent linearisation on the half-plane, mass 1: the start of
-/// the march and of the inverse iteration.
+/// the march and of the inverse iteration. Beyond the paper's class the Gaussian of problem::Scales
+/// between the walls.
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem);
+Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem,
+                               const problem::Scales& scales);
 
 }  // namespace fpkcheck::fd_fpk

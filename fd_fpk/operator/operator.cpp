@@ -1,5 +1,7 @@
 #include "fd_fpk/operator/operator.hpp"
 
+#include <cmath>
+
 #include "fd_fpk/line/impact_map.hpp"
 #include "problem/system.hpp"
 
@@ -55,24 +57,42 @@ SparseColumns streaming(const Grid& grid, int order, int weight_points) {
          tensor(leftwards, rows_only(minus_speed, 0, half));
 }
 
-// Outgoing probability leaves the first column of cells at x2 < 0 and returns to it at x2 > 0.
-SparseColumns exchange_at_wall(const problem::System& system, problem::Impact impact,
-                               const Grid& grid, int order) {
+// The velocity cell of speed cell b of what moves to an end, and of what leaves it.
+int outgoing(const Grid& grid, End end, int b) {
+  const int half = grid.nv() / 2;
+  return end == End::left ? half - 1 - b : half + b;
+}
+int returning(const Grid& grid, End end, int b) {
+  return outgoing(grid, end == End::left ? End::right : End::left, b);
+}
+
+// Outgoing probability leaves the column of cells at the wall, at x2 < 0 on the left, and returns to
+// it with the other sign of x2.
+SparseColumns exchange_at_wall(double restitution, problem::Impact impact, const Grid& grid,
+                               int order, End end) {
   const int half = grid.nv() / 2;
   LineOperator exchange(grid.nv(), half);  // from speed cells to velocity cells
   {
     std::vector<Eigen::Triplet<double>> entries;
-    for (int b = 0; b < half; ++b) entries.emplace_back(half - 1 - b, b, -1.0);
-    const LineOperator returned = impact_map(grid.speeds(), system.restitution(), impact, order);
+    for (int b = 0; b < half; ++b) entries.emplace_back(outgoing(grid, end, b), b, -1.0);
+    const LineOperator returned = impact_map(grid.speeds(), restitution, impact, order);
     for (int a = 0; a < half; ++a) {
       for (LineOperator::InnerIterator e(returned, a); e; ++e) {
-        entries.emplace_back(half + a, e.col(), e.value());
+        entries.emplace_back(returning(grid, end, a), e.col(), e.value());
       }
     }
     exchange.setFromTriplets(entries.begin(), entries.end());
   }
-  const LineOperator into_first_column = entry(grid.nx(), 1, 0, 0, 1 / grid.x1.width(0));
-  return tensor(into_first_column, exchange) * wall_flux(grid, order);
+  const int column = end == End::left ? 0 : grid.nx() - 1;
+  const LineOperator into_column = entry(grid.nx(), 1, column, 0, 1 / grid.x1.width(column));
+  return tensor(into_column, exchange) * wall_flux(grid, order, end);
+}
+
+// d/dx2 [ x2^power p ] by fluxes through the inner faces of x2, whose values of p these are.
+LineOperator divergence_of_power(const Line& x2, int power, const LineOperator& values) {
+  LineOperator factor(x2.cells() + 1, x2.cells() + 1);
+  for (int f = 0; f <= x2.cells(); ++f) factor.insert(f, f) = std::pow(x2.face(f), power);
+  return divergence(x2) * LineOperator(factor * values);
 }
 
 // d/dx2 [ (c x2 + g(x1)) p ] by fluxes through the inner faces of x2.
@@ -80,6 +100,17 @@ SparseColumns damping_and_restoring_force(const problem::System& system, const G
                                           int order, int weight_points) {
   const Line& x2 = grid.x2;
   const LineOperator values = face_values(x2, centred_points(order), Bias::left);
+  if (!system.damping_is_constant()) {
+    const LineOperator force = weighted_averages(grid.x1, weight_points, system.force());
+    const LineOperator damping =
+        weighted_averages(grid.x1, weight_points, system.damping_polynomial());
+    SparseColumns sum = tensor(damping, divergence_of_power(x2, 1, values)) +
+                        tensor(force, divergence(x2) * values);
+    if (system.rayleigh() != 0) {
+      sum += tensor(identity(grid.nx()), system.rayleigh() * divergence_of_power(x2, 3, values));
+    }
+    return sum;
+  }
   LineOperator velocity(grid.nv() + 1, grid.nv() + 1);
   for (int f = 0; f <= grid.nv(); ++f) velocity.insert(f, f) = system.damping() * x2.face(f);
   const LineOperator force = weighted_averages(grid.x1, weight_points, system.force());
@@ -88,7 +119,7 @@ SparseColumns damping_and_restoring_force(const problem::System& system, const G
 }
 
 // What turns the centred x2 transport of an odd order into the upwind-biased one. With the velocity
-// a = -(c x2 + g(x1)) the flux a p, p taken from upstream, is
+// a = -(c x2 + g(x1) + ..) the flux a p, p taken from upstream, is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
 // and the first part is the centred flux of the next even order.
 SparseColumns upwinding(const problem::System& system, const Grid& grid, int order) {
@@ -99,11 +130,16 @@ SparseColumns upwinding(const problem::System& system, const Grid& grid, int ord
       face_values(x2, order, Bias::left) - face_values(x2, order, Bias::right);
   SparseColumns flux = tensor(columns, jump);
   const int faces = grid.nv() + 1;
+  const bool constant = system.damping_is_constant();
   for (Eigen::Index column = 0; column < flux.cols(); ++column) {
     for (SparseColumns::InnerIterator e(flux, column); e; ++e) {
       const double x1_at = x1.centre(static_cast<int>(e.row()) / faces);
       const double x2_at = x2.face(static_cast<int>(e.row()) % faces);
-      e.valueRef() *= -0.5 * std::abs(system.damping() * x2_at + system.force()(x1_at));
+      const double linear =
+          constant
+              ? system.damping() * x2_at
+              : (system.damping_polynomial()(x1_at) + system.rayleigh() * x2_at * x2_at) * x2_at;
+      e.valueRef() *= -0.5 * std::abs(linear + system.force()(x1_at));
     }
   }
   return tensor(columns, divergence(x2)) * flux;
@@ -117,23 +153,31 @@ SparseColumns shifted(double factor, const SparseColumns& a, double shift) {
   return factor * a + shift * unit;
 }
 
-SparseColumns wall_flux(const Grid& grid, int order) {
+SparseColumns wall_flux(const Grid& grid, int order, End end) {
   const int half = grid.nv() / 2;
+  const bool left = end == End::left;
   // On the wall the density jumps at x2 = 0: stencils stay on the outgoing side.
-  const LineOperator speed =
-      weighted_averages(grid.x2, weighting_points(order), problem::Polynomial({0, -1}), half);
-  LineOperator reversed(half, grid.nv());  // speed cell b is velocity cell half - 1 - b
-  for (int b = 0; b < half; ++b) reversed.insert(b, half - 1 - b) = 1.0;
-  return tensor(end_value(grid.x1, order), LineOperator(reversed * speed));
+  const LineOperator speed = weighted_averages(grid.x2, weighting_points(order),
+                                               problem::Polynomial({0, left ? -1.0 : 1.0}), half);
+  LineOperator in_order(half, grid.nv());
+  for (int b = 0; b < half; ++b) in_order.insert(b, outgoing(grid, end, b)) = 1.0;
+  return tensor(left ? end_value(grid.x1, order) : last_value(grid.x1, order),
+                LineOperator(in_order * speed));
 }
 
 FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             const Excitation& excitation, problem::Impact impact,
                                             const Grid& grid, int order, Weighting weighting) {
   const int weight_points = weighting == Weighting::full ? weighting_points(order) : 1;
-  SparseColumns local =
-      streaming(grid, order, weight_points) + exchange_at_wall(system, impact, grid, order) +
-      damping_and_restoring_force(system, grid, order, weight_points) +
+  SparseColumns local = streaming(grid, order, weight_points);
+  if (system.left()) {
+    local += exchange_at_wall(system.left()->restitution, impact, grid, order, End::left);
+  }
+  if (system.right()) {
+    local += exchange_at_wall(system.right()->restitution, impact, grid, order, End::right);
+  }
+  local += damping_and_restoring_force(system, grid, order, weight_points);
+  local +=
       tensor(identity(grid.nx()), local_excitation(grid.x2, excitation, centred_points(order)));
   if (order % 2 == 1) local += upwinding(system, grid, order);
   local.prune(0.0);

@@ -40,9 +40,11 @@ struct FokkerPlanckOperator {
 /// but is of second order.
 enum class Weighting { full, lumped };
 
-/// Paper (15) with the chosen excitation and impact on the wall x1 = 0,
+/// Paper (15) with the chosen excitation and impact on the walls at the ends of x1, if any,
 ///
-///     p_t = -x2 p_1 + d/dx2 [ (c x2 + g(x1)) p ] + excitation,      g the restoring force.
+///     p_t = -x2 p_1 + d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ] + excitation,
+///
+/// g the restoring force of System, c(x1) and c_vv its damping.
 ///
 /// @param impact map or delta
 /// @param order of the transport terms: odd orders take their stencils from upstream, even ones are
@@ -52,9 +54,12 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             const Grid& grid, int order,
                                             Weighting weighting = Weighting::full);
 
-/// Averages of u p(0+, -u) over the cells of outgoing speed u in increasing order, as a matrix on
-/// P, shape (nv/2, nx nv): the flux of probability into the wall.
-SparseColumns wall_flux(const Grid& grid, int order);
+/// An end of x1.
+enum class End { left, right };
+
+/// Averages of u p(0+, -u), or of u p(b-, u) at the end b, over the cells of outgoing speed u in
+/// increasing order, as a matrix on P, shape (nv/2, nx nv): the flux of probability into the wall.
+SparseColumns wall_flux(const Grid& grid, int order, End end = End::left);
 
 /// factor A + shift 1.
 SparseColumns shifted(double factor, const SparseColumns& a, double shift);

@@ -63,6 +63,7 @@ Posedness posedness(const problem::Problem& problem, const Options& options,
                     const Discretisation& discretisation) {
   if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return {};
   const auto& impulses = problem.impulses;
+  if (!impulses.present()) return {};
   Posedness result{.growth = largest_growth(problem, options, discretisation), .objection = {}};
   if (!grows(result.growth, impulses)) return result;
   result.objection = fmt::format(

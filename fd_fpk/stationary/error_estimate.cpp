@@ -44,7 +44,9 @@ transform::Change change(const Solution& coarser, const Solution& finer) {
   constexpr double kNarrowest = 0.02;  // root mean squares
   const auto& [y_edges, v_edges, averages] = grid_of(finer);
   const auto& moments = finer.moments;
-  const auto y = no_narrower(y_edges, kNarrowest * std::sqrt(moments.y2));
+  // E[y^2] may be that of a motion far from y = 0.
+  const double extent = std::min(std::sqrt(moments.y2), y_edges.back() - y_edges.front());
+  const auto y = no_narrower(y_edges, kNarrowest * extent);
   const auto v = no_narrower(v_edges, kNarrowest * std::sqrt(moments.v2));
   return transform::change(level(coarser, y, v), level(finer, y, v));
 }
@@ -189,6 +191,11 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
                     Answer so_far) {
+  return solve_within(solve, options, deadline, Aim{}, so_far);
+}
+
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
+                    const Aim& aim, Answer so_far) {
   double slower = kSlower;
   constexpr double kSoon = 8;  // of the time that is left, its inverse
   const Stopwatch stopwatch;
@@ -203,12 +210,14 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
   Result middle = best;
   std::optional<Result> coarse;
   // A box that is too small is not mended by cells.
-  while (best.solution.status != Status::failed && l1(*best.summary.error) > kUsualAccuracy) {
+  while (best.solution.status != Status::failed &&
+         (l1(*best.summary.error) > aim.accuracy || (aim.until_ok && !best.solution.is_ok()))) {
     // How many levels are missing, by what the last three have shown.
     const double order =
         std::clamp(best.summary.error->observed_order, 0.5, static_cast<double>(order_of(options)));
-    const double missing = std::ceil(std::log(l1(*best.summary.error) / kUsualAccuracy) /
-                                     (order * std::log(kLevelRatio)));
+    const double missing =
+        std::max(1.0, std::ceil(std::log(l1(*best.summary.error) / aim.accuracy) /
+                                (order * std::log(kLevelRatio))));
     double expected = 0;
     for (int n = 1; n <= missing; ++n) expected += seconds * std::pow(slower, n);
     // Without a hope of that accuracy soon only what is not ok yet is improved.

@@ -34,6 +34,14 @@ inline constexpr double kUsualAccuracy = 1e-4;
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
                     Answer so_far = Answer::none_yet);
 
+/// What solve_within() goes on for.
+struct Aim {
+  double accuracy = kUsualAccuracy;
+  bool until_ok = false;  ///< finer grids also where the error is small and the status not `ok`
+};
+Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
+                    const Aim& aim, Answer so_far = Answer::none_yet);
+
 /// Whether the one is ok and the other is not, or has an error estimate, or the smaller one.
 bool better(const Result& one, const Result& other);
 

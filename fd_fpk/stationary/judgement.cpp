@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fd_fpk/operator/resolution.hpp"
 
@@ -36,6 +37,23 @@ void judge_resolution(const Options& options, Result& result) {
         solution.energy_residual);
   }
   if (!solution.reason.empty()) solution.status = Status::inadmissible;
+}
+
+void judge_balances(Result& result) {
+  auto& [solution, summary] = result;
+  if (solution.status != Status::ok) return;
+  const std::pair<const char*, double> balances[] = {
+      {"power", solution.energy_residual},
+      {"the virial", summary.balances.virial.value_or(0)},
+      {"momentum", summary.balances.momentum.value_or(0)}};
+  for (const auto& [name, residual] : balances) {
+    if (std::abs(residual) <= kBalances) continue;
+    solution.status = Status::inaccurate;
+    solution.reason = fmt::format(
+        "the balance of {} is missed by {:.1g}, more than {:g} (allow more time by max-seconds)",
+        name, std::abs(residual), kBalances);
+    return;
+  }
 }
 
 void judge_error(const Options& options, Result& result) {

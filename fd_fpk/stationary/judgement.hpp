@@ -13,6 +13,11 @@ void judge_box(const Grid& grid, Result& result);
 /// kStationaryBars (of power: or the accuracy asked for) allow.
 void judge_resolution(const Options& options, Result& result);
 
+/// The same of one that misses a balance of power, virial or momentum by more than kBalances:
+/// `inaccurate`. Beyond the paper's class, where no other solver may be at hand.
+void judge_balances(Result& result);
+inline constexpr double kBalances = 1e-4;
+
 /// The same of one whose estimated error in L1 is larger than the accuracy asked for: `inaccurate`.
 void judge_error(const Options& options, Result& result);
 

@@ -11,7 +11,6 @@
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/judgement.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
-#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -34,19 +33,19 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     solution.reason = direct.failure;
     return std::nullopt;
   }
-  const auto linear = problem::equivalent_linearisation(problem);
-  const double frequency = std::sqrt(linear.stiffness);
+  const double frequency = direct.scales.frequency;
   // CVODE takes its steps by the same linear solver, each of which may take as long.
   constexpr double kStepsInFull = 20;
   std::optional<March> march;
   if (options.stepper == Stepper::cvode && direct.converged &&
       deadline.allows(kStepsInFull * direct.krylov_seconds)) {
-    march = march_to_stationarity(direct.op, *direct.preconditioner,
-                                  gaussian_start(direct.discretisation.grid, problem),
-                                  options.residual_tolerance * frequency,
-                                  {.first_step = kFirstStep / frequency,
-                                   .longest_step = kLongestStep / problem::slowest_decay(linear)},
-                                  deadline);
+    march =
+        march_to_stationarity(direct.op, *direct.preconditioner,
+                              gaussian_start(direct.discretisation.grid, problem, direct.scales),
+                              options.residual_tolerance * frequency,
+                              {.first_step = kFirstStep / frequency,
+                               .longest_step = kLongestStep / direct.scales.slowest_decay},
+                              deadline);
   }
   std::optional<Eigen::VectorXd> averages;
   if (!march || march->out_of_time) {
@@ -81,19 +80,19 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
   return averages;
 }
 
-void observe(const problem::Problem& problem, const Options& options, const Grid& grid,
-             const Eigen::VectorXd& averages, Result& result) {
+void observe(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
+             const Grid& grid, const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
   const int order = options.order;
   solution.density = grid_density(grid, averages);
-  solution.moments = moments(grid, averages, order);
+  solution.moments = physical_moments(problem.frame, grid, averages, order);
   solution.mass = grid.areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
-  summary.wall = relative_wall_density(problem, grid, averages);
-  summary.impact_rate = impact_flux(grid, averages, order, 1);
+  summary.wall = relative_wall_density(scales, grid, averages);
+  summary.impact_rate = impact_rate(problem.system, grid, averages, order);
   solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
-  summary.balances =
-      balance_residuals(problem, grid, averages, order, impact_flux(grid, averages, order, 2));
+  const double momentum = problem.system.left() ? impact_flux(grid, averages, order, 2) : 0;
+  summary.balances = balance_residuals(problem, grid, averages, order, momentum);
 }
 
 // Half as far again where a wall has a density that may matter: what rare impulses do beyond a wall
@@ -118,12 +117,13 @@ void describe(const Discretisation& discretisation, Summary& summary) {
 
 }  // namespace
 
-Result solve_on_one_grid(const problem::Problem& problem, const Options& options,
-                         const Deadline& deadline, Answer so_far) {
+Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& surroundings,
+                         const Options& options, const Deadline& deadline, Answer so_far) {
   Result result;
   auto& [solution, summary] = result;
   // Growth depends on the velocity step alone, so it is judged before anything is solved.
-  const auto first = discretise(problem, options, initial_box(problem, options));
+  const auto first =
+      discretise(problem, options, initial_box(problem, surroundings.scales, options));
   describe(first, summary);
   if (!first.refusal.empty()) {
     solution.status = Status::failed;
@@ -139,7 +139,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Options& options
     return result;
   }
 
-  DirectSolution direct = solve_directly(problem, options, deadline, so_far);
+  DirectSolution direct = solve_directly(problem, surroundings, options, deadline, so_far);
   describe(direct.discretisation, summary);
   summary.refinement = direct.refinement;
   summary.origin_refinement = direct.origin_refinement;
@@ -151,10 +151,11 @@ Result solve_on_one_grid(const problem::Problem& problem, const Options& options
   const auto density = stationary_density(direct, problem, options, deadline, result);
   if (density) {
     const Grid& grid = direct.discretisation.grid;
-    observe(problem, options, grid, *density, result);
-    summary.wider = wider_extent(problem, options, grid, summary.wall);
+    observe(problem, surroundings.scales, options, grid, *density, result);
+    if (of_the_paper(problem)) summary.wider = wider_extent(problem, options, grid, summary.wall);
     judge_box(grid, result);
     judge_resolution(options, result);
+    if (!of_the_paper(problem)) judge_balances(result);
   }
   return result;
 }

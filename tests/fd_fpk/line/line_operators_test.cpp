@@ -115,5 +115,22 @@ TEST(LineOperators, DivergenceTelescopes) {
   EXPECT_NEAR((div * flux)(3), (flux(4) - flux(3)) / kLine.width(3), 1e-12);
 }
 
+TEST(LineOperators, StencilsStayWithinABoundaryOnTheRight) {
+  const Line line({0, 0.4, 0.9, 1.3, 1.8, 2.2, 2.5, 3.0, 3.2}, Beyond::vacuum, Beyond::boundary);
+  const int cells = line.cells(), degree = 4;
+  const Eigen::VectorXd p = monomial_averages(line, degree);
+  EXPECT_NEAR((last_value(line, degree + 1) * p)(0), std::pow(3.2, degree), 1e-10);
+  const Eigen::VectorXd times_x =
+      weighted_averages(line, degree + 1, problem::Polynomial({0, 1})) * p;
+  const Eigen::VectorXd exact = monomial_averages(line, degree + 1);
+  for (const Bias bias : {Bias::left, Bias::right}) {
+    const Eigen::VectorXd values = face_values(line, degree + 1, bias) * p;
+    for (int f = 4; f < cells; ++f) {  // the stencils of the others reach into the vacuum
+      EXPECT_NEAR(values(f), std::pow(line.face(f), degree), 1e-10) << f;
+      EXPECT_NEAR(times_x(f), exact(f), 1e-10) << f;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fpkcheck::fd_fpk

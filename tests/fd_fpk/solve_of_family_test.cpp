@@ -1,0 +1,255 @@
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "exact/closed_forms.hpp"
+#include "exact/energy_law.hpp"
+#include "family.hpp"
+#include "fd_fpk/offered.hpp"
+#include "fd_fpk/solve.hpp"
+#include "fd_fpk/transient.hpp"
+#include "parameters/input_error.hpp"
+#include "transform/change_of_frame.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using problem::Problem;
+using problem::System;
+using problem::WallParameters;
+using transform::Status;
+using transform::Variable;
+
+Options quick(Equation equation = Equation::kf) {
+  return {.equation = equation, .stepper = Stepper::direct, .error_estimate = false};
+}
+
+transform::Solution solve_in_frame(const Problem& p, const Options& options) {
+  const Problem seen = tests::in_frame(p);
+  EXPECT_EQ(objection(seen, options), "");
+  return transform::in_physical_coordinates(seen.frame, solve(seen, options).solution);
+}
+
+// L1 of both marginals to an exact law, on the solution's own cells.
+template <class Law>
+double marginal_error(const transform::Solution& solution, const Law& law) {
+  using Rule = boost::math::quadrature::gauss<double, 7>;
+  const auto& grid = std::get<transform::GridDensity>(*solution.density);
+  const auto l1 = [&](Variable variable, const std::vector<double>& edges, const auto& exact) {
+    const auto m = marginal(solution, variable, edges);
+    double sum = 0;
+    for (std::size_t b = 0; b < m.size(); ++b) {
+      sum += std::abs(m.density[b] * m.width(b) - Rule::integrate(exact, edges[b], edges[b + 1]));
+    }
+    return sum;
+  };
+  return std::max(
+      l1(Variable::y, grid.y_edges, [&](double y) { return law.displacement_marginal(y); }),
+      l1(Variable::ydot, grid.v_edges, [&](double v) { return law.velocity_marginal(v); }));
+}
+
+struct ExactCase {
+  std::string name;
+  System system;
+  double intensity;
+  double bar;
+};
+
+std::vector<ExactCase> exact_cases() {
+  const problem::SystemCoefficients linear{.damping = 0.2, .stiffness = 1};
+  const auto left = [](double at) { return WallParameters{.left = at, .left_restitution = 1}; };
+  return {
+      {"no wall", System(linear, {.none = true}), 0.4, 2e-5},
+      {"a wall at -0.5", System(linear, left(-0.5)), 0.4, 2e-5},
+      {"a wall at 0.5", System(linear, left(0.5)), 0.4, 2e-5},
+      {"a wall on the right", System(linear, WallParameters{.right = 0.5, .right_restitution = 1}),
+       0.4, 2e-5},
+      {"two walls",
+       System(linear, {.left = -0.5, .left_restitution = 1, .right = 1, .right_restitution = 1}),
+       0.4, 2e-5},
+      {"a bouncing ball", System({.damping = 0.2, .constant = 1}, left(0)), 0.4, 2e-5},
+      {"two wells", System({.damping = 0.2, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1,
+       1e-4},
+      {"a ring",
+       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}),
+       0.4, 1e-4}};
+}
+
+TEST(SolveOfFamily, MeetsTheExactLawsOfTheEnergyOnItsAutomaticGrids) {
+  for (const auto& [name, system, intensity, bar] : exact_cases()) {
+    const Problem p = tests::with_noise(system, intensity);
+    const auto solution = solve_in_frame(p, quick());
+    ASSERT_EQ(solution.status, Status::ok) << name << ": " << solution.reason;
+    EXPECT_NEAR(solution.mass, 1, 1e-10) << name;
+    const exact::EnergyLaw law(p);
+    EXPECT_LT(marginal_error(solution, law), bar) << name;
+    // Moments are the physical ones, though the problem is solved in its frame.
+    const double sizes[] = {std::sqrt(law.moment(2, 0)), law.moment(2, 0), law.moment(4, 0)};
+    EXPECT_NEAR(solution.moments.y1, law.moment(1, 0), 2e-4 * sizes[0]) << name;
+    EXPECT_NEAR(solution.moments.y2, law.moment(2, 0), 2e-4 * sizes[1]) << name;
+    EXPECT_NEAR(solution.moments.y4, law.moment(4, 0), 3e-4 * sizes[2]) << name;
+    EXPECT_NEAR(solution.moments.v2, law.moment(0, 2), 1e-4 * law.moment(0, 2)) << name;
+    EXPECT_NEAR(solution.moments.v4, law.moment(0, 4), 2e-4 * law.moment(0, 4)) << name;
+  }
+}
+
+// E[x^4] of the cumulants 1 .. 4.
+double fourth_moment(double k1, double k2, double k3, double k4) {
+  return k4 + 4 * k3 * k1 + 3 * k2 * k2 + 6 * k2 * k1 * k1 + std::pow(k1, 4);
+}
+
+TEST(SolveOfFamily, HasTheExactCumulantsOfTheLinearOscillatorUnderImpulsesAndNoise) {
+  Problem p = tests::with_impulses(System({.damping = 0.2, .stiffness = 1}, {.none = true}),
+                                   tests::gaussian_impulses(1, 0.1, 0.1));
+  p.noise = {0.1};
+  const auto solution = solve_in_frame(p, quick());
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  const auto y = [&](int n) { return exact::linear_cumulant(p, n, 0); };
+  const auto v = [&](int n) { return exact::linear_cumulant(p, 0, n); };
+  const auto& m = solution.moments;
+  EXPECT_NEAR(m.y1, y(1), 1e-6);
+  EXPECT_NEAR(m.y2, y(2) + y(1) * y(1), 1e-6 * y(2));
+  EXPECT_NEAR(m.v1, 0, 1e-6);
+  EXPECT_NEAR(m.v2, v(2), 1e-6 * v(2));
+  // Of the fourth the grid of the usual width has 3e-6.
+  const double y4 = fourth_moment(y(1), y(2), y(3), y(4));
+  const double v4 = fourth_moment(v(1), v(2), v(3), v(4));
+  EXPECT_NEAR(m.y4, y4, 5e-6 * y4);
+  EXPECT_NEAR(m.v4, v4, 5e-6 * v4);
+}
+
+// The same physics to the left of a wall as to the right of one.
+TEST(SolveOfFamily, MirroredProblemsHaveMirroredMoments) {
+  const problem::SystemCoefficients to_the_right{
+      .damping = 0.2, .constant = -0.2, .stiffness = 1, .quadratic = 0.1, .cubic = 0.1};
+  const problem::SystemCoefficients to_the_left{
+      .damping = 0.2, .constant = 0.2, .stiffness = 1, .quadratic = -0.1, .cubic = 0.1};
+  Options options = quick();
+  options.refinement = 0.6;
+  const auto one = solve_in_frame(
+      tests::with_impulses(
+          System(to_the_right, WallParameters{.left = -0.3, .left_restitution = 0.9}),
+          tests::gaussian_impulses(2, 0.2, 0.05)),
+      options);
+  const auto other = solve_in_frame(
+      tests::with_impulses(
+          System(to_the_left, WallParameters{.right = 0.3, .right_restitution = 0.9}),
+          tests::gaussian_impulses(2, 0.2, -0.05)),
+      options);
+  ASSERT_TRUE(one.density && other.density);
+  EXPECT_NEAR(one.moments.y1, -other.moments.y1, 1e-9);
+  EXPECT_NEAR(one.moments.y4, other.moments.y4, 1e-9);
+  EXPECT_NEAR(one.moments.v2, other.moments.v2, 1e-9);
+  EXPECT_NEAR(one.energy_residual, other.energy_residual, 1e-9);
+  EXPECT_GT(std::abs(one.moments.y1), 0.1);
+}
+
+TEST(SolveOfFamily, WithoutImpulsesAllEquationsAreTheSame) {
+  const Problem p = tests::with_noise(System({.damping = 0.2, .stiffness = 1},
+                                             WallParameters{.left = -0.5, .left_restitution = 0.8}),
+                                      0.4);
+  Options options = quick(Equation::white);
+  options.refinement = 0.5;
+  const auto white = solve_in_frame(p, options);
+  for (const Equation equation : {Equation::km4, Equation::km4_pade, Equation::kf}) {
+    options.equation = equation;
+    const auto other = solve_in_frame(p, options);
+    EXPECT_EQ(other.moments.y1, white.moments.y1);
+    EXPECT_EQ(other.moments.v4, white.moments.v4);
+  }
+}
+
+// Impulses that are frequent and small are white noise, beside which there may be more of it.
+TEST(SolveOfFamily, FrequentImpulsesAndNoiseAddUp) {
+  const System system({.damping = 0.4, .stiffness = 1},
+                      WallParameters{.left = -0.5, .left_restitution = 1});
+  Problem p = tests::with_impulses(system, tests::gaussian_impulses(400, 0.2));
+  p.noise = {0.2};
+  const exact::EnergyLaw law(p);
+  for (const Equation equation : {Equation::white, Equation::km4, Equation::kf}) {
+    const auto solution = solve_in_frame(p, quick(equation));
+    ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+    EXPECT_LT(marginal_error(solution, law), equation == Equation::white ? 2e-5 : 1e-3);
+  }
+}
+
+// With losses there is no exact law; the balances of what is `ok` hold, and grids agree.
+TEST(SolveOfFamily, WithLossesKeepsItsBalancesAndAgreesWithFinerGrids) {
+  struct Case {
+    std::string name;
+    Problem problem;
+  };
+  Problem mixed =
+      tests::with_impulses(System({.damping = 0.1, .stiffness = 1},
+                                  WallParameters{.left = -0.5, .left_restitution = 0.8}),
+                           tests::gaussian_impulses(1, 0.1));
+  mixed.noise = {0.1};
+  const std::vector<Case> cases{
+      {"gap", tests::with_impulses(System({.damping = 0.1, .stiffness = 1},
+                                          WallParameters{.left = -0.5, .left_restitution = 0.9}),
+                                   tests::gaussian_impulses(1, 0.1))},
+      {"two walls",
+       tests::with_impulses(
+           System({.damping = 0.1, .stiffness = 1},
+                  {.left = -0.5, .left_restitution = 0.7, .right = 1, .right_restitution = 0.9}),
+           tests::gaussian_impulses(2, 0.2))},
+      {"mixed", mixed},
+      {"ring", tests::with_impulses(
+                   System({.damping = -0.2, .van_der_pol = 0.2, .stiffness = 1}, {.none = true}),
+                   tests::gaussian_impulses(2, 0.2))}};
+  for (const auto& [name, p] : cases) {
+    Options options = quick();
+    options.refinement = 0.7;
+    const Problem seen = tests::in_frame(p);
+    const auto coarse = solve(seen, options);
+    options.refinement = 1;
+    const auto fine = solve(seen, options);
+    ASSERT_EQ(fine.solution.status, Status::ok) << name << ": " << fine.solution.reason;
+    EXPECT_LT(std::abs(fine.solution.energy_residual), 1e-4) << name;
+    EXPECT_LT(std::abs(fine.summary.balances.virial.value()), 1e-4) << name;
+    EXPECT_LT(std::abs(fine.summary.balances.momentum.value_or(0)), 1e-4) << name;
+    EXPECT_NEAR(coarse.solution.moments.y2, fine.solution.moments.y2,
+                2e-3 * fine.solution.moments.y2)
+        << name;
+    EXPECT_NEAR(coarse.solution.moments.v2, fine.solution.moments.v2,
+                1e-3 * fine.solution.moments.v2)
+        << name;
+  }
+}
+
+TEST(OfferedOfFiniteDifferences, RefusesWhatHasNoDensityOrIsThePapersAlone) {
+  const auto wall = [](double r) { return WallParameters{.left = -0.5, .left_restitution = r}; };
+  const problem::SystemCoefficients linear{.damping = 0.2, .stiffness = 1};
+  const Options kf, white{.equation = Equation::white},
+      delta{.equation = Equation::km4, .impact = Impact::delta},
+      along{.transport = Transport::characteristics};
+  const Problem noisy = tests::with_noise(System(linear, wall(0.16)), 0.4);
+  EXPECT_NE(objection(tests::in_frame(noisy), kf), "");
+  EXPECT_EQ(objection(tests::in_frame(tests::with_noise(System(linear, wall(0.17)), 0.4)), kf), "");
+  const Problem kicked =
+      tests::with_impulses(System(linear, wall(0.16)), tests::gaussian_impulses(1, 0.1));
+  EXPECT_EQ(objection(tests::in_frame(kicked), kf), "");
+  EXPECT_NE(objection(tests::in_frame(kicked), white), "");
+  const Problem gap =
+      tests::with_impulses(System(linear, wall(0.9)), tests::gaussian_impulses(1, 0.1));
+  EXPECT_EQ(objection(tests::in_frame(gap), kf), "");
+  EXPECT_NE(objection(tests::in_frame(gap), delta), "");
+  EXPECT_NE(objection(tests::in_frame(gap), along), "");
+  // Pressed to the wall: there is an atom.
+  const Problem pressed = tests::with_impulses(
+      System({.damping = 0.2, .constant = 1}, WallParameters{.left = 0, .left_restitution = 0.7}),
+      tests::gaussian_impulses(1, 0.5));
+  EXPECT_NE(objection(tests::in_frame(pressed), kf), "");
+}
+
+TEST(TransientOfFamily, IsRefused) {
+  const Problem p =
+      tests::with_noise(System({.damping = 0.2, .stiffness = 1}, {.none = true}), 0.4);
+  EXPECT_THROW(integrate(p, {}, {.until = 1}), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
