@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "dual/control/generator_factors.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::dual {
@@ -14,9 +15,11 @@ namespace {
 constexpr double kBeyondY = 9.0 / 7, kBeyondV = 1.5;  // in units of Scales' extents
 constexpr double kEvenShare = 0.55;                   // of the extent, in cells of one width
 constexpr double kLeastCell = 0.05;                   // the narrowest cell, of the widest
-constexpr double kGrowth = 0.25;                      // of cells away from where they are narrowest
-constexpr int kCorner = 3;                            // knots at v = 0 with a wall
-constexpr double kHeat = 2;  // temperature of the weight, in variances of y'
+// Of y, where white noise and losses leave a spike at the wall, as narrow as v^3 / D.
+constexpr double kLeastCellOfSpike = 0.002;
+constexpr double kGrowth = 0.25;  // of cells away from where they are narrowest
+constexpr int kCorner = 3;        // knots at v = 0 with a wall
+constexpr double kHeat = 2;       // temperature of the weight, in variances of y'
 constexpr double kLeast = 1e-9;
 
 /// Break points from `begin` to `end` where cells have about the widths that `width` says, up to one
@@ -44,12 +47,12 @@ std::vector<double> breaks_of_widths(double begin, double end, int cells,
 /// The widths of cells that are narrow at some points and wide beyond `low` and `high`, in terms of
 /// the width between them.
 std::function<double(double)> widths(std::vector<double> narrow_at, double even, double low,
-                                     double high) {
+                                     double high, double least_cell = kLeastCell) {
   return [=](double x) {
     const double outside = std::max({0.0, low - x, x - high});
     double width = even + kGrowth * outside;
     for (const double place : narrow_at) {
-      width = std::min(width, even * kLeastCell + kGrowth * std::abs(x - place));
+      width = std::min(width, even * least_cell + kGrowth * std::abs(x - place));
     }
     return width;
   };
@@ -105,8 +108,12 @@ ControlSplines general_splines(const problem::Problem& problem, const ControlCel
   }
   const double v_end = wider * kBeyondV * scales.v_high;
   const double even_y = (high + low) / cells.y, even_v = 2 * scales.v_high / cells.v;
-  const auto of_width_y = widths(narrow_at, even_y, scales.centre - wider * kEvenShare * low,
-                                 scales.centre + wider * kEvenShare * high);
+  const bool spike = problem.noise.present() &&
+                     std::ranges::any_of(impact_walls(system),
+                                         [](const auto& wall) { return wall.restitution < 1; });
+  const auto of_width_y =
+      widths(narrow_at, even_y, scales.centre - wider * kEvenShare * low,
+             scales.centre + wider * kEvenShare * high, spike ? kLeastCellOfSpike : kLeastCell);
   const double even_to = wider * kEvenShare * scales.v_high;
   const bool walls = !narrow_at.empty();
   const auto of_width_v =

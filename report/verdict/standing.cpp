@@ -111,6 +111,12 @@ std::vector<Record> records(const results::Run& run) {
       record.stands.push_back(stand_in(one, record.identity->id));
     }
   }
+  // What is offered in no case has no standing.
+  std::erase_if(all, [](const Record& record) {
+    return std::ranges::all_of(record.stands, [](const Stand& stand) {
+      return stand.solution == nullptr || stand.solution->status == transform::Status::not_offered;
+    });
+  });
   return all;
 }
 

@@ -54,7 +54,7 @@ TEST_P(ExactSystems, AreSolvedByFiniteDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, ExactSystems,
                          testing::Values("duffing", "bistable", "ring", "ball_white"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& system) { return std::string(system.param); });
 
 TEST(LinearSystem, HasItsCumulants) {
   const auto problem = problem::load_case("linear");
@@ -93,7 +93,7 @@ TEST_P(OtherSystems, AreTheSameByFiniteDifferencesAndSimulation) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, OtherSystems,
                          testing::Values("tilted", "van_der_pol", "gap", "two_walls", "box"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& system) { return std::string(system.param); });
 
 }  // namespace
 }  // namespace fpkcheck::methods

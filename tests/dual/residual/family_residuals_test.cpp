@@ -129,7 +129,8 @@ TEST(FamilyResiduals, SeeMassInTheWrongWell) {
   Exact other = tilted;
   other.system.constant = 0.03;
   const auto known = moments_of(tilted.problem()), of_wrong = moments_of(other.problem());
-  const auto found = DensityResiduals(tilted.problem()).of(density_of(other.problem()));
+  const auto found =
+      DensityResiduals(tilted.problem(), {.y = 28, .v = 60}).of(density_of(other.problem()));
   ASSERT_GT(std::abs(of_wrong.y1 - known.y1), 0.03);
   EXPECT_NEAR(found.error.y1, of_wrong.y1 - known.y1, 1e-5);
 }
@@ -154,7 +155,7 @@ TEST(FamilyResiduals, AreThoseOfTheMirroredProblem) {
   const auto bell = [](double y, double v) {
     return std::exp(-std::pow(y - 0.1, 2) - 2 * v * v - v * y);
   };
-  const ControlCells cells{.y = 32, .v = 64};
+  const ControlCells cells{.y = 26, .v = 52};
   const auto a =
       DensityResiduals(tests::in_frame(one), cells)
           .of(transform::SmoothDensity{[&](double x, double v) { return bell(x - 0.8, v); }, 2, 3});
@@ -180,7 +181,8 @@ TEST(FamilyResiduals, LeadAnyDensityToTheCumulantsOfImpulsesAndNoise) {
   const auto bell = [](double y, double v) {
     return std::exp(-(y - 0.2) * (y - 0.2) - 0.8 * v * v) * (1 + 0.1 * std::tanh(y + v));
   };
-  const auto found = DensityResiduals(problem).of(transform::SmoothDensity{bell, 5, 5.5, -5});
+  const auto found =
+      DensityResiduals(problem, {.y = 28, .v = 60}).of(transform::SmoothDensity{bell, 5, 5.5, -5});
   const auto kappa = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
   const double y1 = kappa(1, 0), y2 = kappa(2, 0), y3 = kappa(3, 0);
   EXPECT_NEAR(found.corrected.y1, y1, 1e-8);

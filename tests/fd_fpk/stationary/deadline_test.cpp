@@ -25,7 +25,9 @@ TEST(DeadlineOfASolution, ABoxIsNotWidenedAfterIt) {
 TEST(DeadlineOfASolution, AnAnswerIsGivenUpAtItWhereOneStands) {
   const auto p = tests::paper_case(1);
   const auto solved = [&](const Deadline& deadline, Answer so_far) {
-    return std::pair(solve_on_one_grid(p, {.stepper = Stepper::direct}, deadline, so_far).solution,
+    const Surroundings surroundings{.scales = problem::scales(p)};
+    const Options direct{.stepper = Stepper::direct};
+    return std::pair(solve_on_one_grid(p, surroundings, direct, deadline, so_far).solution,
                      solve_along_characteristics(p, {}, deadline, so_far).solution);
   };
   const auto [by_differences, along] = solved(Deadline(0), Answer::stands);
