@@ -45,6 +45,9 @@ struct Settings {
   std::string numbers = {};    // of the problems, instead of `count` from `first`
   std::string transport = {};  // an option of fd, where not automatic
   bool verbose = false;
+  // Impulses and radians that a simulation takes at most, lest one with 1e4 impulses per decay time
+  // takes hours: their number makes up for the shorter time.
+  double events = 4e8;
   bool family = false;  // of any oscillator, not of the paper's class alone
 };
 
@@ -67,15 +70,12 @@ struct Answer {
   double worst() const { return std::max(y_l1, ydot_l1); }
 };
 
-// Impulses and radians that a simulation takes at most, lest one with 1e4 impulses per decay time
-// takes hours: their number makes up for the shorter time.
-constexpr double kMostEvents = 4e8;
-
-mcs::Options judge_options(const problem::Problem& problem, const compare::ComparisonAxes& axes) {
+mcs::Options judge_options(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+                           double most_events) {
   const auto scales = problem::scales(problem);
   const double decay_times = 1.6e6 / scales.slowest_decay;
   const double events = problem.impulses.arrival_rate() + scales.frequency;
-  return {.time = std::min(decay_times, kMostEvents / events),
+  return {.time = std::min(decay_times, most_events / events),
           .y_edges = axes.y_edges,
           .v_edges = axes.v_edges};
 }
@@ -105,8 +105,8 @@ Judge judge(const problem::Problem& problem, const compare::ComparisonAxes& axes
   }
   const auto solution = methods::solve_in_frame(
       problem, {axes, {}}, [](const problem::Problem&) { return std::string(); },
-      [](const problem::Problem& seen, const methods::Setting& there) {
-        return mcs::solve(seen, judge_options(seen, there.axes)).solution;
+      [&](const problem::Problem& seen, const methods::Setting& there) {
+        return mcs::solve(seen, judge_options(seen, there.axes, settings.events)).solution;
       });
   if (!solution.sampling)
     throw std::runtime_error(problem.name + " was not simulated: " + solution.reason);
@@ -294,6 +294,7 @@ int main(int argc, char** argv) {
       "methods", po::value(&settings.methods), "as `fpkcheck run --methods` takes them")(
       "keep", po::value(&settings.keep), "directory of simulations that are used again")(
       "verbose", po::bool_switch(&settings.verbose), "every answer")(
+      "events", po::value(&settings.events), "of a simulation at most")(
       "family", po::bool_switch(&settings.family),
       "any oscillator, not of the paper's class alone");
   try {
