@@ -12,7 +12,8 @@
 #include "problem/model.hpp"
 #include "transform/identity.hpp"
 
-/// Monte Carlo simulation of the impact system itself, paper (1)-(2), on y >= 0: no transformation,
+/// Monte Carlo simulation of the impact system itself, paper (1)-(2), in its frame (problem/frame.hpp):
+/// y >= 0 in the paper, and with any walls or none, forces, damping and Gaussian noise: no transformation,
 /// no density equation, nothing shared with the other solvers.
 namespace fpkcheck::mcs {
 
@@ -56,7 +57,8 @@ struct Options {
   /// Automatic: 0.9.
   std::optional<double> step{};
   /// Time between the kicks that stand for white noise, in radians of equivalent linearisation; at
-  /// most 0.5. Automatic: 0.05.
+  /// most 0.5. Automatic: 0.05. Of other oscillators than the paper's (GeneralKicks): radians of the
+  /// mean frequency and the damping together; automatic: 0.2.
   std::optional<double> white_step{};
   /// Splits trajectories that reach high energies (Splitting), to resolve densities down to 1e-8 of
   /// their peak and beyond.

@@ -22,7 +22,10 @@ struct Result {
 
 /// Simulates `options.streams` independent realisations, each from the equivalent-linearisation
 /// Gaussian folded to y >= 0 and past a burn-in of 20 decay times of the slowest mode, and averages
-/// over them with the weights of StreamWeights. The same seed gives the same result, bit for bit,
+/// over them with the weights of StreamWeights. Of any other oscillator than the paper's they begin by
+/// the averaged law (GeneralStart), with each well its mass. Problems come in their frame
+/// (problem/frame.hpp): densities, marginals and atoms are in its coordinates; moments, quantiles and
+/// levels are physical. The same seed gives the same result, bit for bit,
 /// for any number of threads, of lanes and of interruptions. A simulation that ends before what was
 /// asked for is reached has the status not_converged. White noise at a restitution at
 /// which impacts accumulate (problem/inelastic_collapse.hpp) is not simulated: failed, without a
