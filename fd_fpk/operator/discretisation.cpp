@@ -175,9 +175,10 @@ bool loses(const std::optional<problem::Wall>& wall) {
   return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
 }
 
-// Where cells shrink beyond the paper's class, and how far: at walls with losses and at x2 = 0. Under
-// noise, which takes hold of what is slow at the wall whatever the force, as the cube of x2's
-// (x1_grading). The long reach in both directions: with it neighbours differ by less than a fifth.
+// Where cells shrink beyond the paper's class, and how far: at walls with losses and at x2 = 0.
+// Noise takes hold of what is slow at the wall whatever the force: under it those of x1 shrink as
+// the cube of x2's (x1_grading). The long reach in both directions: with it neighbours differ by
+// less than a fifth.
 struct GradingsAtWalls {
   Grading x1, x2;
 };
@@ -257,6 +258,7 @@ Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
                    const problem::Scales& scales) {
   constexpr double kFaint = 1e-3;     // of the peak: what is below may be noise of the grid
   constexpr double kShortest = 0.25;  // deviations
+  constexpr double kMost = 25;        // lengths from end to end: a long tail is smooth
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
   const double faint = kFaint * averages.maxCoeff();
   double of_x1 = 0, of_x2 = 0, mass = 0;
@@ -279,10 +281,12 @@ Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
       }
     }
   }
-  const auto length = [&](double information, double deviation) {
-    return std::clamp(std::sqrt(mass / information), kShortest * deviation, deviation);
+  const auto length = [&](double information, double deviation, double from_end_to_end) {
+    const double shortest = std::max(kShortest * deviation, from_end_to_end / kMost);
+    return std::clamp(std::sqrt(mass / information), std::min(shortest, deviation), deviation);
   };
-  return {length(of_x1, scales.displacement_deviation), length(of_x2, scales.velocity_deviation)};
+  return {length(of_x1, scales.displacement_deviation, grid.x1_max() - grid.x1_min()),
+          length(of_x2, scales.velocity_deviation, 2 * grid.x2_max())};
 }
 
 Box initial_box(const problem::Problem& problem, const Options& options) {

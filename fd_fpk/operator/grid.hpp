@@ -7,9 +7,9 @@
 namespace fpkcheck::fd_fpk {
 
 /// Cells on x1 in [x1_min, x1_max], x2 in [-x2_max, x2_max]. With a wall x1_min = 0: in the paper's
-/// class this is the half of the (z, z') plane that point symmetry leaves. x2 = 0 lies on a face, and
-/// the faces of x2 are symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the paper)
-/// over each cell; cell (i, j) has index i nv() + j.
+/// class this is the half of the (z, z') plane that point symmetry leaves. x2 = 0 lies on a face,
+/// and the faces of x2 are symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the
+/// paper) over each cell; cell (i, j) has index i nv() + j.
 struct Grid {
   Line x1;  ///< impact walls are its boundaries
   Line x2;

@@ -66,8 +66,8 @@ int returning(const Grid& grid, End end, int b) {
   return outgoing(grid, end == End::left ? End::right : End::left, b);
 }
 
-// Outgoing probability leaves the column of cells at the wall, at x2 < 0 on the left, and returns to
-// it with the other sign of x2.
+// Outgoing probability leaves the column of cells at the wall, at x2 < 0 on the left, and returns
+// to it with the other sign of x2.
 SparseColumns exchange_at_wall(double restitution, problem::Impact impact, const Grid& grid,
                                int order, End end) {
   const int half = grid.nv() / 2;

@@ -81,9 +81,9 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Beyond the paper's class deviations say little of how narrow a density is: in several wells and on
-// rings a grid made by them shows it too wide, and ripples at the walls of the box. So a grid made by
-// the lengths that it shows follows, until they stay.
+// Beyond the paper's class deviations say little of how narrow a density is: in several wells and
+// on rings a grid made by them shows it too wide, and ripples at the walls of the box. So a grid
+// made by the lengths that it shows follows, until they stay.
 void find_box_and_lengths(const problem::Problem& problem, const problem::Scales& scales,
                           const Options& coarse, const Deadline& deadline, Answer so_far,
                           Box& box) {

@@ -80,8 +80,8 @@ std::vector<Excitation> excitations(const Problem& p, const Grid& grid) {
   return all;
 }
 
-// No net flux into the walls at 0 and 2: what would be missing there the operator lacks in the cells
-// at the wall, at another potential.
+// No net flux into the walls at 0 and 2: what would be missing there the operator lacks in the
+// cells at the wall, at another potential.
 double bump(double x, double v) {
   const double skew = 0.8 * v * x * (2 - x) * std::exp(-x * x - 0.5 * v * v);
   return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * v * v) * (1 + skew);
