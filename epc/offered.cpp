@@ -18,19 +18,31 @@ std::string objection_of_moment(const problem::Features& features) {
   return "";
 }
 
+std::string objection_of_gaussian(const problem::Features& features, const Options& options) {
+  if (!features.no_wall) {
+    return "its plane is folded at one wall at the equilibrium, with constant damping and impulses "
+           "alone, or has no wall at all";
+  }
+  if (equation_of(options) == Equation::kf) {
+    return "its jump integral is that of the plane folded at a wall";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string objection(const problem::Problem& problem, const Options& options) {
   const problem::Features features = problem::features(problem);
   if (features.original) return "";
   switch (options.formulation) {
+    case Formulation::gaussian:
+      return objection_of_gaussian(features, options);
     case Formulation::moment:
       return objection_of_moment(features);
-    case Formulation::gaussian:
     case Formulation::polar:
       break;
   }
-  return "it treats one wall at the equilibrium, constant damping and impulses alone";
+  return "its phases are those of one wall at the equilibrium, constant damping and impulses alone";
 }
 
 }  // namespace fpkcheck::epc

@@ -19,7 +19,7 @@ struct SupportSummary {
   double y_max, v_max;     ///< ends of the box around it
   double edge_density;     ///< largest density on the edge, relative to the peak
   double cut_off;          ///< estimated probability outside; see gaussian::Support::cut_off
-  double y_min = 0;        ///< where the box begins in y; of the plane -y_max
+  double y_min = 0;        ///< where the box begins in y
 };
 
 /// A point of the branch of solutions that starts from the exact density of white noise at an

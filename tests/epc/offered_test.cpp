@@ -33,6 +33,17 @@ TEST(Offered, MomentTreatsEveryDomainButAtomsAndCollapse) {
   EXPECT_NE(objection_of(Formulation::moment, tests::with_noise(gap, 0.1)), "");
 }
 
+TEST(Offered, GaussianNeedsAWallAtTheEquilibriumOrNone) {
+  const System well({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true});
+  const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9});
+  EXPECT_EQ(objection_of(Formulation::gaussian, tests::with_noise(well, 0.1)), "");
+  EXPECT_NE(objection_of(Formulation::gaussian,
+                         tests::with_impulses(gap, tests::gaussian_impulses(1, 0.1))),
+            "");
+  const auto with_jumps = tests::closure(Formulation::gaussian, 4, Equation::kf);
+  EXPECT_NE(objection(tests::with_noise(well, 0.1), with_jumps), "");
+}
+
 TEST(Offered, PolarNeedsAWallAtAnEquilibriumWithoutNoise) {
   const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9});
   const System paper({.damping = 0.1, .stiffness = 1, .restitution = 0.9});

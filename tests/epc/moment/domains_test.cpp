@@ -224,8 +224,8 @@ TEST(MomentClosureOnDomains, WallsMayChangePlaces) {
   EXPECT_NEAR(there.moments.v2, here.moments.v2, 1e-8);
 }
 
-// By trajectories E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004; the closure is off by its own
-// error besides.
+// By trajectories E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004; the closure is off by its
+// own error besides.
 TEST(MomentClosureOnDomains, IsNearTheSimulationAtOrderEight) {
   const auto well = moment_of(with_impulses(kDoubleWell, gaussian_impulses(1, 0.05)), 8).solution;
   ASSERT_EQ(well.status, Status::ok) << well.reason;
