@@ -78,7 +78,8 @@ std::vector<Point> points_over(const transform::SmoothDensity& density, const st
   std::vector<Point> points;
   for (int i = 0; i <= kOfY; ++i) {
     for (int j = 0; j <= kOfV; ++j) {
-      points.push_back({density.y_max * i / kOfY, density.v_max * (2.0 * j / kOfV - 1)});
+      points.push_back({density.y_min + (density.y_max - density.y_min) * i / kOfY,
+                        density.v_max * (2.0 * j / kOfV - 1)});
     }
   }
   return points;
@@ -166,7 +167,7 @@ int evaluate_command(const Call& call) {
   }();
   const auto points = at ? points_at(*at) : points_over(density, where);
   std::vector<double> values;
-  for (const auto& [y, v] : points) values.push_back(y < 0 ? 0 : density.value(y, v));
+  for (const auto& [y, v] : points) values.push_back(y < density.y_min ? 0 : density.value(y, v));
   put_out(json ? json_of(points, values, file.string(), form) : csv_of(points, values));
   if (!quiet && form.solution && !form.solution->is_ok()) {
     complain(fmt::format("{} is {}: {}", form.solution->id(), name(form.solution->status),

@@ -4,11 +4,16 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
 
 #include "epc/gaussian/density.hpp"
 #include "epc/moment/density.hpp"
 #include "epc/polar/density.hpp"
 #include "parameters/input_error.hpp"
+#include "problem/frame.hpp"
+#include "transform/change_of_frame.hpp"
 #include "transform/panel_marginals.hpp"
 #include "transform/zhuravlev.hpp"
 
@@ -45,6 +50,11 @@ SmoothDensity in_plane(const ClosedForm& form) {
 
 SmoothDensity in_physical_variables(const ClosedForm& form, const problem::Problem* problem) {
   const auto& [q, frame] = form;
+  if (frame.deviations) {
+    const gaussian::Support support(q, *frame.deviations);
+    return gaussian::unfolded_density_of(
+        q, support, frame.log_constant.value_or(gaussian::log_constant(support)));
+  }
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
     return moment::density_of(q, moment::EnergyDomain(required(problem, frame), frame.support),
@@ -53,11 +63,12 @@ SmoothDensity in_physical_variables(const ClosedForm& form, const problem::Probl
   const Box box = frame.box.value();
   return {.value =
               [polynomial = q, box, constant](double y, double v) {
-                const bool inside = y >= 0 && y <= box.y_max && std::abs(v) <= box.v_max;
+                const bool inside = y >= box.y_min && y <= box.y_max && std::abs(v) <= box.v_max;
                 return inside ? std::exp(polynomial(y, v) + constant) : 0;
               },
           .y_max = box.y_max,
-          .v_max = box.v_max};
+          .v_max = box.v_max,
+          .y_min = box.y_min};
 }
 
 SmoothDensity in_polar_variables(const ClosedForm& form, const problem::Problem* problem) {
@@ -92,6 +103,20 @@ SmoothDensity as_it_stands(const ClosedForm& form, const problem::Problem* probl
   return {};
 }
 
+// The problem in the coordinates of the form.
+std::optional<problem::Problem> in_coordinates(const problem::Frame& coordinates,
+                                               const problem::Problem* problem) {
+  if (problem == nullptr) return std::nullopt;
+  if (coordinates.is_identity() || problem->frame == coordinates) return *problem;
+  if (problem::frame_of(problem->system) == coordinates) {
+    return problem::seen_from(coordinates, *problem);
+  }
+  throw InputError(
+      fmt::format("\"frame.origin\" = {:g} is no wall of the oscillator (name the case whose "
+                  "solution it is)",
+                  coordinates.origin));
+}
+
 bool has_support(const Frame& frame) {
   return frame.deviations || std::isfinite(frame.support) || frame.box;
 }
@@ -105,13 +130,21 @@ bool is_normalised(const ClosedForm& form) {
 SmoothDensity density(const ClosedForm& form, const problem::Problem* problem) {
   ClosedForm whole = form;
   Frame& frame = whole.frame;
+  const auto seen = in_coordinates(frame.coordinates, problem);
+  const problem::Problem* there = seen ? &*seen : nullptr;
+  const auto on_physical_axes = [&](SmoothDensity density) {
+    return std::get<SmoothDensity>(
+        transform::in_physical_coordinates(frame.coordinates, std::move(density)));
+  };
   const bool bounded = has_support(frame);
   if (!bounded) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     frame.box = Box{kFar, kFar};
   }
-  SmoothDensity result = as_it_stands(whole, problem);
-  if (frame.log_constant || frame.deviations || !bounded) return result;
+  SmoothDensity result = as_it_stands(whole, there);
+  if (frame.log_constant || frame.deviations || !bounded) {
+    return on_physical_axes(std::move(result));
+  }
   const double mass =
       transform::panel_marginals(result, result.y_max, result.v_max, transform::Panels::graded)
           .mass;
@@ -120,7 +153,7 @@ SmoothDensity density(const ClosedForm& form, const problem::Problem* problem) {
         fmt::format("the integral over the support is {:g} (must be positive and finite)", mass));
   }
   frame.log_constant = -std::log(mass);
-  return as_it_stands(whole, problem);
+  return on_physical_axes(as_it_stands(whole, there));
 }
 
 }  // namespace fpkcheck::epc

@@ -4,9 +4,45 @@
 
 namespace fpkcheck::epc {
 
-std::string objection(const problem::Problem& problem, const Options&) {
-  if (problem::features(problem).original) return "";
-  return "it treats one wall at the equilibrium, constant damping and impulses alone";
+namespace {
+
+std::string objection_of_moment(const problem::Features& features) {
+  if (features.rests_in_contact) {
+    return "the mass comes to rest at a wall, with a probability of its own: no exponential "
+           "polynomial has that";
+  }
+  if (features.collapse) {
+    return "under noise impacts accumulate where a restitution is <= exp(-pi / sqrt 3), and the "
+           "density at the wall is no exponential polynomial";
+  }
+  return "";
+}
+
+std::string objection_of_gaussian(const problem::Features& features, const Options& options) {
+  if (!features.no_wall) {
+    return "its plane is folded at one wall at the equilibrium, with constant damping and impulses "
+           "alone, or has no wall at all";
+  }
+  if (equation_of(options) == Equation::kf) {
+    return "its jump integral is that of the plane folded at a wall";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string objection(const problem::Problem& problem, const Options& options) {
+  const problem::Features features = problem::features(problem);
+  if (features.original) return "";
+  switch (options.formulation) {
+    case Formulation::gaussian:
+      return objection_of_gaussian(features, options);
+    case Formulation::moment:
+      return objection_of_moment(features);
+    case Formulation::polar:
+      break;
+  }
+  return "its phases are those of one wall at the equilibrium, constant damping and impulses alone";
 }
 
 }  // namespace fpkcheck::epc

@@ -31,7 +31,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   summary.order = options.order;
   summary.formulation = options.formulation;
   solution.identity = identity(options);
-  solution.observations = observations(summary, solution.moments);
+  solution.observations = observations(summary, summary.moments);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   solution.seconds = elapsed.count();
   return result;

@@ -42,6 +42,9 @@ void observe_frame(const Summary& summary, Observer& observer) {
   if (!summary.frame) return;
   observer.text("coordinates", word(name(summary.frame->variables)))
       .work("log_C", value_of(summary.frame->log_constant));
+  const problem::Frame& coordinates = summary.frame->coordinates;
+  if (coordinates.is_identity()) return;
+  observer.work("frame.origin", coordinates.origin).work("frame.mirrored", coordinates.mirrored);
 }
 
 // The edge that the density has.
@@ -90,6 +93,7 @@ void observe_support(const Summary& summary, Observer& observer) {
       .result("support.greatest_radius", support.greatest_radius)
       .result("support.y_max", support.y_max)
       .result("support.v_max", support.v_max);
+  if (support.y_min != 0) observer.result("support.y_min", support.y_min);
   if (summary.frame) observe_edge(*summary.frame, observer);
   observe_faint("support.edge_density", support.edge_density);
   observe_faint("support.cut_off", support.cut_off);

@@ -16,9 +16,10 @@ namespace fpkcheck::epc {
 struct SupportSummary {
   double least_radius;     ///< of its edge, in deviations of the weights (25)-(26)
   double greatest_radius;  ///< likewise
-  double y_max, v_max;     ///< half-widths of the box around it
+  double y_max, v_max;     ///< ends of the box around it
   double edge_density;     ///< largest density on the edge, relative to the peak
   double cut_off;          ///< estimated probability outside; see gaussian::Support::cut_off
+  double y_min = 0;        ///< where the box begins in y
 };
 
 /// A point of the branch of solutions that starts from the exact density of white noise at an
@@ -85,6 +86,7 @@ struct Summary {
   /// p(y) and p(y'). Where the orders converge fast, about the error at n-2. Absent for n = 2 and
   /// when there is no such root.
   std::optional<double> distance_to_previous = {};
+  transform::Moments moments = {};  ///< of the density in the coordinates of Q_n
   /// Of the density, where there is one; an approximate density misses them by its own error.
   transform::BalanceResiduals balances = {};
   /// Of gaussian with `kf`: relative change of the scaled coefficients when the disc of
@@ -103,7 +105,7 @@ struct Result {
 };
 
 /// The summary as observations, in the order in which files show them.
-/// @param moments of the solution: a coefficient is known to what it does to the density
+/// @param moments in the coordinates of Q_n: a coefficient is known to what it does to the density
 transform::Observations observations(const Summary& summary, const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc

@@ -85,6 +85,30 @@ std::optional<double> log_constant_in(const Observations& observations) {
   return std::log(*constant);
 }
 
+std::optional<double> any_number(const Observations& observations, const std::string& path) {
+  if (transform::find(observations, path) == nullptr) return std::nullopt;
+  return required(observations, path);
+}
+
+problem::Frame coordinates_in(const Observations& observations) {
+  problem::Frame frame{.origin = any_number(observations, "frame.origin").value_or(0)};
+  if (const auto* mirrored = transform::find(observations, "frame.mirrored")) {
+    const bool* value = std::get_if<bool>(&mirrored->value);
+    if (value == nullptr) {
+      throw InputError("\"frame.mirrored\" is neither true nor false (must be one)");
+    }
+    frame.mirrored = *value;
+  }
+  return frame;
+}
+
+Box box_in(const Observations& observations, double y_max, double v_max) {
+  const double y_min = any_number(observations, "support.y_min").value_or(0);
+  if (y_min < y_max) return {y_max, v_max, y_min};
+  throw InputError(
+      fmt::format("\"support.y_min\" is {:g} (must be below \"y_max\", {:g})", y_min, y_max));
+}
+
 }  // namespace
 
 bool has_closed_form(const Observations& observations) {
@@ -93,12 +117,14 @@ bool has_closed_form(const Observations& observations) {
 
 ClosedForm closed_form_in(const Observations& observations) {
   Frame frame{.variables = variables_in(observations),
+              .coordinates = coordinates_in(observations),
               .log_constant = log_constant_in(observations)};
   const auto number = [&](const char* path) { return positive_if_any(observations, path); };
-  if (frame.variables == Variables::plane) {
+  if (frame.variables != Variables::polar) {
     const auto sigma1 = number("support.sigma1"), sigma2 = number("support.sigma2");
     if (sigma1 && sigma2) frame.deviations = {*sigma1, *sigma2};
-  } else {
+  }
+  if (frame.variables != Variables::plane) {
     frame.support = number("support.energy").value_or(frame.support);
     if (transform::word(observations, "tail.kind").value_or("confined") == "confined") {
       frame.level = number("tail.level").value_or(frame.level);
@@ -109,7 +135,7 @@ ClosedForm closed_form_in(const Observations& observations) {
     if (y_max.has_value() != v_max.has_value()) {
       throw InputError("half a support (must have both \"y_max\" and \"v_max\")");
     }
-    if (y_max) frame.box = Box{*y_max, *v_max};
+    if (y_max) frame.box = box_in(observations, *y_max, *v_max);
   }
   return {Polynomial(terms_in(observations)), frame};
 }

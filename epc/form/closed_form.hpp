@@ -8,6 +8,7 @@
 #include "epc/form/polynomial.hpp"
 #include "epc/form/rays.hpp"
 #include "parameters/names.hpp"
+#include "problem/frame.hpp"
 #include "transform/observation.hpp"
 
 namespace fpkcheck::epc {
@@ -28,11 +29,14 @@ constexpr std::string_view name(Variables variables) { return parameters::name_o
 /// A box around what counts as the density.
 struct Box {
   double y_max, v_max;
+  double y_min = 0;
 };
 
 /// All of a density C exp(Q_n + confinement) but the coefficients of Q_n.
 struct Frame {
   Variables variables = Variables::plane;
+  /// Where y and v of Q_n lie on the physical axes: x and x' of problem/frame.hpp.
+  problem::Frame coordinates = {};
   /// ln C; nothing where nobody normalised it.
   std::optional<double> log_constant = {};
   /// Of the plane: the density is 0 outside gaussian::Support, which these deviations scale.
@@ -56,7 +60,8 @@ bool has_closed_form(const transform::Observations& observations);
 
 /// Reads one back: `coordinates`, `coefficients[k].{x1,x2,a}`, `log_C` or `C`, and of the support
 /// `support.{sigma1,sigma2}`, `support.energy` with `tail.{kind,level}`, or
-/// `support.{y_max,v_max}`.
+/// `support.{y_max,v_max}` with `support.y_min` where that is not 0; `frame.{origin,mirrored}`
+/// where the coordinates are not the physical ones.
 /// @throws InputError on one line: what is missing or out of range, without the file's name
 ClosedForm closed_form_in(const transform::Observations& observations);
 

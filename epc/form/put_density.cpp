@@ -1,22 +1,85 @@
 #include "epc/form/put_density.hpp"
 
+#include <cmath>
+
 #include "problem/motion_balances.hpp"
+#include "transform/panels.hpp"
 
 namespace fpkcheck::epc {
 namespace {
+
+// int_{v>0} v^power p(b, v) dv at a wall on the right; 0 where there is none.
+double right_flux(const problem::Problem& problem, const transform::SmoothDensity& density,
+                  int power) {
+  if (!problem.system.right()) return 0;
+  constexpr int kPanels = 8;
+  const double b = problem.system.right()->position;
+  const auto integrand = [&](double v) { return std::pow(v, power) * density.value(b, v); };
+  return transform::integrate_panels(integrand, 0.0, density.v_max, kPanels);
+}
+
+// E[v f].
+double damping_power(const problem::System& system, const transform::SmoothDensity& density) {
+  return transform::expectation(density, [&](double y, double v) {
+    return (system.damping_polynomial()(y) + system.rayleigh() * v * v) * v * v;
+  });
+}
+
+problem::EnergyTerms energy_terms(const problem::Problem& problem,
+                                  const transform::SmoothDensity& density,
+                                  const transform::Moments& moments) {
+  problem::EnergyTerms terms{.mean_velocity = moments.v1,
+                             .mean_square_velocity = moments.v2,
+                             .impact_energy_flux = transform::impact_flux(density, 3),
+                             .right_energy_flux = right_flux(problem, density, 3)};
+  if (!problem.system.damping_is_constant()) {
+    terms.mean_damping_power = damping_power(problem.system, density);
+  }
+  return terms;
+}
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const transform::SmoothDensity& density,
                                               const transform::PanelMarginals& marginals) {
   const auto& force = problem.system.force();
-  const auto virial =
-      problem::virial_balance(problem, {.mean_displacement = marginals.moments.y1,
-                                        .mean_square_velocity = marginals.moments.v2,
-                                        .mean_virial = mean_of(marginals, force.times_argument())});
-  const auto momentum =
-      problem::momentum_balance(problem, {.mean_force = mean_of(marginals, force),
-                                          .impact_momentum = transform::impact_flux(density, 2)});
-  return {.virial = virial.residual(), .momentum = momentum.residual()};
+  const double right_momentum = right_flux(problem, density, 2);
+  problem::VirialTerms virial{.mean_displacement = marginals.moments.y1,
+                              .mean_square_velocity = marginals.moments.v2,
+                              .mean_virial = mean_of(marginals, force.times_argument()),
+                              .right_momentum = right_momentum};
+  problem::MomentumTerms momentum{.mean_force = mean_of(marginals, force),
+                                  .impact_momentum = transform::impact_flux(density, 2),
+                                  .right_momentum = right_momentum};
+  if (problem.system.rayleigh() != 0) {
+    const auto mean = [&](const auto& g) { return transform::expectation(density, g); };
+    virial.mean_y_cubed_velocity = mean([](double y, double v) { return y * v * v * v; });
+    momentum.mean_cubed_velocity = mean([](double, double v) { return v * v * v; });
+  }
+  transform::BalanceResiduals residuals{.virial =
+                                            problem::virial_balance(problem, virial).residual()};
+  // Where no wall is hit both sides may be 0: nothing but rounding in units of a force.
+  constexpr double kRounding = 1e-9;
+  const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
+  const problem::Balance balance = problem::momentum_balance(problem, momentum);
+  if (balance.scale > kRounding * force_unit) residuals.momentum = balance.residual();
+  return residuals;
+}
+
+// Of y = origin + sign x, y' = sign x'.
+transform::Moments physical_moments(const problem::Frame& frame,
+                                    const transform::PanelMarginals& marginals) {
+  transform::Moments moments = marginals.moments;
+  if (frame.is_identity()) return moments;
+  const auto mean_of_power = [&](std::size_t n) {
+    problem::Polynomial::Coefficients power{};
+    power[n] = 1;
+    return mean_of(marginals, problem::Polynomial(power).of_shifted(frame.origin, frame.sign()));
+  };
+  moments.y1 = mean_of_power(1);
+  moments.y2 = mean_of_power(2);
+  moments.y4 = mean_of_power(4);
+  moments.v1 = frame.v(moments.v1);
+  return moments;
 }
 
 }  // namespace
@@ -29,12 +92,10 @@ transform::PanelMarginals put_density(const problem::Problem& problem, problem::
   auto& solution = result.solution;
   solution.density = density;
   solution.mass = marginals.mass;
-  solution.moments = marginals.moments;
+  solution.moments = physical_moments(problem.frame, marginals);
   solution.energy_residual =
-      problem::energy_residual(problem, impact,
-                               {.mean_velocity = marginals.moments.v1,
-                                .mean_square_velocity = marginals.moments.v2,
-                                .impact_energy_flux = transform::impact_flux(density, 3)});
+      problem::energy_residual(problem, impact, energy_terms(problem, density, marginals.moments));
+  result.summary.moments = marginals.moments;
   result.summary.balances = balance_residuals(problem, density, marginals);
   return marginals;
 }

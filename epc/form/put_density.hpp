@@ -7,8 +7,9 @@
 
 namespace fpkcheck::epc {
 
-/// Puts a density into a result, with its mass, its moments and the residuals of the balances of
-/// power, virial and momentum.
+/// Puts a density into a result, with its mass, its moments (the physical ones into the solution,
+/// those of the problem's frame into the summary) and the residuals of the balances of power,
+/// virial and momentum.
 /// @param impact by which impacts dissipate power in the equation solved
 /// @return the marginals, for comparison with another order's
 transform::PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,

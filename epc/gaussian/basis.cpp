@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -31,6 +33,10 @@ Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
 }  // namespace
 
 Deviations deviations(const problem::Problem& problem) {
+  if (!problem::features(problem).original) {
+    const auto scales = problem::scales(problem);
+    return {std::hypot(scales.displacement_deviation, scales.centre), scales.velocity_deviation};
+  }
   const auto linear = problem::equivalent_linearisation(problem);
   return {linear.displacement_deviation, linear.velocity_deviation};
 }

@@ -13,7 +13,8 @@ struct Problem;
 
 namespace fpkcheck::epc::gaussian {
 
-/// sigma_1 and sigma_2, the deviations of the weights f1 and f2 of paper (25)-(26).
+/// sigma_1 and sigma_2, the deviations of the weights f1 and f2 of paper (25)-(26): of equivalent
+/// linearisation in the paper's class, else of energy averaging, from 0.
 Deviations deviations(const problem::Problem& problem);
 
 /// Basis functions at points: point i in row i, function s in column s. Two twos stand for the

@@ -31,7 +31,7 @@ double absolute_moment(double m, double sigma) {
 std::vector<Term> elastic_white_noise(const ResidualCoefficients& f, const Deviations& sigma) {
   const double beta = f.damping / (f.rate_moment[2] / 2);
   std::vector<Term> terms{{0, 2, -beta / 2}};
-  for (int m = 1; m < static_cast<int>(problem::Polynomial::kDegree); ++m) {
+  for (int m = 0; m < static_cast<int>(problem::Polynomial::kDegree); ++m) {
     const double odd = f.odd_force.coefficient(m), even = f.even_force.coefficient(m);
     if (odd != 0) terms.push_back({m + 1, 0, -beta * odd / (m + 1)});
     if (even != 0) {

@@ -26,4 +26,15 @@ transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
       {.value = plane, .x1_max = support.x1_max(), .x2_max = support.x2_max()});
 }
 
+transform::SmoothDensity unfolded_density_of(const Polynomial& q, const Support& support,
+                                             double log_constant) {
+  return {.value =
+              [q, support, log_constant](double y, double v) {
+                return support.contains(y, v) ? std::exp(q(y, v) + log_constant) : 0;
+              },
+          .y_max = support.x1_max(),
+          .v_max = support.x2_max(),
+          .y_min = -support.x1_max()};
+}
+
 }  // namespace fpkcheck::epc::gaussian

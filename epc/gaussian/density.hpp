@@ -13,4 +13,8 @@ double log_constant(const Support& support);
 transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
                                     double log_constant);
 
+/// C exp(Q_n) on the support as a density of (y, v) where there is no wall: nothing is folded.
+transform::SmoothDensity unfolded_density_of(const Polynomial& q, const Support& support,
+                                             double log_constant);
+
 }  // namespace fpkcheck::epc::gaussian

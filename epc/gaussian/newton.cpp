@@ -1,6 +1,7 @@
 #include "epc/gaussian/newton.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "epc/roots/dense.hpp"
 
@@ -47,7 +48,7 @@ struct NewtonEquations {
 double residual_unit(const Projection& projection, const ResidualCoefficients& f) {
   constexpr double kRounding = 1e-4;
   const Deviations& sigma = projection.basis().sigma();
-  return std::max(f.damping, kRounding * sigma.x2 / sigma.x1);
+  return std::max(std::abs(f.damping), kRounding * sigma.x2 / sigma.x1);
 }
 
 roots::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,

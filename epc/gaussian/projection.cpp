@@ -84,6 +84,11 @@ Projection::Projection(Basis basis, const problem::ImpulseTrain& impulses, doubl
 
 Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
                                      const Eigen::VectorXd& a) const {
+  if (!f.folded) {
+    return smooth_.project(values(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
+      return unfolded_part(f, smooth_.x1(i), smooth_.x2(i), q);
+    }));
+  }
   Eigen::VectorXd result =
       smooth_.project(values(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
         return smooth_part(f, smooth_.x1(i), smooth_.x2(i), q);
@@ -101,6 +106,12 @@ Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
 
 Eigen::MatrixXd Projection::jacobian(const ResidualCoefficients& f,
                                      const Eigen::VectorXd& a) const {
+  if (!f.folded) {
+    return smooth_.project_gradients(
+        gradients(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
+          return unfolded_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
+        }));
+  }
   Eigen::MatrixXd result =
       smooth_.project_gradients(gradients(smooth_, a, [&](Eigen::Index i, const Derivatives& q) {
         return smooth_gradient(f, smooth_.x1(i), smooth_.x2(i), q);

@@ -53,14 +53,19 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equa
   const bool higher = equation != Equation::white;
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
+  const bool folded = system.left().has_value();
+  const problem::Polynomial none({});
   return {
       .damping = system.damping(),
-      .odd_force = part(system.force(), 1),
-      .even_force = part(system.force(), 0),
+      .odd_force = folded ? part(system.force(), 1) : system.force(),
+      .even_force = folded ? part(system.force(), 0) : none,
       .impact_loss = 1 - system.restitution(),
-      .rate_moment = {0, impulses.rate_moment(1), impulses.rate_moment(2),
+      .rate_moment = {0, impulses.rate_moment(1), impulses.rate_moment(2) + problem.noise.intensity,
                       higher ? impulses.rate_moment(3) : 0, higher ? impulses.rate_moment(4) : 0},
-      .jump_share = equation == Equation::kf ? 1.0 : 0.0};
+      .jump_share = equation == Equation::kf ? 1.0 : 0.0,
+      .folded = folded,
+      .damping_polynomial = system.damping_polynomial(),
+      .rayleigh = system.rayleigh()};
 }
 
 ResidualCoefficients partway(const ResidualCoefficients& full, double fraction) {
@@ -91,6 +96,20 @@ double signed_part(const ResidualCoefficients& f, double x1, const Derivatives& 
 Derivatives signed_gradient(const ResidualCoefficients& f, double x1, const Derivatives& q) {
   Derivatives gradient = odd_series_gradient(f.rate_moment, q);
   gradient.q2 += f.even_force(x1);
+  return gradient;
+}
+
+double unfolded_part(const ResidualCoefficients& f, double x1, double x2, const Derivatives& q) {
+  const double damping = f.damping_polynomial(x1), square = f.rayleigh * x2 * x2;
+  const double drift = (damping + square) * x2 + f.odd_force(x1);
+  return -x2 * q.q1 + drift * q.q2 + series_part(f.rate_moment, 1, q) + damping + 3 * square;
+}
+
+Derivatives unfolded_gradient(const ResidualCoefficients& f, double x1, double x2,
+                              const Derivatives& q) {
+  Derivatives gradient = series_gradient(f.rate_moment, 1, q);
+  gradient.q1 -= x2;
+  gradient.q2 += (f.damping_polynomial(x1) + f.rayleigh * x2 * x2) * x2 + f.odd_force(x1);
   return gradient;
 }
 

@@ -26,6 +26,12 @@ struct ResidualCoefficients {
   /// lambda ( E[exp(Q(x1, x2 - sgn(x1) Y) - Q)] - 1 ) less its Kramers-Moyal series up to the
   /// fourth derivative. 1 for `kf`, else 0.
   double jump_share;
+  /// Whether the plane is Zhuravlev's (z, z'), folded at a wall. Where there is none it is (y, y')
+  /// itself: odd_force is all of g, even_force is 0, the damping is f = y' (damping_polynomial(y) +
+  /// rayleigh y'^2), and F is unfolded_part().
+  bool folded = true;
+  problem::Polynomial damping_polynomial{{}};
+  double rayleigh = 0;
 };
 
 /// @param equation white (E[Y^3] and E[Y^4] are dropped), km4 or kf
@@ -59,6 +65,12 @@ Derivatives smooth_gradient(const ResidualCoefficients& f, double x1, double x2,
 /// [g_even(x1) - lambda E[Y]] Q_2 - lambda E[Y^3]/3! [Q_222 + 3 Q_2 Q_22 + Q_2^3]
 double signed_part(const ResidualCoefficients& f, double x1, const Derivatives& q);
 Derivatives signed_gradient(const ResidualCoefficients& f, double x1, const Derivatives& q);
+
+/// F where there is no wall: smooth and signed parts without the sign, and any damping f,
+/// -x2 Q_1 + [f + g - lambda E[Y]] Q_2 + f_v + (lambda E[Y^2] + 2D)/2! [Q_22 + Q_2^2] - ..
+double unfolded_part(const ResidualCoefficients& f, double x1, double x2, const Derivatives& q);
+Derivatives unfolded_gradient(const ResidualCoefficients& f, double x1, double x2,
+                              const Derivatives& q);
 
 /// The terms of the two parts above that are due to the impulses, at a point with x1 > 0
 /// (side = 1) or x1 < 0 (side = -1): the Kramers-Moyal series times exp(-Q).

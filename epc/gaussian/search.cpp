@@ -26,8 +26,18 @@ std::vector<Term> linearised(const Deviations& sigma) {
   return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
 }
 
+// Without a wall nothing is folded, and a force or impulses of no symmetry take all monomials.
+MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
+  if (problem.system.left()) return options.monomials;
+  const problem::Polynomial& force = problem.system.force();
+  const bool symmetric = force.coefficient(0) == 0 && force.coefficient(2) == 0 &&
+                         problem.impulses.rate_moment(1) == 0 &&
+                         problem.impulses.rate_moment(3) == 0;
+  return symmetric ? options.monomials : MonomialSet::general;
+}
+
 Projection projection_of(const problem::Problem& problem, const Options& options) {
-  const Basis basis(options.order, options.monomials, deviations(problem));
+  const Basis basis(options.order, monomials_of(problem, options), deviations(problem));
   if (equation_of(options) == Equation::kf) return Projection(basis, problem.impulses);
   return Projection(basis);
 }

@@ -18,9 +18,14 @@ namespace {
 using transform::Status;
 
 // Normalised by itself.
-transform::SmoothDensity density_on(const Polynomial& q, const Support& support) {
-  return density_of(q, support, log_constant(support));
+transform::SmoothDensity density_on(const problem::Problem& problem, const Polynomial& q,
+                                    const Support& support) {
+  return problem.system.left() ? density_of(q, support, log_constant(support))
+                               : unfolded_density_of(q, support, log_constant(support));
 }
+
+// A Gaussian is near no well of several and no ring.
+int first_comparable(const problem::Problem& problem) { return problem.system.left() ? 2 : 4; }
 
 // Why a root is no density of the kind asked for; empty when it is.
 std::string objection(const Support& support, const LeadingForm& form,
@@ -52,6 +57,18 @@ std::string objection(const Support& support, const LeadingForm& form,
   return "";
 }
 
+// Where there is no wall the balance of virial accuses as that of power does: a Gaussian that meets
+// its weighted equations in the middle of a double well misses it by all there is.
+std::string objection_by_virial(const problem::Problem& problem,
+                                const transform::BalanceResiduals& balances) {
+  const double virial = std::abs(balances.virial.value_or(0));
+  if (problem.system.left() || virial <= kEnergyAllowed) return "";
+  return fmt::format(
+      "the root misses the stationary balance of virial by {:.0f} % (allowed {:.0f} %), so it is "
+      "near no stationary density",
+      100 * virial, 100 * kEnergyAllowed);
+}
+
 // Judges a root of (23): C exp(Q_n) restricted to its support, its moments, its energy balance.
 // @param previous the root of order n-2, to compare with
 void judge(const problem::Problem& problem, const Polynomial& q,
@@ -68,22 +85,26 @@ void judge(const problem::Problem& problem, const Polynomial& q,
                      .v_max = support.x2_max(),
                      .edge_density = support.edge_ratio(),
                      .cut_off = support.cut_off()};
-  summary.frame = {
-      .variables = Variables::plane, .log_constant = log_constant(support), .deviations = sigma};
+  summary.frame = {.variables = problem.system.left() ? Variables::plane : Variables::physical,
+                   .log_constant = log_constant(support),
+                   .deviations = sigma};
 
-  const transform::SmoothDensity density = density_on(q, support);
+  const transform::SmoothDensity density = density_on(problem, q, support);
+  summary.support->y_min = density.y_min;
   const transform::PanelMarginals marginals = put_density(problem, Impact::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const Support before(*previous, sigma);
+    auto before_density = density_on(problem, *previous, before);
+    before_density.y_min = density.y_min;  // the same panels
     summary.distance_to_previous = distance(
-        marginals,
-        transform::panel_marginals(density_on(*previous, before), density.y_max, density.v_max));
-    if (before.edge_ratio() < kEdgeAllowed) {
+        marginals, transform::panel_marginals(before_density, density.y_max, density.v_max));
+    if (before.edge_ratio() < kEdgeAllowed && previous->degree() >= first_comparable(problem)) {
       distance_to_density_before = summary.distance_to_previous;
     }
   }
   solution.reason = objection(support, form, solution, distance_to_density_before);
+  if (solution.reason.empty()) solution.reason = objection_by_virial(problem, summary.balances);
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }
 

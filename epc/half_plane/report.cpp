@@ -49,12 +49,12 @@ Frame frame_of(const Shape& shape, Tail tail, Variables variables) {
 }
 
 void describe(const Root& root, Tail tail, const transform::SmoothDensity& density,
-              const Edges& edges, Result& result) {
+              const Deviations& sigma, const Edges& edges, Result& result) {
   const Shape& shape = root.shape;
   const auto beyond = [&](const Contour& contour) {
     return probability_beyond(shape.q, contour, shape.temperature, shape.log_normalisation);
   };
-  const auto [least, greatest] = radii(edges.support, deviations(result.solution.moments));
+  const auto [least, greatest] = radii(edges.support, sigma);
   result.summary.condition = root.condition;
   result.summary.coefficients = shape.q.terms();
   result.summary.support = {.least_radius = least,
@@ -62,7 +62,8 @@ void describe(const Root& root, Tail tail, const transform::SmoothDensity& densi
                             .y_max = density.y_max,
                             .v_max = density.v_max,
                             .edge_density = edges.density,
-                            .cut_off = beyond(edges.support)};
+                            .cut_off = beyond(edges.support),
+                            .y_min = density.y_min};
   result.summary.half_plane = {.tail = tail,
                                .level = shape.level,
                                .level_deviations = std::sqrt(2 * shape.level / shape.temperature),

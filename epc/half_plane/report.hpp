@@ -22,8 +22,9 @@ struct Edges {
 };
 
 /// Condition, coefficients, support and tail, once the density has been put into the solution.
+/// @param sigma by which the plane is scaled
 void describe(const Root& root, Tail tail, const transform::SmoothDensity& density,
-              const Edges& edges, Result& result);
+              const Deviations& sigma, const Edges& edges, Result& result);
 
 /// The status. A root that the quadrature does not resolve is none; one is not to be relied on
 /// where
@@ -36,7 +37,7 @@ void describe(const Root& root, Tail tail, const transform::SmoothDensity& densi
 void conclude(const Root& root, double quadrature_allowed, const std::string& objection,
               Result& result);
 
-/// The deviations of the solution's density.
+/// The deviations from 0 of a density with such moments.
 Deviations deviations(const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc::half_plane

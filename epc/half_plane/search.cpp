@@ -31,10 +31,10 @@ QuadratureSize refined(const QuadratureSize& size) {
 
 class Search {
  public:
-  Search(const problem::Problem& problem, const Setting& setting, const Options& options)
+  Search(const Setting& setting, const Options& options)
       : setting_(setting),
         options_(options),
-        unit_(rate_unit(problem)),
+        unit_(setting.rate_unit()),
         end_(std::chrono::steady_clock::now() +
              std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                  std::chrono::duration<double>(std::min(options.max_seconds, kEver)))) {}
@@ -55,11 +55,17 @@ class Search {
 
   void climb() {
     Shape guess = setting_.start();
-    for (int n = 2; n <= options_.order; n += 2) {
-      if (n == options_.order && n > 2) root_.previous = guess;
-      if (!advance(guess, n)) return;
+    const int first = setting_.first_order(options_.order);
+    for (int n = first; n <= options_.order; n += 2) {
+      if (n == options_.order && n > first) root_.previous = guess;
+      std::optional<Shape> next = advanced(guess, n);
+      if (!next && n > first && setting_.any_order_can_start()) {
+        next = advanced(setting_.start(), n);
+      }
       // At strong impact losses the linearised deviations are far too large.
-      if (n == 2 && !advance(guess, n)) return;
+      if (next && n == 2) next = advanced(*next, n);
+      if (!next) return;
+      guess = *next;
     }
     finish(guess);
   }
@@ -81,8 +87,8 @@ class Search {
     return levels;
   }
 
-  // Order n from the guess, well enough to start the next, in its place.
-  bool advance(Shape& guess, int n) {
+  // Order n from the guess, well enough to start the next.
+  std::optional<Shape> advanced(const Shape& guess, int n) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Shape, double>> {
       if (late()) return std::nullopt;
       const Start start = start_of(guess, n, level, first_size(guess, n, level, Stage::rough));
@@ -91,10 +97,8 @@ class Search {
       const Shape found = shape_of(start.equations, result.a, level);
       return std::pair{found, setting_.remains(found, Stage::rough)};
     };
-    const auto best = first_decayed<Shape>(levels(guess, Stage::rough),
-                                           setting_.remains_allowed(Stage::rough), attempt);
-    if (best) guess = *best;
-    return best.has_value();
+    return first_decayed<Shape>(levels(guess, Stage::rough), setting_.remains_allowed(Stage::rough),
+                                attempt);
   }
 
   // The order asked for, to the tolerance.
@@ -266,8 +270,8 @@ Confinement confinement_of(double level, Tail tail) {
   return tail == Tail::confined ? Confinement{level} : Confinement{};
 }
 
-Root find_root(const problem::Problem& problem, const Setting& setting, const Options& options) {
-  return Search(problem, setting, options).run();
+Root find_root(const Setting& setting, const Options& options) {
+  return Search(setting, options).run();
 }
 
 }  // namespace fpkcheck::epc::half_plane

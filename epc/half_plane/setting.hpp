@@ -33,8 +33,14 @@ class Setting {
  public:
   virtual ~Setting() = default;
 
-  /// The density of equivalent linearisation.
+  /// The density from which the first order starts.
   virtual Shape start() const = 0;
+  /// The first order that is solved on the way to one.
+  virtual int first_order(int /*order*/) const { return 2; }
+  /// Whether any order may start from it, where the one before leads to no root.
+  virtual bool any_order_can_start() const { return false; }
+  /// The measure of rates of change.
+  virtual double rate_unit() const = 0;
   /// The energies at which the confinement may begin, in the order in which they are to be tried.
   virtual std::vector<double> levels(const Shape& guess, Stage stage) const = 0;
   /// A level further out that the root found at one shows to be better.

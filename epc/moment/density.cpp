@@ -13,7 +13,8 @@ transform::SmoothDensity density_of(const Polynomial& q, const EnergyDomain& dom
                 return std::exp(q(y, v) + confinement(domain.energy(y, v)) + log_constant);
               },
           .y_max = domain.y_max(),
-          .v_max = domain.v_max()};
+          .v_max = domain.v_max(),
+          .y_min = domain.y_min()};
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -3,16 +3,22 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::epc::moment {
 
 using half_plane::Line;
 using half_plane::Points;
+using problem::Swing;
 
 namespace {
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+constexpr double kQuarter = std::numbers::pi / 2;
 
 problem::Polynomial potential_of(const problem::Problem& problem) {
   auto a = problem.system.potential().coefficients();
@@ -25,12 +31,33 @@ problem::Polynomial potential_of(const problem::Problem& problem) {
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
     : potential_(potential_of(problem)),
       level_(level),
-      minimum_(problem::static_deflection(problem)),
-      least_(potential_(minimum_)) {
+      wall_low_(problem.system.left() ? problem.system.left()->position : -kEver),
+      wall_high_(problem.system.right() ? problem.system.right()->position : kEver),
+      at_equilibrium_(problem::features(problem).original) {
+  if (at_equilibrium_) {
+    part_from_the_wall_at_0(problem);
+  } else {
+    parts_between(problem);
+  }
+}
+
+void EnergyDomain::part_from_the_wall_at_0(const problem::Problem& problem) {
+  minimum_ = problem::static_deflection(problem);
+  least_ = potential_(minimum_);
   double beyond = minimum_ + 1;
   while (energy(beyond, 0) < level_) beyond = minimum_ + 2 * (beyond - minimum_);
-  y_high_ = turning_point(minimum_, beyond);
-  y_low_ = energy(0, 0) <= level_ ? 0 : turning_point(minimum_, 0);
+  const double high = turning_point(minimum_, beyond);
+  const bool at_wall = energy(0, 0) <= level_;
+  parts_.push_back({.left = at_wall ? 0 : turning_point(minimum_, 0),
+                    .right = high,
+                    .at_left = at_wall,
+                    .at_right = false});
+}
+
+void EnergyDomain::parts_between(const problem::Problem& problem) {
+  const problem::UndampedOrbits orbits(problem);
+  least_ = orbits.lowest_potential();
+  parts_ = orbits.swings(least_ + level_);
 }
 
 double EnergyDomain::turning_point(double from, double towards) const {
@@ -48,31 +75,55 @@ double EnergyDomain::half_width(double y) const {
 
 double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
 
-Points EnergyDomain::rule(int y_points, int v_points) const {
-  // With the wall inside, sin(phi) = -1 would be the left turning point if V were even about its
-  // minimum; where even that lies inside, the wall itself is the left end.
-  const bool cut_by_wall = y_low_ == 0 && minimum_ < y_high_ - minimum_;
-  const double centre = cut_by_wall ? minimum_ : (y_low_ + y_high_) / 2;
-  const double reach = y_high_ - centre;
-  const double first = cut_by_wall ? std::asin(-centre / reach) : -std::numbers::pi / 2;
-  const Line phi = half_plane::legendre_rule(y_points, first, std::numbers::pi / 2);
-  const Line tau = half_plane::legendre_rule(v_points, -1, 1);
+// Where V would reach the level beyond a wall, no farther from it than the other end.
+double EnergyDomain::continued(double wall, double far) const {
+  constexpr int kSteps = 16;
+  const double step = (wall - far) / kSteps;
+  for (int k = 1; k <= kSteps; ++k) {
+    const double at = wall + k * step;
+    if (energy(at, 0) > level_) return turning_point(at - step, at);
+  }
+  return wall + (wall - far);
+}
 
-  const Eigen::Index count = Eigen::Index{y_points} * v_points;
+EnergyDomain::Map EnergyDomain::map_of(const Swing& part) const {
+  if (at_equilibrium_) {
+    // With the wall inside, sin(phi) = -1 would be the left turning point if V were even about its
+    // minimum; where even that lies inside, the wall itself is the left end.
+    const bool cut_by_wall = part.left == 0 && minimum_ < part.right - minimum_;
+    const double centre = cut_by_wall ? minimum_ : (part.left + part.right) / 2;
+    const double reach = part.right - centre;
+    return {centre, reach, cut_by_wall ? std::asin(-centre / reach) : -kQuarter, kQuarter};
+  }
+  // The half-width is singular at the turning point that there would be behind a wall, too.
+  const double low = part.at_left ? continued(part.left, part.right) : part.left;
+  const double high = part.at_right ? continued(part.right, part.left) : part.right;
+  const double centre = (low + high) / 2, reach = (high - low) / 2;
+  return {centre, reach, part.at_left ? std::asin((part.left - centre) / reach) : -kQuarter,
+          part.at_right ? std::asin((part.right - centre) / reach) : kQuarter};
+}
+
+Points EnergyDomain::rule(int y_points, int v_points) const {
+  const Line tau = half_plane::legendre_rule(v_points, -1, 1);
+  const Eigen::Index count = static_cast<Eigen::Index>(parts_.size()) * y_points * v_points;
   Points points;
   for (auto* column : {&points.y, &points.v, &points.energy, &points.weight}) {
     column->resize(count);
   }
   Eigen::Index k = 0;
-  for (int i = 0; i < y_points; ++i) {
-    const double y = centre + reach * std::sin(phi.at[i]);
-    const double width = half_width(y);
-    const double y_weight = phi.weight[i] * reach * std::cos(phi.at[i]);
-    for (int j = 0; j < v_points; ++j, ++k) {
-      points.y[k] = y;
-      points.v[k] = width * tau.at[j];
-      points.energy[k] = energy(y, points.v[k]);
-      points.weight[k] = y_weight * width * tau.weight[j];
+  for (const Swing& part : parts_) {
+    const auto [centre, reach, first, last] = map_of(part);
+    const Line phi = half_plane::legendre_rule(y_points, first, last);
+    for (int i = 0; i < y_points; ++i) {
+      const double y = centre + reach * std::sin(phi.at[i]);
+      const double width = half_width(y);
+      const double y_weight = phi.weight[i] * reach * std::cos(phi.at[i]);
+      for (int j = 0; j < v_points; ++j, ++k) {
+        points.y[k] = y;
+        points.v[k] = width * tau.at[j];
+        points.energy[k] = energy(y, points.v[k]);
+        points.weight[k] = y_weight * width * tau.weight[j];
+      }
     }
   }
   points.s = points.y;
@@ -81,9 +132,15 @@ Points EnergyDomain::rule(int y_points, int v_points) const {
 }
 
 Line EnergyDomain::wall_rule(int points) const {
-  const double width = y_low_ == 0 ? half_width(0) : 0;
+  const double width = parts_.front().at_left ? half_width(y_low()) : 0;
   if (width == 0) return {};
   return half_plane::legendre_rule(points, -width, 0);
+}
+
+Line EnergyDomain::right_wall_rule(int points) const {
+  const double width = parts_.back().at_right ? half_width(y_max()) : 0;
+  if (width == 0) return {};
+  return half_plane::legendre_rule(points, 0, width);
 }
 
 }  // namespace fpkcheck::epc::moment

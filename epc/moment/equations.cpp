@@ -11,6 +11,42 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::products;
 
+namespace {
+
+// f + g, the damping and the restoring force.
+VectorXd force_at(const problem::System& system, const VectorXd& y, const VectorXd& v) {
+  if (system.damping_is_constant()) return system.damping() * v + y.unaryExpr(system.force());
+  const VectorXd damping =
+      y.unaryExpr(system.damping_polynomial()).array() + system.rayleigh() * v.array().square();
+  return damping.cwiseProduct(v) + y.unaryExpr(system.force());
+}
+
+// The points on the incoming sides of all walls: y, v before the impact and after it.
+struct Incoming {
+  VectorXd y, before, after, weight;
+
+  void add(const problem::Wall& wall, const half_plane::Line& line) {
+    const auto joined = [](const VectorXd& a, const VectorXd& b) {
+      VectorXd both(a.size() + b.size());
+      both << a, b;
+      return both;
+    };
+    y = joined(y, VectorXd::Constant(line.at.size(), wall.position));
+    before = joined(before, line.at);
+    after = joined(after, -wall.restitution * line.at);
+    weight = joined(weight, line.weight);
+  }
+};
+
+Incoming incoming(const problem::System& system, const EnergyDomain& domain, int points) {
+  Incoming all;
+  if (system.left()) all.add(*system.left(), domain.wall_rule(points));
+  if (system.right()) all.add(*system.right(), domain.right_wall_rule(points));
+  return all;
+}
+
+}  // namespace
+
 half_plane::Equations equations(const problem::Problem& problem,
                                 const std::vector<double>& rate_moment, const EnergyDomain& domain,
                                 const half_plane::Confinement& confinement, half_plane::Basis basis,
@@ -21,18 +57,19 @@ half_plane::Equations equations(const problem::Problem& problem,
   const auto of_y = basis.of_s().derivatives(y, 1);
   const auto of_v = basis.of_t().derivatives(v, n);
 
-  // L* on h_p(y) g_q(v) = v h_p' g_q + h_p [ -(c v + g(y)) g_q' + sum_j .. g_q^(j) ]
+  // L* on h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ], the noise beside
+  // the impulses of two: D = 2D/2!.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
-    const double factor = rate_moment[j] / boost::math::factorial<double>(static_cast<unsigned>(j));
+    const double intensity = j == 2 ? problem.noise.intensity : 0;
+    const double factor =
+        (rate_moment[j] + intensity) / boost::math::factorial<double>(static_cast<unsigned>(j));
     if (factor != 0) impulses += factor * of_v[j];
   }
-  const VectorXd force = system.damping() * v + y.unaryExpr(system.force());
+  const VectorXd force = force_at(system, y, v);
 
-  const half_plane::Line wall = domain.wall_rule(wall_points);
-  const VectorXd at_wall = VectorXd::Zero(wall.at.size());
-  const VectorXd after = -system.restitution() * wall.at;
-  const MatrixXd wall_members = basis.values(at_wall, wall.at);
+  const Incoming wall = incoming(system, domain, wall_points);
+  const MatrixXd wall_members = basis.values(wall.y, wall.before);
   half_plane::GalerkinTables tables{
       .weight = points.weight,
       .members = products(basis.members(), of_y[0], of_v[0]),
@@ -41,9 +78,11 @@ half_plane::Equations equations(const problem::Problem& problem,
       .confined = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight,
       .wall_members = wall_members,
-      .rebounds = (-wall.at).asDiagonal() * (basis.values(at_wall, after) - wall_members),
-      .wall_confined =
-          wall.at.unaryExpr([&](double v_in) { return confinement(domain.energy(0, v_in)); })};
+      .rebounds =
+          wall.before.cwiseAbs().asDiagonal() * (basis.values(wall.y, wall.after) - wall_members),
+      .wall_confined = VectorXd::NullaryExpr(wall.y.size(), [&](Eigen::Index i) {
+        return confinement(domain.energy(wall.y[i], wall.before[i]));
+      })};
   return {std::move(tables), std::move(basis), std::move(points)};
 }
 

@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "epc/form/allowed.hpp"
+#include "epc/half_plane/metric.hpp"
 #include "epc/half_plane/search.hpp"
+#include "epc/moment/averaged_setting.hpp"
 #include "epc/moment/equations.hpp"
+#include "epc/moment/level_density.hpp"
 #include "epc/moment/tail.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {
@@ -28,8 +32,6 @@ constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
 // Where Q_n falls by this much without ever rising, the level lies there, and it does not matter.
 constexpr double kWholeDepth = 42;
 constexpr double kFarthestDeviations = 16;
-// Largest density at the level, relative to the peak, that needs no other level on the way.
-constexpr double kLevelAllowed = 1e-2;
 constexpr double kFurther = 1.05;  // of a level, to be worth another solve
 
 double level_of(const Shape& shape, double deviations) {
@@ -44,9 +46,10 @@ std::vector<double> rate_moments(const problem::Problem& problem, const Options&
   return moments;
 }
 
-class Setting : public half_plane::Setting {
+// Of the paper's class.
+class LinearisedSetting : public half_plane::Setting {
  public:
-  Setting(const problem::Problem& problem, const Options& options)
+  LinearisedSetting(const problem::Problem& problem, const Options& options)
       : problem_(problem), tail_(options.tail), rate_moment_(rate_moments(problem, options)) {}
 
   Shape start() const override {
@@ -58,6 +61,8 @@ class Setting : public half_plane::Setting {
             {{1, 0, centre / (s1 * s1)}, {2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}}),
         .temperature = s2 * s2};
   }
+
+  double rate_unit() const override { return half_plane::rate_unit(problem_); }
 
   std::vector<double> levels(const Shape& guess, Stage stage) const override {
     std::vector<double> levels;
@@ -101,13 +106,11 @@ class Setting : public half_plane::Setting {
 
   // At the level on the way, at the edge of the support in the end.
   double remains(const Shape& found, Stage stage) const override {
-    const double at = stage == Stage::rough ? found.level : found.support;
-    const double confined =
-        stage == Stage::rough ? 0 : half_plane::confinement_of(found.level, tail_)(at);
-    return std::exp(largest_on_contour(found.q, problem_, at) - found.peak + confined);
+    return stage == Stage::rough ? level_density(found, problem_)
+                                 : edge_density(found, problem_, tail_);
   }
   double remains_allowed(Stage stage) const override {
-    return stage == Stage::rough ? kLevelAllowed : kEdgeAllowed;
+    return stage == Stage::rough ? kLevelDensityOnTheWay : kEdgeAllowed;
   }
 
  private:
@@ -125,7 +128,11 @@ class Setting : public half_plane::Setting {
 }  // namespace
 
 half_plane::Root find_root(const problem::Problem& problem, const Options& options) {
-  return half_plane::find_root(problem, Setting(problem, options), options);
+  if (problem::features(problem).original) {
+    return half_plane::find_root(LinearisedSetting(problem, options), options);
+  }
+  return half_plane::find_root(AveragedSetting(problem, options, rate_moments(problem, options)),
+                               options);
 }
 
 }  // namespace fpkcheck::epc::moment

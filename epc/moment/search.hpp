@@ -10,7 +10,8 @@ struct Problem;
 namespace fpkcheck::epc::moment {
 
 /// half_plane::find_root in the coordinates y and v. The level lies as far out as Q_n falls, else
-/// where the density has decayed; energies are those of EnergyDomain.
+/// where the density has decayed; energies are those of EnergyDomain. The search starts from
+/// equivalent linearisation in the paper's class, else from energy averaging.
 half_plane::Root find_root(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc::moment

@@ -10,8 +10,10 @@
 #include "epc/half_plane/report.hpp"
 #include "epc/half_plane/search.hpp"
 #include "epc/moment/density.hpp"
+#include "epc/moment/level_density.hpp"
 #include "epc/moment/search.hpp"
 #include "epc/moment/tail.hpp"
+#include "problem/features.hpp"
 #include "transform/panel_marginals.hpp"
 
 namespace fpkcheck::epc::moment {
@@ -27,6 +29,14 @@ transform::SmoothDensity density_of(const problem::Problem& problem, const Shape
                                     Tail tail) {
   return density_of(shape.q, EnergyDomain(problem, shape.support),
                     half_plane::confinement_of(shape.level, tail), -shape.log_normalisation);
+}
+
+// Why a density beyond the paper's class is held by its confinement alone; empty when it is not.
+std::string objection_at_level(double level_density, const LeadingForm& form) {
+  if (level_density < kLevelDensityAllowed) return "";
+  return fmt::format(
+      "exp(Q_n) is {:.1e} of its peak where its confinement begins (allowed {:.0e}), {}",
+      level_density, kLevelDensityAllowed, behaviour(form, "(y, v) / deviations"));
 }
 
 std::string objection(double edge_density, const LeadingForm& form) {
@@ -48,20 +58,28 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const transform::SmoothDensity density = density_of(problem, shape, options.tail);
   const auto marginals = put_density(problem, Impact::map, density, result);
   if (root.previous) {
-    const auto before = density_of(problem, *root.previous, options.tail);
+    auto before = density_of(problem, *root.previous, options.tail);
+    before.y_min = density.y_min;  // the same panels
     summary.distance_to_previous =
         distance(marginals, transform::panel_marginals(before, density.y_max, density.v_max));
   }
+  const Deviations sigma = half_plane::deviations(marginals.moments);
   summary.leading_form =
-      leading_form(shape.q, half_plane::deviations(solution.moments), Plane::half);
+      leading_form(shape.q, sigma, problem.system.left() ? Plane::half : Plane::whole);
   summary.frame = half_plane::frame_of(shape, options.tail, Variables::physical);
-  half_plane::describe(root, options.tail, density,
+  summary.frame->coordinates = problem.frame;
+  const double edge = edge_density(shape, problem, options.tail);
+  std::string objected = objection(edge, *summary.leading_form);
+  // The paper's class is judged by the probability beyond the level alone (half_plane::conclude).
+  if (objected.empty() && !problem::features(problem).original) {
+    objected = objection_at_level(level_density(shape, problem), *summary.leading_form);
+  }
+  half_plane::describe(root, options.tail, density, sigma,
                        {.support = contour(EnergyDomain(problem, shape.support)),
                         .level = contour(EnergyDomain(problem, shape.level)),
-                        .density = root.remains},
+                        .density = edge},
                        result);
-  half_plane::conclude(root, kQuadratureAllowed, objection(root.remains, *summary.leading_form),
-                       result);
+  half_plane::conclude(root, kQuadratureAllowed, objected, result);
   return result;
 }
 

@@ -9,17 +9,19 @@ namespace fpkcheck::epc::moment {
 
 half_plane::Contour contour(const EnergyDomain& domain) {
   constexpr int kPoints = 48;
-  // dA/dh is the integral of dy/|v| over the points (y, +-v), with y = centre + reach sin(phi).
-  const double centre = (domain.y_low() + domain.y_max()) / 2;
-  const double reach = (domain.y_max() - domain.y_low()) / 2;
   half_plane::Contour contour;
-  for (int i = 0; i < kPoints; ++i) {
-    const double phi = std::numbers::pi * ((i + 0.5) / kPoints - 0.5);
-    const double y = centre + reach * std::sin(phi);
-    const double v = domain.half_width(y);
-    const double dy = std::numbers::pi / kPoints * reach * std::cos(phi);
-    for (const double side : {1, -1}) {
-      contour.push_back({.s = y, .t = side * v, .y = y, .v = side * v, .area = dy / v});
+  for (const problem::Swing& part : domain.parts()) {
+    // dA/dh is the integral of dy/|v| over the points (y, +-v), with y = centre + reach sin(phi).
+    const double centre = (part.left + part.right) / 2;
+    const double reach = (part.right - part.left) / 2;
+    for (int i = 0; i < kPoints; ++i) {
+      const double phi = std::numbers::pi * ((i + 0.5) / kPoints - 0.5);
+      const double y = centre + reach * std::sin(phi);
+      const double v = domain.half_width(y);
+      const double dy = std::numbers::pi / kPoints * reach * std::cos(phi);
+      for (const double side : {1, -1}) {
+        contour.push_back({.s = y, .t = side * v, .y = y, .v = side * v, .area = dy / v});
+      }
     }
   }
   return contour;
@@ -27,9 +29,13 @@ half_plane::Contour contour(const EnergyDomain& domain) {
 
 double largest_on_contour(const Polynomial& q, const problem::Problem& problem, double energy) {
   const EnergyDomain domain(problem, energy);
-  const double at_low = domain.half_width(domain.y_low());
-  double largest =
-      std::max({q(domain.y_max(), 0), q(domain.y_low(), at_low), q(domain.y_low(), -at_low)});
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const problem::Swing& part : domain.parts()) {
+    const double at_low = domain.half_width(part.left);
+    const double at_high = part.at_right ? domain.half_width(part.right) : 0;
+    largest = std::max({largest, q(part.right, at_high), q(part.right, -at_high),
+                        q(part.left, at_low), q(part.left, -at_low)});
+  }
   for (const auto& point : contour(domain)) largest = std::max(largest, q(point.y, point.v));
   return largest;
 }

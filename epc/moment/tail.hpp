@@ -11,7 +11,7 @@ namespace fpkcheck::epc::moment {
 /// The edge of a domain, as points.
 half_plane::Contour contour(const EnergyDomain& domain);
 
-/// The largest Q_n on the contour of an energy (EnergyDomain), y >= 0.
+/// The largest Q_n on the contour of an energy (EnergyDomain).
 double largest_on_contour(const Polynomial& q, const problem::Problem& problem, double energy);
 
 /// What Q_n does from one energy outwards, contour by contour.

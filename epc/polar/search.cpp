@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "epc/half_plane/metric.hpp"
 #include "epc/half_plane/search.hpp"
 #include "epc/polar/equations.hpp"
 #include "epc/polar/tail.hpp"
@@ -46,6 +47,8 @@ class Setting : public half_plane::Setting {
     shape.trusted = trusted(shape.q, temperature);
     return shape;
   }
+
+  double rate_unit() const override { return half_plane::rate_unit(problem_); }
 
   std::vector<double> levels(const Shape& guess, Stage) const override {
     const double end = farthest(guess.temperature);
@@ -126,7 +129,7 @@ class Setting : public half_plane::Setting {
 
 half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
                            const Options& options) {
-  return half_plane::find_root(problem, Setting(problem, coordinates, options.tail), options);
+  return half_plane::find_root(Setting(problem, coordinates, options.tail), options);
 }
 
 double exponent(const Shape& shape, double rho, double theta) {

@@ -96,7 +96,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   summary.leading_form =
       leading_form_in_amplitude(shape.q, half_plane::deviations(solution.moments));
   summary.frame = half_plane::frame_of(shape, options.tail, Variables::polar);
-  half_plane::describe(root, options.tail, density,
+  half_plane::describe(root, options.tail, density, half_plane::deviations(solution.moments),
                        {.support = contour(coordinates, support),
                         .level = contour(coordinates, amplitude_at(shape.level)),
                         .density = edge},

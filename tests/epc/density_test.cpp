@@ -6,8 +6,10 @@
 
 #include "closures.hpp"
 #include "epc/solve.hpp"
+#include "family.hpp"
 #include "paper_cases.hpp"
 #include "parameters/input_error.hpp"
+#include "transform/change_of_frame.hpp"
 #include "transform/panel_marginals.hpp"
 
 namespace fpkcheck::epc {
@@ -52,6 +54,61 @@ TEST(ClosedForm, EvaluatesToTheSolversDensity) {
   expect_the_same_density(tests::paper_case(1), cut);
 }
 
+// Files have a solution in the coordinates of its frame, and say so: what is read back is physical.
+TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
+  using problem::System;
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  const problem::Problem problems[] = {
+      tests::with_impulses(System({.damping = 0.1, .stiffness = 1}, {.none = true}), impulses),
+      tests::with_impulses(
+          System({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9}),
+          impulses),
+      tests::with_impulses(
+          System({.damping = 0.1, .stiffness = 1}, {.right = 0.4, .right_restitution = 0.9}),
+          impulses),
+      tests::with_impulses(
+          System({.damping = 0.1, .stiffness = 1},
+                 {.left = -0.5, .left_restitution = 0.9, .right = 1, .right_restitution = 0.8}),
+          impulses)};
+  for (const auto& physical : problems) {
+    const auto seen = tests::in_frame(physical);
+    const Result result = solve(seen, tests::closure(Formulation::moment, 4));
+    ASSERT_TRUE(result.solution.density) << result.solution.reason;
+    const auto own = std::get<transform::SmoothDensity>(
+        transform::in_physical_coordinates(seen.frame, *result.solution.density));
+    const auto form = closed_form_in(result.solution.observations);
+    for (const auto* problem : {&physical, &seen}) {
+      const auto again = density(form, problem);
+      EXPECT_EQ(again.y_min, own.y_min);
+      EXPECT_EQ(again.y_max, own.y_max);
+      const double width = own.y_max - own.y_min;
+      double peak = 0;
+      for (int i = -2; i <= 22; ++i) {
+        for (int j = -20; j <= 20; ++j) {
+          const double y = own.y_min + width * i / 20, v = 1.1 * own.v_max * j / 20;
+          const double p = own.value(y, v);
+          EXPECT_NEAR(again.value(y, v), p, 1e-12 * p) << y << ' ' << v;
+          peak = std::max(peak, p);
+        }
+      }
+      EXPECT_GT(peak, 0.01);
+    }
+  }
+}
+
+TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
+  const auto of_gap = [](double wall) {
+    return tests::with_impulses(
+        problem::System({.damping = 0.1, .stiffness = 1}, {.left = wall, .left_restitution = 0.9}),
+        tests::gaussian_impulses(1, 0.1));
+  };
+  const Result result =
+      solve(tests::in_frame(of_gap(-0.5)), tests::closure(Formulation::moment, 4));
+  const auto form = closed_form_in(result.solution.observations);
+  const auto other = of_gap(-0.6);
+  EXPECT_THROW(density(form, &other), InputError);
+}
+
 // exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
 constexpr double kA = 0.5, kB = 0.8;
 Observer bell(const char* coordinates) {
@@ -89,6 +146,18 @@ TEST(ClosedForm, OfAGaussianIsThatGaussian) {
   expect_exact(bell("y,v").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB), 1e-12);
 }
 
+// A box that begins below 0 holds all of the plane's Gaussian: half as high.
+TEST(ClosedForm, MayBeginBelowZero) {
+  const auto p = density(closed_form_in(bell("y,v")
+                                            .result("support.y_max", 8 * kA)
+                                            .result("support.y_min", -8 * kA)
+                                            .result("support.v_max", 8 * kB)
+                                            .take()),
+                         nullptr);
+  EXPECT_NEAR(p.value(-0.3, 0.5) / (exact_bell(0.3, 0.5) / 2), 1, 1e-12);
+  EXPECT_EQ(p.value(-8.1 * kA, 0), 0);
+}
+
 TEST(ClosedForm, WithoutConstantAndSupportIsNotNormalised) {
   const auto form = closed_form_in(bell("y,v").take());
   EXPECT_FALSE(is_normalised(form));
@@ -110,6 +179,12 @@ TEST(ClosedForm, ThatIsNotWholeIsRefused) {
   EXPECT_NE(refusal(Observer().text("coordinates", std::string("y,v"))).find("no coefficients"),
             std::string::npos);
   EXPECT_EQ(refusal(bell("y,v").result("C", -1.0)), "\"C\" is -1 (must be positive)");
+  EXPECT_NE(refusal(bell("y,v")
+                        .result("support.y_max", 1.0)
+                        .result("support.y_min", 2.0)
+                        .result("support.v_max", 1.0))
+                .find("must be below"),
+            std::string::npos);
   EXPECT_NE(refusal(bell("y,v").result("support.y_max", 1.0)).find("half a support"),
             std::string::npos);
   EXPECT_NE(refusal(bell("y,v")

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "family.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::moment {
@@ -105,6 +106,58 @@ TEST(EnergyDomain, PointsCarryTheirCoordinatesAndEnergies) {
     const double y = rule.y[i], v = rule.v[i];
     EXPECT_NEAR(rule.energy[i], v * v / 2 + y * y / 2 + y * y * y * y / 2, 1e-14);
   }
+}
+
+// y^2 + v^2 <= 4 as a whole, right of a wall at -1, and between it and one at 0.5.
+TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
+  const double level = 2;
+  const auto circle = [&](const problem::WallParameters& walls) {
+    return EnergyDomain(
+        tests::with_noise(problem::System({.damping = 0.1, .stiffness = 1}, walls), 0.1), level);
+  };
+  const auto one = [](double, double) { return 1.0; };
+  const auto area_from = [](double y) {  // of the part of the circle right of y
+    return 4 * std::acos(y / 2) - y * std::sqrt(4 - y * y);
+  };
+  const EnergyDomain whole = circle({.none = true});
+  EXPECT_NEAR(whole.y_low(), -2, 1e-12);
+  EXPECT_NEAR(whole.y_min(), -2, 1e-12);
+  EXPECT_NEAR(integral(whole.rule(12, 10), one), 4 * pi, 1e-12);
+  EXPECT_EQ(whole.wall_rule(8).at.size(), 0);
+  EXPECT_EQ(whole.right_wall_rule(8).at.size(), 0);
+  EXPECT_TRUE(whole.contains(-1.9, 0.1));
+
+  const EnergyDomain gap = circle({.left = -1, .left_restitution = 1});
+  EXPECT_NEAR(integral(gap.rule(20, 10), one), area_from(-1), 1e-11);
+  EXPECT_NEAR(wall_integral(gap.wall_rule(8), [](double v) { return v; }), -1.5, 1e-12);
+  EXPECT_FALSE(gap.contains(-1.1, 0));
+
+  const EnergyDomain strip =
+      circle({.left = -1, .left_restitution = 1, .right = 0.5, .right_restitution = 1});
+  EXPECT_NEAR(integral(strip.rule(20, 10), one), area_from(-1) - area_from(0.5), 1e-11);
+  EXPECT_NEAR(wall_integral(strip.right_wall_rule(8), [](double v) { return v; }), 3.75 / 2, 1e-12);
+  EXPECT_NEAR(wall_integral(strip.wall_rule(8), [](double v) { return v; }), -1.5, 1e-12);
+  EXPECT_FALSE(strip.contains(0.6, 0));
+  EXPECT_EQ(strip.y_max(), 0.5);
+}
+
+// V = -y^2/2 + y^4/4: at h < 1/4 two parts, (y^2 - 1)^2 <= 4 h.
+TEST(EnergyDomain, HasAPartInEachWell) {
+  const auto p = tests::with_noise(
+      problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);
+  const EnergyDomain wells(p, 0.16);
+  ASSERT_EQ(wells.parts().size(), 2U);
+  EXPECT_NEAR(wells.y_low(), -std::sqrt(1.8), 1e-12);
+  EXPECT_NEAR(wells.parts()[0].right, -std::sqrt(0.2), 1e-12);
+  EXPECT_NEAR(wells.y_max(), std::sqrt(1.8), 1e-12);
+  const Points rule = wells.rule(30, 8);
+  EXPECT_EQ(rule.size(), 480);
+  EXPECT_NEAR(integral(rule, [](double y, double) { return y; }), 0, 1e-12);
+  // dy y = d(y^2)/2 makes the half-width a semicircle of u = y^2 - 1: the area of one part weighed
+  // by y is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
+  EXPECT_NEAR(integral(rule, [](double y, double) { return std::abs(y); }),
+              2 * pi / 2 * 0.64 / std::numbers::sqrt2, 1e-10);
+  EXPECT_EQ(EnergyDomain(p, 0.26).parts().size(), 1U);
 }
 
 }  // namespace

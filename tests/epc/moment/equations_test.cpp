@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "family.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "paper_cases.hpp"
 
@@ -136,6 +137,48 @@ TEST(MomentEquations, CovarianceIsThatOfTheMembers) {
   const MatrixXd covariance = equations.covariance(density);
   // y and v are independent, so that products of orthonormal polynomials are orthonormal.
   EXPECT_LT((covariance - MatrixXd::Identity(14, 14)).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+problem::Problem between_walls(double r_left, double r_right) {
+  return tests::with_noise(
+      problem::System(
+          {.damping = 0.1, .stiffness = 1},
+          {.left = 0, .left_restitution = r_left, .right = 1.5, .right_restitution = r_right}),
+      0.4);
+}
+
+Equations equations_between(const problem::Problem& p, int order, double temperature) {
+  const EnergyDomain domain(p, temperature * 50);
+  const Points points = points_of(domain);
+  const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
+  return equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
+}
+
+// exp(-h/T), T = D/c = 2, between walls: nothing changes where both return all, and phi = v^2 loses
+// (1 - r^2) int u^3 p(wall, u) du = (1 - r^2) 2 T^2 p(wall, 0) at the one that does not.
+TEST(MomentEquations, EitherWallTakesItsOwnShare) {
+  const double temperature = 2;
+  const auto energy_lost = [&](double r_left, double r_right) {
+    const Equations equations = equations_between(between_walls(r_left, r_right), 2, temperature);
+    const auto density = equations.density(tests::boltzmann_coefficients(equations, temperature));
+    const VectorXd residual = equations.residual(density);
+    const bool lossless = r_left == 1 && r_right == 1;
+    EXPECT_EQ(residual.cwiseAbs().maxCoeff() < 1e-11, lossless);
+    return -residual[4] * std::sqrt(2.0) * temperature;  // of the basis: see above
+  };
+  const double norm = std::sqrt(2 * M_PI * temperature) * std::sqrt(M_PI * temperature / 2) *
+                      std::erf(1.5 / std::sqrt(2 * temperature));
+  const double flux = 2 * temperature * temperature / norm;
+  EXPECT_NEAR(energy_lost(1, 1), 0, 1e-10);
+  EXPECT_NEAR(energy_lost(0.7, 1), 0.51 * flux, 1e-8);
+  EXPECT_NEAR(energy_lost(1, 0.8), 0.36 * flux * std::exp(-1.125 / temperature), 1e-8);
+}
+
+TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidualBetweenWalls) {
+  const auto p = between_walls(0.7, 0.9);
+  const Equations equations = equations_between(p, 4, 2);
+  tests::expect_jacobian_is_derivative(equations,
+                                       tests::shaken(tests::boltzmann_coefficients(equations, 2)));
 }
 
 }  // namespace

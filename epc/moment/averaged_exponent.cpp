@@ -1,0 +1,79 @@
+#include "epc/moment/averaged_exponent.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/undamped_orbits.hpp"
+
+namespace fpkcheck::epc::moment {
+
+AveragedExponent::AveragedExponent(const problem::Problem& problem)
+    : AveragedExponent(problem::UndampedOrbits(problem), problem::EnergyAveraging(problem)) {}
+
+AveragedExponent::AveragedExponent(const problem::UndampedOrbits& orbits,
+                                   const problem::EnergyAveraging& averaging)
+    : potential_(orbits.potential()),
+      bottom_(orbits.lowest_potential()),
+      bands_(averaging.bands()) {
+  for (std::size_t b = 0; b < bands_.size(); ++b) {
+    if (b == 0 || bands_[b].energy != bands_[b - 1].energy) levels_.push_back(b);
+  }
+  levels_.push_back(bands_.size());
+  step_ = (bands_.back().energy - bands_.front().energy) / static_cast<double>(levels_.size() - 2);
+
+  constexpr double kBulk = 0.95;
+  double below = 0;
+  for (const Band& band : bands_) {
+    // The closed integral of v dy is T times the mean of v^2 over the period.
+    temperature_ += band.mass * band.orbit.action / band.orbit.period;
+    if (below < kBulk) bulk_ = band.energy - bottom_;
+    below += band.mass;
+  }
+  for (std::size_t n = 0; n + 1 < levels_.size(); ++n) {
+    if (levels_[n + 1] - levels_[n] > 1) barrier_ = bands_[levels_[n]].energy - bottom_ + step_;
+  }
+}
+
+// The band of the nearest energy whose orbit passes y; above where the orbits at that energy do
+// not.
+const problem::EnergyAveraging::Band& AveragedExponent::holding(double y, double energy) const {
+  const double place = std::round((energy - bands_.front().energy) / step_);
+  const auto last = static_cast<double>(levels_.size() - 2);
+  for (auto n = static_cast<std::size_t>(std::clamp(place, 0.0, last)); n + 1 < levels_.size();
+       ++n) {
+    for (std::size_t b = levels_[n]; b < levels_[n + 1]; ++b) {
+      const problem::Swing& swing = bands_[b].orbit.swing;
+      if (y >= swing.left && y <= swing.right) return bands_[b];
+    }
+  }
+  return bands_.back();
+}
+
+double AveragedExponent::slope_above(const Band& band) const {
+  const Band* lower = &band;
+  const Band* upper = &bands_[band.above];
+  if (upper == lower) {
+    const auto top = static_cast<std::size_t>(upper - bands_.data());
+    for (const Band& other : bands_) {
+      if (other.above == top && &other != upper) lower = &other;
+    }
+  }
+  return (upper->potential - lower->potential) / step_;
+}
+
+double AveragedExponent::operator()(double y, double v) const {
+  const double energy = v * v / 2 + potential_(y);
+  const Band& band = holding(y, energy);
+  return -(band.potential + slope_above(band) * (energy - band.energy));
+}
+
+double AveragedExponent::energy_at(double depth) const {
+  const auto within = std::find_if(bands_.rbegin(), bands_.rend(),
+                                   [depth](const Band& band) { return band.potential <= depth; });
+  const Band& band = within == bands_.rend() ? bands_.front() : *within;
+  const double slope = slope_above(band);
+  const double beyond = slope > 0 ? (depth - band.potential) / slope : 0;
+  return band.energy - bottom_ + beyond;
+}
+
+}  // namespace fpkcheck::epc::moment

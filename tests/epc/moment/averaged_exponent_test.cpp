@@ -1,0 +1,57 @@
+#include "epc/moment/averaged_exponent.hpp"
+
+#include <gtest/gtest.h>
+
+#include "family.hpp"
+
+namespace fpkcheck::epc::moment {
+namespace {
+
+using problem::System;
+using tests::with_noise;
+
+// White noise: Phi = (c/D) h exactly, D = 0.2, c = 0.1.
+TEST(AveragedExponent, IsTheEnergyWhereDampingIsConstant) {
+  const auto p =
+      with_noise(System({.damping = 0.1, .stiffness = 2, .cubic = 1}, {.none = true}), 0.4);
+  const AveragedExponent exponent(p);
+  const auto energy = [](double y, double v) { return v * v / 2 + y * y + y * y * y * y / 4; };
+  for (const double y : {-1.0, 0.0, 0.4, 5.0}) {
+    for (const double v : {-2.0, 0.1, 9.0}) {
+      EXPECT_NEAR(exponent(y, v) - exponent(0.3, 0.2), -(energy(y, v) - energy(0.3, 0.2)) / 2,
+                  1e-6 * (1 + energy(y, v)))
+          << y << ' ' << v;
+    }
+  }
+  EXPECT_NEAR(exponent.temperature(), 2, 0.01);  // by the bands
+  EXPECT_NEAR(exponent.energy_at(20), 40, 0.5);
+  EXPECT_EQ(exponent.barrier(), 0);
+  EXPECT_GT(exponent.bulk(), 4);
+  EXPECT_LT(exponent.bulk(), 9);  // 95 % of an exponential law of mean T (to 2 T): 3 T, and more
+}
+
+// Minima at +-1 with a barrier of 1/4 between them, a well's own energies below it.
+TEST(AveragedExponent, KnowsWells) {
+  const auto p =
+      with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.02);
+  const AveragedExponent exponent(p);
+  EXPECT_NEAR(exponent.barrier(), 0.25, 0.03);
+  EXPECT_NEAR(exponent(1, 0) - exponent(0, 0), 0.25 * 0.1 / 0.01, 1e-3);
+  EXPECT_NEAR(exponent(-1, 0), exponent(1, 0), 1e-9);
+  EXPECT_NEAR(exponent(-1, 0.3) - exponent(1, 0), -0.045 * 0.1 / 0.01, 1e-3);
+}
+
+// A ring: -Phi = (R - R^2/2) / 0.4, largest at R = y^2 + v^2 = 1.
+TEST(AveragedExponent, KnowsRings) {
+  const auto p = with_noise(
+      System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}),
+      0.4);
+  const AveragedExponent exponent(p);
+  const auto exact = [](double r2) { return (r2 - r2 * r2 / 2) / 0.4; };
+  for (const double y : {0.3, 1.0, 1.6}) {
+    EXPECT_NEAR(exponent(y, 0) - exponent(0, 1), exact(y * y) - exact(1), 5e-3) << y;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::moment

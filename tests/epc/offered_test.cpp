@@ -1,0 +1,57 @@
+#include "epc/offered.hpp"
+
+#include <gtest/gtest.h>
+
+#include "closures.hpp"
+#include "family.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using problem::System;
+
+std::string objection_of(Formulation formulation, const problem::Problem& problem) {
+  return objection(tests::in_frame(problem), tests::closure(formulation, 4));
+}
+
+TEST(Offered, EveryFormulationTreatsThePapersClass) {
+  for (const auto& formulation : kFormulationNames) {
+    EXPECT_EQ(objection_of(formulation.value, tests::paper_case(1)), "") << formulation.name;
+  }
+}
+
+TEST(Offered, MomentTreatsEveryDomainButAtomsAndCollapse) {
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  const System well({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true});
+  const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.1});
+  const System preload({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  EXPECT_EQ(objection_of(Formulation::moment, tests::with_impulses(well, impulses)), "");
+  EXPECT_EQ(objection_of(Formulation::moment, tests::with_impulses(gap, impulses)), "");
+  EXPECT_EQ(objection_of(Formulation::moment, tests::with_noise(preload, 0.1)), "");
+  EXPECT_NE(objection_of(Formulation::moment, tests::with_impulses(preload, impulses)), "");
+  EXPECT_NE(objection_of(Formulation::moment, tests::with_noise(gap, 0.1)), "");
+}
+
+TEST(Offered, GaussianNeedsAWallAtTheEquilibriumOrNone) {
+  const System well({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true});
+  const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9});
+  EXPECT_EQ(objection_of(Formulation::gaussian, tests::with_noise(well, 0.1)), "");
+  EXPECT_NE(objection_of(Formulation::gaussian,
+                         tests::with_impulses(gap, tests::gaussian_impulses(1, 0.1))),
+            "");
+  const auto with_jumps = tests::closure(Formulation::gaussian, 4, Equation::kf);
+  EXPECT_NE(objection(tests::with_noise(well, 0.1), with_jumps), "");
+}
+
+TEST(Offered, PolarNeedsAWallAtAnEquilibriumWithoutNoise) {
+  const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9});
+  const System paper({.damping = 0.1, .stiffness = 1, .restitution = 0.9});
+  EXPECT_NE(
+      objection_of(Formulation::polar, tests::with_impulses(gap, tests::gaussian_impulses(1, 0.1))),
+      "");
+  EXPECT_NE(objection_of(Formulation::polar, tests::with_noise(paper, 0.1)), "");
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc
