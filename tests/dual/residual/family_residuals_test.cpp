@@ -170,6 +170,8 @@ TEST(FamilyResiduals, AreThoseOfTheMirroredProblem) {
   EXPECT_NEAR(a.corrected.y4, b.corrected.y4, 1e-6);
   EXPECT_NEAR(a.error.y1, -b.error.y1, 1e-6);
   EXPECT_NEAR(a.error.v2, b.error.v2, 1e-6);
+  EXPECT_NEAR(a.error.v1, -b.error.v1, 1e-6);
+  EXPECT_GT(std::abs(a.error.v1), 1e-3);
   EXPECT_GT(std::abs(a.error.v2), 0.01);
 }
 

@@ -34,6 +34,18 @@ TEST(JudgedFunctions, AreTheMomentsAndBinsThatSumToOne) {
   }
 }
 
+TEST(JudgedFunctions, ArePowersOfThePhysicalCoordinates) {
+  const auto splines = residual_splines(tests::paper_case(1), {.y = 32, .v = 64});
+  const auto judged = judged_functions(splines.y, splines.v, {.origin = 0.5, .mirrored = true});
+  const auto value = [&](std::size_t k, double y, double v) {
+    return judged.all[k].of_y(y) * judged.all[k].of_v(v);
+  };
+  EXPECT_DOUBLE_EQ(value(0, 2, 7), -1.5);
+  EXPECT_DOUBLE_EQ(value(2, 2, 7), std::pow(1.5, 4));
+  EXPECT_DOUBLE_EQ(value(3, 2, 7), -7);
+  EXPECT_DOUBLE_EQ(value(4, 2, 7), 49);
+}
+
 TEST(ResidualSplines, AreFineAtTheWallUnlessTheMotionIsElsewhere) {
   const ControlCells cells{.y = 40, .v = 88};
   const auto usual = usual_splines(tests::paper_case(1), cells);
