@@ -30,7 +30,7 @@ Balance momentum_balance(const Problem& problem, const MomentumTerms& terms) {
   }
   return {.left = taken,
           .right = problem.impulses.rate_moment(1) + given,
-          .scale = std::max(std::abs(taken), from_walls)};
+          .scale = std::max({std::abs(taken), from_walls, terms.size_of_force})};
 }
 
 }  // namespace fpkcheck::problem

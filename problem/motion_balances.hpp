@@ -47,6 +47,9 @@ struct MomentumTerms {
   double mean_cubed_velocity = 0;  ///< E[v^3]; looked at where c_vv is not 0
   /// What a wall holds of the mass at rest: g(0) P0 + (1 + r) lambda P0 E[Y^-] at the one on the left.
   double held_at_rest = 0;
+  /// E[|g(y)|], where the force has both signs: in wells far from a wall its mean is 0 as well as what
+  /// the wall gives, and only the size of the force is a scale.
+  double size_of_force = 0;
 };
 
 /// E[g(y)] + c_vv E[v^3] = lambda E[Y] + (1 + r) int u^2 p(0,-u) du - (1 + r_b) int u^2 p(b,u) du +

@@ -6,6 +6,7 @@
 
 #include "fd_fpk/line/line_operators.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
+#include "problem/features.hpp"
 #include "problem/motion_balances.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -164,6 +165,11 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
   }
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, for_virial).residual()};
+  if (!problem::features(problem).original) {
+    for (int i = 0; i < grid.nx(); ++i) {
+      for_momentum.size_of_force += y[i] * grid.x1.width(i) * std::abs(force(grid.x1.centre(i)));
+    }
+  }
   if (system.left() || system.right() || problem.impulses.rate_moment(1) != 0) {
     residuals.momentum = problem::momentum_balance(problem, for_momentum).residual();
   }
