@@ -81,7 +81,7 @@ std::string names_of(const std::vector<Command>& all) {
 void print_overview(const std::vector<Command>& all) {
   fmt::print(
       R"(fpkcheck - stationary density of an oscillator with or without impacts, under
-           impulses or white noise or both, by independent methods that are compared
+           impulses or white noise or both, by independent methods
 
     y'' + f(y, y') + g(y) = impulses + noise,    y'(+) = -r y'(-)  at walls
 

@@ -100,10 +100,10 @@ TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
   expect_message("options are those of epc-gaussian-n6",
                  [&](Json& json) { first(json)["options"]["order"] = 6; });
   expect_message("method 'magic'", [&](Json& json) { first(json)["method"] = "magic"; });
-  expect_message("case1: system.cubic is missing",
-                 [](Json& json) { json["cases"][0]["system"].erase("cubic"); });
-  expect_message("system.damping = -1",
-                 [](Json& json) { json["cases"][0]["system"]["damping"] = -1; });
+  expect_message("case1: system.stiffness is missing",
+                 [](Json& json) { json["cases"][0]["system"].erase("stiffness"); });
+  expect_message("system.restitution = -1",
+                 [](Json& json) { json["cases"][0]["system"]["restitution"] = -1; });
   expect_message("impulse.law = 3 (must be one of",
                  [](Json& json) { json["cases"][0]["impulse"]["law"] = 3; });
   expect_message("schema 2", [](Json& json) { json["schema"] = 2; });
