@@ -90,8 +90,8 @@ std::vector<Column> columns(const results::Case& one) {
 std::string reasons_text(const results::Case& one, std::size_t width) {
   std::string text;
   for (const auto& [solutions, status, reason] : reasons(one)) {
-    text += wrapped(
-        fmt::format("  {} {}: {}", fmt::join(solutions, ", "), name(status), reason), width, 4);
+    text += wrapped(fmt::format("  {} {}: {}", fmt::join(solutions, ", "), name(status), reason),
+                    width, 4);
   }
   return text;
 }
@@ -113,8 +113,8 @@ std::string table(const results::Run& run, const TextFormat& format) {
     const auto all_columns = columns(one);
     const auto shown = fitting(all_columns, format);
     if (missing.empty()) missing = left_out(all_columns, shown);
-    text += wrapped(case_title(one.problem), width, 2) + rows(shown, format) + reasons_text(one, width) +
-            budget_table(one, format);
+    text += wrapped(case_title(one.problem), width, 2) + rows(shown, format) +
+            reasons_text(one, width) + budget_table(one, format);
     for (const auto& sentence : findings(one)) text += wrapped("  " + sentence, width, 2);
     text += '\n';
     std::ranges::copy(shown, std::back_inserter(all));
