@@ -6,6 +6,7 @@
 #include <netcdf.h>
 #include <sys/wait.h>
 
+#include <cerrno>
 #include <limits>
 #include <vector>
 
@@ -120,7 +121,11 @@ bool write_apart(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
   fuzz::require(child >= 0);
   if (child == 0) _exit(write(bytes, path) ? 0 : 1);
   int status = 0;
-  fuzz::require(waitpid(child, &status, 0) == child && WIFEXITED(status));
+  pid_t ended = 0;
+  do {  // the fuzzer's own clock interrupts it every second
+    ended = waitpid(child, &status, 0);
+  } while (ended < 0 && errno == EINTR);
+  fuzz::require(ended == child && WIFEXITED(status));
   return WEXITSTATUS(status) == 0;
 }
 
