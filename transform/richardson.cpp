@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace fpkcheck::transform {
 namespace {
@@ -24,8 +25,10 @@ Marginal limit(const Marginal& middle, const Marginal& fine, double factor) {
 
 Level level(const Solution& solution, std::span<const double> y_edges,
             std::span<const double> ydot_edges) {
-  return {marginal(solution, Variable::y, y_edges), marginal(solution, Variable::ydot, ydot_edges),
-          solution.moments};
+  Level level{marginal(solution, Variable::y, y_edges),
+              marginal(solution, Variable::ydot, ydot_edges), solution.moments};
+  for (const RestAtom& atom : solution.atoms) level.at_rest.push_back(atom.probability);
+  return level;
 }
 
 Change change(const Level& coarser, const Level& finer) {
@@ -34,6 +37,16 @@ Change change(const Level& coarser, const Level& finer) {
   for (const auto& [name, symbol, moment, size] : kMoments) {
     change.moments.*moment = finer.moments.*moment - coarser.moments.*moment;
   }
+  if (coarser.at_rest.size() != finer.at_rest.size()) {
+    throw std::invalid_argument("levels with different numbers of atoms");
+  }
+  double together = 0;  // all of them are at y' = 0
+  for (std::size_t k = 0; k < finer.at_rest.size(); ++k) {
+    change.at_rest.push_back(finer.at_rest[k] - coarser.at_rest[k]);
+    change.y_l1 += std::abs(change.at_rest[k]);
+    together += change.at_rest[k];
+  }
+  change.ydot_l1 += std::abs(together);
   return change;
 }
 
@@ -57,6 +70,10 @@ Richardson richardson(const Change& before, const Change& last, double ratio, in
   for (const auto& [name, symbol, moment, size] : kMoments) {
     result.error.moments.*moment =
         factor * std::max(std::abs(last.moments.*moment), std::abs(before.moments.*moment) / fall);
+  }
+  for (std::size_t k = 0; k < last.at_rest.size(); ++k) {
+    result.at_rest.push_back(
+        factor * std::max(std::abs(last.at_rest[k]), std::abs(before.at_rest[k]) / fall));
   }
   return result;
 }

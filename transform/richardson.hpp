@@ -22,11 +22,12 @@ inline constexpr double kLevelRatio = 1.4142135623730951;
 /// the error then, but no limit.
 inline constexpr double kLeastOrderOfALimit = 1.5;
 
-/// What of a solution converges: its marginals and its moments.
+/// What of a solution converges: its marginals, its moments, and the probabilities of rest.
 struct Level {
   Marginal y;
   Marginal ydot;
   Moments moments;
+  std::vector<double> at_rest = {};  ///< in the order of Solution::atoms
 };
 /// @throws std::logic_error when the solution has no density
 Level level(const Solution& solution, std::span<const double> y_edges,
@@ -34,11 +35,13 @@ Level level(const Solution& solution, std::span<const double> y_edges,
 
 /// The step from one level to the next.
 struct Change {
-  double y_l1;      ///< |p(y) - p(y)|, in L1
+  double y_l1;      ///< |p(y) - p(y)|, in L1, atoms included
   double ydot_l1;   ///< of p(y')
   Moments moments;  ///< finer - coarser
+  std::vector<double> at_rest = {};
 };
-/// @throws std::invalid_argument when the marginals are on different bins
+/// @throws std::invalid_argument when the marginals are on different bins, or there are not as many
+///         atoms
 Change change(const Level& coarser, const Level& finer);
 
 /// log(|u_1 - u_0| / |u_2 - u_1|) / log(q).
@@ -56,6 +59,7 @@ struct Richardson {
   /// Of u_2. A moment's last difference may vanish by chance where it changes its sign: the one
   /// before bounds it.
   StatedError error;
+  std::vector<double> at_rest = {};  ///< errors of these probabilities, likewise
 };
 /// @param before,last u_1 - u_0 and u_2 - u_1, each on bins of its own
 /// @param ratio q > 1
