@@ -1,5 +1,6 @@
 #include "fd_fpk/offered.hpp"
 
+#include "fd_fpk/characteristics/rest.hpp"
 #include "problem/features.hpp"
 #include "problem/inelastic_collapse.hpp"
 
@@ -25,14 +26,46 @@ std::string objection(const problem::Problem& problem, const Options& options) {
   if (options.impact != Impact::map) {
     return "the impact to first order in 1-r is the paper's, at one wall at the equilibrium";
   }
-  if (options.transport == Transport::characteristics) {
-    return "the transport along characteristics is that of one wall at the equilibrium";
-  }
   // White noise lifts the mass off again at once.
-  if (features.rests_in_contact && !noise) {
-    return "the mass comes to rest in contact with a wall, where the law has an atom";
+  const bool rests = features.rests_in_contact && !noise;
+  if (rests && !may_follow_characteristics(options)) {
+    return "the mass comes to rest in contact with a wall, where the law has an atom: that takes the "
+           "transport along characteristics, for kf, on cells and of an order of its own";
+  }
+  if (rests || options.transport == Transport::characteristics) {
+    return noise ? "along characteristics nothing is random between two impulses"
+                 : characteristics_objection(problem);
   }
   return "";
+}
+
+bool may_follow_characteristics(const Options& options) {
+  const Options usual;
+  return options.equation == Equation::kf && options.impact == Impact::map &&
+         options.transport != Transport::upwind && !options.nx && !options.nv &&
+         !options.origin_refinement && options.order == usual.order;
+}
+
+std::string characteristics_objection(const problem::Problem& problem) {
+  const auto features = problem::features(problem);
+  if (features.noise || !features.impulses) {
+    return "along characteristics nothing is random between two impulses";
+  }
+  if (features.no_wall) return "characteristics begin at walls";
+  if (features.negative_damping) {
+    return "characteristics end at rest, and this damping gives energy to the motion";
+  }
+  const Flow flow(problem.system);
+  for (const RestPlace& place : rest_places(flow)) {
+    if (!place.contact && flow.contraction({place.y, 0}) <= 0) {
+      return "characteristics end at rest, and nothing damps the motion about an equilibrium";
+    }
+  }
+  return "";
+}
+
+bool rests_in_contact(const problem::Problem& problem, const Options& options) {
+  return problem::features(problem).rests_in_contact && options.equation == Equation::kf;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -2,27 +2,21 @@
 
 #include <fmt/format.h>
 
+#include "fd_fpk/offered.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/stationary/along_characteristics.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
 #include "fd_fpk/stationary/one_grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 // Impulses per decay time beyond which characteristics are not tried.
 constexpr double kMostFrequent = 3000;
-
-// Characteristics are offered where the motion between impulses is that of the problem, unless the
-// options ask for what they do not have.
-bool may_follow_characteristics(const Options& options) {
-  const Options usual;
-  return options.equation == Equation::kf && options.impact == Impact::map &&
-         options.transport != Transport::upwind && !options.nx && !options.nv &&
-         !options.origin_refinement && options.order == usual.order;
-}
 
 // The acceleration by which a mean of the impulses presses the oscillator against the wall, by the
 // spring's at a deviation: beyond 1 it bounces rather than swings, the lower the more energy an
@@ -42,8 +36,9 @@ bool prefer_characteristics(const problem::Problem& problem) {
   constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
   constexpr double kStrongLosses = 0.4;
   constexpr double kOffTheWall = 2;  // deviations, of the static deflection
+  const double per_decay_time = problem::impulses_per_decay_time(problem, problem::scales(problem));
+  if (!of_the_paper(problem)) return per_decay_time < kRare;
   const auto linear = problem::equivalent_linearisation(problem);
-  const double per_decay_time = problem::impulses_per_decay_time(problem);
   const bool losses =
       problem.system.restitution() < kStrongLosses &&
       problem::static_deflection(problem) < kOffTheWall * linear.displacement_deviation;
@@ -54,6 +49,7 @@ bool prefer_characteristics(const problem::Problem& problem) {
 // their cells.
 bool need_characteristics(const problem::Problem& problem) {
   constexpr double kPressedDown = 5;
+  if (!of_the_paper(problem)) return false;
   return unbounded_at_origin(problem) || (bounces(problem) && pressing(problem) > kPressedDown);
 }
 
@@ -70,9 +66,10 @@ class Solver {
       : problem_(problem), options_(options), deadline_(options.max_seconds) {}
 
   Result solve() const {
-    if (!of_the_paper(problem_) || !may_follow_characteristics(options_)) {
+    if (!may_follow_characteristics(options_) || !characteristics_objection(problem_).empty()) {
       return by(Transport::upwind);
     }
+    if (rests_in_contact(problem_, options_)) return by(Transport::characteristics);
     if (options_.transport == Transport::characteristics) return by(Transport::characteristics);
     const bool along = prefer_characteristics(problem_);
     if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
@@ -87,8 +84,7 @@ class Solver {
     if (options_.tolerance && first.solution.density) return first;
     // Impulses shorter than cells are lost in them, and a box that was given is the same for both.
     const bool given_box = options_.x1_max || options_.x2_max;
-    if (given_box || (!along && problem::impulses_per_decay_time(problem_) > kMostFrequent))
-      return first;
+    if (given_box || (!along && per_decay_time() > kMostFrequent)) return first;
     Result second = by(along ? Transport::upwind : Transport::characteristics, deadline_,
                        first.solution.density ? Answer::stands : Answer::none_yet);
     return better(second, first) ? second : first;
@@ -101,6 +97,10 @@ class Solver {
     return error && error->y_l1 <= kGood && error->ydot_l1 <= kGood;
   }
 
+  double per_decay_time() const {
+    return problem::impulses_per_decay_time(problem_, problem::scales(problem_));
+  }
+
   Result by(Transport transport) const { return by(transport, deadline_); }
 
   Result by(Transport transport, const Deadline& deadline, Answer so_far = Answer::none_yet) const {
@@ -110,7 +110,7 @@ class Solver {
     Surroundings surroundings{.scales = problem::scales(problem_)};
     // All grids share it, and the lengths by which their cells are measured. What a box of the usual
     // wall density cuts off the tails of impulses is 2e-7 of E[v^2].
-    if (family) {
+    if (family && transport == Transport::upwind) {
       constexpr double kTails = 1e-2;
       options.wall_density *= kTails;
       surroundings.box = stationary_box(problem_, surroundings.scales, options, deadline, so_far);

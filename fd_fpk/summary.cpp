@@ -57,7 +57,7 @@ transform::Observations observations(const Summary& summary) {
       .result("growth_wavenumber", summary.growth_wavenumber);
   observe_faint(observer, "wall_density.y", summary.wall.x1);
   observe_faint(observer, "wall_density.ydot", summary.wall.x2);
-  observer.result("impact_rate", summary.impact_rate);
+  if (std::isfinite(summary.impact_rate)) observer.result("impact_rate", summary.impact_rate);
   observe(observer, summary.balances);
   if (summary.transport == Transport::characteristics) {
     observer.result("transport", std::string(name(summary.transport)))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/wall_density.hpp"
@@ -21,6 +22,7 @@ struct ErrorEstimate {
   double observed_order = 0;             ///< at which the marginals' differences fall
   transform::Moments extrapolated = {};  ///< Richardson limits
   double factor = 0;                     ///< of the last difference that is still missing
+  std::vector<double> at_rest = {};      ///< of the probabilities of rest, by atom
 };
 
 /// What a run of the solver reports beyond its density.
@@ -53,7 +55,8 @@ struct Summary {
   std::optional<Extent> wider = {};           ///< what shows what the walls do, where they matter
   std::optional<ErrorEstimate> error = {};    ///< where it was asked for
   transform::BalanceResiduals balances = {};  ///< of the density, where there is one
-  double impact_rate = 0;                     ///< impacts per unit time, int_{v<0} |v| p(0, v) dv
+  /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite where they end in rest.
+  double impact_rate = 0;
 };
 
 /// What this solver alone knows of its solution, in the order of summary.json. The errors that

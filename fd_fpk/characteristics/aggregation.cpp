@@ -17,7 +17,8 @@ std::vector<double> coarser(const std::vector<double>& faces, int stride) {
 }
 
 Grid coarser(const Grid& grid, int stride) {
-  return symmetric_grid(coarser(grid.x1.faces(), stride), coarser(grid.speeds().faces(), stride));
+  return symmetric_grid(coarser(grid.x1.faces(), stride), coarser(grid.speeds().faces(), stride),
+                        grid.x1.left(), grid.x1.right());
 }
 
 int stride_for(const Grid& grid, int most) {
@@ -39,15 +40,15 @@ std::vector<int> block_of(const Line& line, const Line& blocks) {
 
 }  // namespace
 
-Aggregation::Aggregation(const Grid& grid, int most)
-    : grid_(grid), blocks_(coarser(grid, stride_for(grid, most))) {
+Aggregation::Aggregation(const Grid& grid, int atoms, int most)
+    : grid_(grid), atoms_(atoms), blocks_(coarser(grid, stride_for(grid, most))) {
   block_of_y_ = block_of(grid.x1, blocks_.x1);
   block_of_v_ = block_of(grid.x2, blocks_.x2);
-  spread_like(Eigen::VectorXd::Zero(grid.size()));
+  spread_like(Eigen::VectorXd::Zero(grid.size() + atoms));
 }
 
 void Aggregation::set_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step) {
-  const int count = blocks_.size();
+  const int count = blocks_.size() + atoms_;
   Eigen::MatrixXd system(count, count);
   Eigen::VectorXd one = Eigen::VectorXd::Zero(count);
   for (int b = 0; b < count; ++b) {
@@ -56,14 +57,17 @@ void Aggregation::set_chain(const std::function<Eigen::VectorXd(const Eigen::Vec
     one(b) = 0;
   }
   // 1 - A has no inverse. Any mass that is added in proportion to the areas gives it one.
-  system.colwise() += blocks_.areas() / blocks_.areas().sum();
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
+  added.head(blocks_.size()) = blocks_.areas() / blocks_.areas().sum();
+  system.colwise() += added;
   factors_.compute(system);
 }
 
 void Aggregation::spread_like(const Eigen::VectorXd& masses) {
   constexpr double kEven = 1e-6;  // of the mass of all
   const Eigen::VectorXd areas = grid_.areas();
-  weights_ = masses.cwiseMax(0) + kEven / areas.sum() * areas;
+  weights_ = masses.cwiseMax(0);
+  weights_.head(grid_.size()) += kEven / areas.sum() * areas;
   const Eigen::VectorXd sums = aggregated(weights_);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
@@ -73,7 +77,8 @@ void Aggregation::spread_like(const Eigen::VectorXd& masses) {
 }
 
 Eigen::VectorXd Aggregation::aggregated(const Eigen::Ref<const Eigen::VectorXd>& masses) const {
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(blocks_.size());
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(blocks_.size() + atoms_);
+  sums.tail(atoms_) = masses.tail(atoms_);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
       sums(block_of_y_[i] * blocks_.nv() + block_of_v_[j]) += masses(i * grid_.nv() + j);
@@ -91,6 +96,7 @@ void Aggregation::correct(Eigen::Ref<Eigen::VectorXd> masses) const {
       masses(cell) += weights_(cell) * missing(block_of_y_[i] * blocks_.nv() + block_of_v_[j]);
     }
   }
+  masses.tail(atoms_) += missing.tail(atoms_);
 }
 
 }  // namespace fpkcheck::fd_fpk

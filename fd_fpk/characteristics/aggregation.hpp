@@ -11,11 +11,12 @@ namespace fpkcheck::fd_fpk {
 
 /// Blocks of neighbouring cells, and what a chain on blocks tells of one on cells: the slow part of
 /// an error, which takes many impulses to decay (aggregation and disaggregation of Markov chains:
-/// Koury, McAllister, Stewart, SIAM J. Alg. Disc. Meth. 5, 164 (1984)).
+/// Koury, McAllister, Stewart, SIAM J. Alg. Disc. Meth. 5, 164 (1984)). Atoms, whose masses follow
+/// those of the cells, are blocks by themselves.
 class Aggregation {
  public:
   /// Blocks of about as many cells, together no more than `most`; v = 0 stays between two.
-  Aggregation(const Grid& grid, int most);
+  Aggregation(const Grid& grid, int atoms, int most);
 
   /// The grid of the blocks.
   const Grid& blocks() const { return blocks_; }
@@ -33,6 +34,7 @@ class Aggregation {
   Eigen::VectorXd aggregated(const Eigen::Ref<const Eigen::VectorXd>& masses) const;
 
   const Grid& grid_;
+  int atoms_;
   std::vector<int> block_of_y_, block_of_v_;
   Grid blocks_;
   Eigen::VectorXd weights_;  // of the cells in their block

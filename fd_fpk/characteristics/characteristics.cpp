@@ -1,14 +1,17 @@
 #include "fd_fpk/characteristics/characteristics.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numeric>
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 // A step of the motion is crossed in this many chords.
-constexpr int kChords = 5;
+constexpr int kChords = 10;
 // Decay times of the impulses after which nothing is left that could be followed.
 constexpr double kLongest = 40;
 constexpr long kMostSteps = 20000;
@@ -52,55 +55,33 @@ struct Characteristics::Position {
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid, double rate,
                                  int per_cell)
-    : grid_(grid), flow_(system), rate_(rate), rest_(rest_cells()) {
+    : grid_(grid),
+      flow_(system),
+      rate_(rate),
+      rest_(fd_fpk::rest_places(flow_, grid, rate)),
+      at_rest_(static_cast<std::size_t>(grid.size()), false) {
+  for (std::size_t n = 0; n < rest_.size(); ++n) {
+    if (rest_[n].contact) contacts_.push_back(static_cast<int>(n));
+    for (const auto& [cell, share] : rest_[n].cells) at_rest_[cell] = true;
+  }
   lay_from_box(per_cell);
-  lay_from_wall(per_cell);
+  for (const Side side : {Side::left, Side::right}) {
+    if (flow_.wall(side)) lay_from_wall(side, per_cell);
+  }
+  sort_from_walls();
   lay_through_gaps();
   share_areas();
   find_landings(from_outside_);
-  find_landings(from_wall_);
+  find_landings(from_walls_);
 }
 
-// Follows one small motion from impact to impact, or until it creeps.
-RestCells Characteristics::rest_cells() const {
-  constexpr double kSmall = 0.1, kAtRest = 1e-6;
-  constexpr int kFiner = 10;  // steps
-  const int middle = grid_.nv() / 2;
-  const double speed = kSmall * grid_.x2.face(middle + 1);
-  const RestCells creeping{
-      .below = middle - 1, .above = middle, .share_below = 1, .impact_rate = 0};
-  State state{0, speed};
-  double below = 0, time = 0;
-  for (long step = 0; step < kMostSteps; ++step) {
-    const double frequency = flow_.frequency(state);
-    if (std::hypot(frequency * state.y, state.v) < kAtRest * speed) return creeping;
-    double span = flow_.longest_step(state, frequency) / kFiner;
-    State end = flow_.after(state, span);
-    const bool impact = end.y < 0;
-    if (impact) {
-      span = flow_.impact_time(state, span);
-      end = {0, flow_.after(state, span).v};
-    }
-    if (state.v + end.v < 0) {
-      below += std::exp(-rate_ * time) * -std::expm1(-rate_ * span);
-    }
-    time += span;
-    if (impact) {
-      return {.below = middle - 1,
-              .above = middle,
-              .share_below = below / -std::expm1(-rate_ * time),
-              .impact_rate = 1 / time};
-    }
-    state = end;
-  }
-  return creeping;
-}
-
-// Through the three outer sides of the box, where the flow enters it: everything inside came from
-// there or from the wall.
+// Through the outer sides of the box, where the flow enters it: everything inside came from there,
+// from a wall, or from next to an unstable equilibrium.
 void Characteristics::lay_from_box(int per_cell) {
-  constexpr double kInside = 1 - 1e-12;
-  const double y_max = kInside * grid_.x1_max(), v_max = kInside * grid_.x2_max();
+  constexpr double kInside = 1e-12;
+  const double length = grid_.x1_max() - grid_.x1_min();
+  const double y_min = grid_.x1_min() + kInside * length;
+  const double y_max = grid_.x1_max() - kInside * length, v_max = (1 - kInside) * grid_.x2_max();
   const auto lay = [&](const State& from, double flux) {
     if (flux > 0) from_outside_.push_back(follow(from, flux));
   };
@@ -114,20 +95,53 @@ void Characteristics::lay_from_box(int per_cell) {
     lay({y, v_max}, -flow_.acceleration({y, v_max}) * width);
     lay({y, -v_max}, flow_.acceleration({y, -v_max}) * width);
   });
-  at_each(grid_.x2, 0, grid_.nv() / 2, [&](double v, double width) {
-    lay({y_max, v}, -v * width);
-  });
+  if (!flow_.wall(Side::right)) {
+    at_each(grid_.x2, 0, grid_.nv() / 2, [&](double v, double width) {
+      lay({y_max, v}, -v * width);
+    });
+  }
+  if (!flow_.wall(Side::left)) {
+    at_each(grid_.x2, grid_.nv() / 2, grid_.nv(), [&](double v, double width) {
+      lay({y_min, v}, v * width);
+    });
+  }
 }
 
-void Characteristics::lay_from_wall(int per_cell) {
+// In contact the innermost cell's motion is a cascade of impacts, and about an equilibrium at the
+// wall it is at rest.
+void Characteristics::lay_from_wall(Side side, int per_cell) {
   const int middle = grid_.nv() / 2;
-  for (int j = grid_.nv() - 1; j > middle; --j) {
+  const double y = flow_.wall(side)->position, inwards = side == Side::left ? 1 : -1;
+  const bool rests =
+      std::ranges::any_of(rest_, [&](const RestPlace& place) { return place.y == y; });
+  Fan& fan = this->fan(side);
+  for (int j = grid_.nv() - 1; j >= (rests ? middle + 1 : middle); --j) {
     const double width = grid_.x2.width(j) / per_cell;
     for (int k = per_cell - 1; k >= 0; --k) {
-      const double v = grid_.x2.face(j) + (k + 0.5) * width;
-      speeds_.push_back(v);
-      from_wall_.push_back(follow({0, v}, v * width));
+      const double speed = grid_.x2.face(j) + (k + 0.5) * width;
+      fan.speeds.push_back(speed);
+      fan.below.push_back(speed - width / 2);
+      fan.above.push_back(speed + width / 2);
+      fan.tracks.push_back(static_cast<int>(from_walls_.size()));
+      from_walls_.push_back(follow({y, inwards * speed}, speed * width));
     }
+  }
+}
+
+void Characteristics::sort_from_walls() {
+  if (from_left_.speeds.empty() || from_right_.speeds.empty()) return;
+  std::vector<int> order(from_walls_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>(), [&](int n) { return from_walls_[n].energy; });
+  std::vector<Track> sorted;
+  std::vector<int> place(order.size());
+  for (const int n : order) {
+    place[n] = static_cast<int>(sorted.size());
+    sorted.push_back(from_walls_[n]);
+  }
+  from_walls_ = std::move(sorted);
+  for (Fan* fan : {&from_left_, &from_right_}) {
+    for (int& track : fan->tracks) track = place[track];
   }
 }
 
@@ -135,12 +149,11 @@ void Characteristics::lay_from_wall(int per_cell) {
 // is so narrow that it takes nothing from cells that have others.
 void Characteristics::lay_through_gaps() {
   constexpr double kNarrow = 1e-9;
-  std::vector<bool> crossed(grid_.size(), false);
+  std::vector<bool> crossed = at_rest_;
   const auto mark = [&](std::size_t first) {
     for (std::size_t n = first; n < visits_.size(); ++n) crossed[visits_[n].cell] = true;
   };
   mark(0);
-  crossed[rest_.below] = crossed[rest_.above] = true;
   for (int i = grid_.nx() - 1; i >= 0; --i) {
     for (int j = 0; j < grid_.nv(); ++j) {
       if (crossed[i * grid_.nv() + j]) continue;
@@ -152,30 +165,45 @@ void Characteristics::lay_through_gaps() {
   }
 }
 
+// The equilibrium whose cells no motion from here leaves.
+std::optional<int> Characteristics::rest_within(const State& at) const {
+  const int cell = cell_of(grid_.x1, at.y) * grid_.nv() + cell_of(grid_.x2, at.v);
+  if (!at_rest_[cell]) return std::nullopt;
+  for (std::size_t n = 0; n < rest_.size(); ++n) {
+    const RestPlace& place = rest_[n];
+    const bool inside = !place.contact && std::ranges::any_of(place.cells, [&](const CellShare& c) {
+      return c.cell == cell;
+    });
+    if (inside && flow_.energy(at) < place.least_energy) return static_cast<int>(n);
+  }
+  return std::nullopt;
+}
+
 Track Characteristics::follow(const State& from, double flux) {
   Position at{.state = from,
               .i = cell_of(grid_.x1, from.y),
               .j = cell_of(grid_.x2, from.v),
               .flux = flux,
               .first = visits_.size()};
-  constexpr double kNothing = 1e-3;
-  Track track{.first = at.first, .last = 0};
-  const double y_rest = grid_.x1.face(1), v_rest = grid_.x2.face(grid_.nv() / 2 + 1);
-  double frequency = flow_.frequency(from), energy = flow_.energy(from), time = 0;
+  constexpr double kAlike = 0.7;  // energies, for which the reach need not be looked for again
+  Track track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
+  Reach reach = flow_.reach(from);
+  double energy = track.energy - reach.least_potential, time = 0;
   for (long step = 0;; ++step) {
-    // At rest it goes on to the wall, on whichever side of v = 0; or it creeps.
-    if (at.state.y < kNothing * y_rest && std::abs(at.state.v) < kNothing * v_rest) break;
+    if ((track.landing.rest = rest_within(at.state))) break;
     if (step > kMostSteps && rate_ * time > kLongest) break;
-    if (const double now = flow_.energy(at.state); now < energy / 4) {
-      energy = now;
-      frequency = flow_.frequency(at.state);
+    if (flow_.energy(at.state) - reach.least_potential < kAlike * energy) {
+      reach = flow_.reach(at.state);
+      energy = flow_.energy(at.state) - reach.least_potential;
     }
-    double span = flow_.longest_step(at.state, frequency);
+    double span = flow_.longest_step(at.state, reach);
     State end = flow_.after(at.state, span);
-    const bool impact = end.y < 0;
-    if (impact) {
-      span = flow_.impact_time(at.state, span);
-      end = {0, std::min(0.0, flow_.after(at.state, span).v)};
+    const auto hit = flow_.beyond(end.y);
+    if (hit) {
+      span = flow_.impact_time(at.state, span, *hit);
+      end = {flow_.wall(*hit)->position, flow_.after(at.state, span).v};
+      // By rounding errors alone it may seem to leave the wall.
+      end.v = *hit == Side::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
     }
     const Cubic path(flow_, at.state, end, span);
     for (int chord = 1; chord < kChords; ++chord) {
@@ -183,9 +211,8 @@ Track Characteristics::follow(const State& from, double flux) {
     }
     cross(at, end, span / kChords);
     time += span;
-    if (impact) {
-      // Slower ones come to rest.
-      if (-flow_.restitution() * end.v > v_rest) track.landing.speed = -end.v;
+    if (hit) {
+      land(*hit, std::abs(end.v), track.landing);
       break;
     }
   }
@@ -193,13 +220,29 @@ Track Characteristics::follow(const State& from, double flux) {
   return track;
 }
 
+// What leaves the wall again within the innermost cells comes to rest there.
+void Characteristics::land(Side side, double speed, Landing& landing) const {
+  landing.wall = side;
+  landing.speed = speed;
+  const problem::Wall& wall = *flow_.wall(side);
+  const double slow = grid_.x2.face(grid_.nv() / 2 + 1), left = wall.restitution * speed;
+  if (left > slow) return;
+  for (std::size_t n = 0; n < rest_.size(); ++n) {
+    if (rest_[n].y != wall.position) continue;
+    landing.rest = static_cast<int>(n);
+    if (!rest_[n].contact) continue;
+    landing.cascade = cascade(left, std::abs(flow_.force(wall.position)), wall.restitution, rate_);
+  }
+}
+
 // Along a straight line, from face to face.
 void Characteristics::cross(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
-  // Areas shrink as exp(-c t) (Liouville).
-  const double shrinking = flow_.damping() * time;
-  const double flux = std::max(kLeastFlux, at.flux * -std::expm1(-shrinking) / shrinking);
+  // Areas shrink (Liouville).
+  const double shrinking = flow_.contraction({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
+  const double mean = shrinking > 0 ? -std::expm1(-shrinking) / shrinking : 1;
+  const double flux = std::max(kLeastFlux, at.flux * mean);
   at.flux = std::max(kLeastFlux, at.flux * std::exp(-shrinking));
   at.state = to;
   double done = 0;
@@ -224,7 +267,8 @@ void Characteristics::cross(Position& at, const State& to, double time) {
         visit.share += area;
         durations_.back() += duration;
       } else {
-        visits_.push_back({.cell = cell, .survival = 0, .kept = 0, .share = area, .y = y, .v = v});
+        visits_.push_back(
+            {.cell = cell, .ended = 0, .ended_begun = 0, .share = area, .y = y, .v = v});
         durations_.push_back(duration);
       }
     }
@@ -254,12 +298,11 @@ void Characteristics::share_areas() {
     Visit& visit = visits_[n];
     const Cover& cover = covers[visit.cell];
     const double expected = rate_ * durations_[n];  // impulses
-    visit.survival = static_cast<float>(std::exp(-expected));
-    visit.kept =
-        static_cast<float>(expected > 1e-4 ? -std::expm1(-expected) / expected : 1 - expected / 2);
+    const double ended = -std::expm1(-expected);
+    visit.ended = static_cast<float>(ended);
+    visit.ended_begun = static_cast<float>(expected > 1e-4 ? 1 - ended / expected : expected / 2);
     // What begins at rest stays there.
-    const bool at_rest = visit.cell == rest_.below || visit.cell == rest_.above;
-    visit.share = at_rest ? 0 : visit.share / cover.area;
+    visit.share = at_rest_[visit.cell] ? 0 : visit.share / cover.area;
     visit.y -= cover.y / cover.area;
     visit.v -= cover.v / cover.area;
   }
@@ -267,20 +310,71 @@ void Characteristics::share_areas() {
 }
 
 void Characteristics::find_landings(std::vector<Track>& tracks) const {
-  const int count = static_cast<int>(speeds_.size());
   for (Track& track : tracks) {
     Landing& landing = track.landing;
-    if (landing.speed == 0) continue;
-    const double speed = flow_.restitution() * landing.speed;
-    const auto next = std::lower_bound(speeds_.begin(), speeds_.end(), speed, std::greater<>());
-    landing.slower = std::min(static_cast<int>(next - speeds_.begin()), count - 1);
-    landing.faster = std::max(0, landing.slower - 1);
-    const double slow = speeds_[landing.slower], fast = speeds_[landing.faster];
+    if (!landing.wall || landing.rest) continue;
+    const Fan& fan = this->fan(*landing.wall);
+    const auto count = static_cast<int>(fan.speeds.size());
+    const double speed = flow_.wall(*landing.wall)->restitution * landing.speed;
+    const auto next =
+        std::lower_bound(fan.speeds.begin(), fan.speeds.end(), speed, std::greater<>());
+    const int slower = std::min(static_cast<int>(next - fan.speeds.begin()), count - 1);
+    const int faster = std::max(0, slower - 1);
+    const double slow = fan.speeds[slower], fast = fan.speeds[faster];
+    landing.slower = fan.tracks[slower];
+    landing.faster = fan.tracks[faster];
     landing.to_faster =
         fast > slow
             ? std::clamp((speed * speed - slow * slow) / (fast * fast - slow * slow), 0.0, 1.0)
             : 0;
   }
+}
+
+std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
+  std::vector<Emission> all;
+  for (const int contact : contacts_) {
+    const Side side = *rest_[contact].contact;
+    const double r = flow_.wall(side)->restitution;
+    // Of an impulse off the wall, and into it.
+    const auto slower_off = [&](double u) {
+      return side == Side::left ? law.cumulative(u) : 1 - law.cumulative(-u);
+    };
+    const auto faster_into = [&](double u) {
+      return side == Side::left ? law.cumulative(-u) : 1 - law.cumulative(u);
+    };
+    // P(0 < speed after the impulse < u)
+    const auto slower = [&](double u) {
+      return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
+    };
+    const Fan& fan = this->fan(side);
+    Emission emission{.shares = std::vector<double>(from_walls_.size(), 0.0)};
+    for (std::size_t k = 0; k < fan.speeds.size(); ++k) {
+      const double above = k == 0 ? kInfinity : fan.above[k];
+      emission.shares[fan.tracks[k]] = slower(above) - slower(fan.below[k]);
+    }
+    emission.stays = slower(fan.below.back());
+    // E[Y^-] and its square's mean, by parts, between the law's breaks; of atoms they are sums.
+    const double into = side == Side::left ? -1 : 1;
+    std::vector<double> ends{0};
+    for (const double end : law.smooth_pieces()) {
+      if (into * end > 0) ends.push_back(into * end);
+    }
+    std::ranges::sort(ends);
+    for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+      emission.momentum += Quadrature::integrate(faster_into, ends[n], ends[n + 1], 5, 1e-9);
+      emission.energy += Quadrature::integrate([&](double u) { return 2 * u * faster_into(u); },
+                                               ends[n], ends[n + 1], 5, 1e-9);
+    }
+    for (const auto& [amplitude, probability] : law.atoms()) {
+      if (into * amplitude <= 0) continue;
+      emission.momentum += probability * std::abs(amplitude);
+      emission.energy += probability * amplitude * amplitude;
+    }
+    all.push_back(std::move(emission));
+  }
+  return all;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -5,7 +5,7 @@
 #include "fd_fpk/characteristics/aggregation.hpp"
 #include "fd_fpk/line/cell_jumps.hpp"
 #include "fd_fpk/linear/gmres.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -17,20 +17,20 @@ class Chain {
         jumps_(cell_jumps(grid.x2, problem.impulses.law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
                          characteristics_per_cell),
-        passage_(characteristics_),
-        tilts_after_(grid),
-        tilts_before_(grid) {}
+        passage_(characteristics_, problem.impulses.law()),
+        tilts_after_(grid, characteristics_.rest_places()),
+        tilts_before_(grid, characteristics_.rest_places()) {}
 
   const Characteristics& characteristics() const { return characteristics_; }
 
   // From q to p.
-  Eigen::VectorXd carried(const Eigen::VectorXd& after, ImpactSums* impacts = nullptr) const {
+  Eigen::VectorXd carried(const Eigen::VectorXd& after, WallImpacts* impacts = nullptr) const {
     return passage_(after, tilted_ ? tilts_after_(after) : none(), impacts);
   }
 
-  // From p to q.
+  // From p to q. What has rested in contact until now the passage starts.
   Eigen::VectorXd kicked(const Eigen::VectorXd& before) const {
-    Eigen::VectorXd after(before.size());
+    Eigen::VectorXd after = before;
     columns(after).noalias() = jumps_.even * columns(before);
     if (tilted_) {
       const Eigen::VectorXd tilts = tilts_before_.in_v(before);
@@ -96,8 +96,8 @@ void improve(const Chain& chain, const Aggregation& aggregation, double toleranc
 // The more impulses it takes to forget, the more of the error is slow.
 int blocks_for(const problem::Problem& problem) {
   constexpr double kPerImpulse = 20;
-  return static_cast<int>(
-      std::clamp(kPerImpulse * problem::impulses_per_decay_time(problem), 200.0, 1600.0));
+  const double impulses = problem::impulses_per_decay_time(problem, problem::scales(problem));
+  return static_cast<int>(std::clamp(kPerImpulse * impulses, 200.0, 1600.0));
 }
 
 }  // namespace
@@ -105,19 +105,26 @@ int blocks_for(const problem::Problem& problem) {
 StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
                                    int characteristics_per_cell, const Deadline& deadline) {
   Chain chain(problem, grid, characteristics_per_cell);
-  Aggregation aggregation(grid, blocks_for(problem));
+  const auto& characteristics = chain.characteristics();
+  const auto& places = characteristics.rest_places();
+  const auto atoms = static_cast<int>(characteristics.contacts().size());
+  Aggregation aggregation(grid, atoms, blocks_for(problem));
   {
     const Chain of_blocks(problem, aggregation.blocks(), characteristics_per_cell);
     aggregation.set_chain(
         [&](const Eigen::VectorXd& after) { return of_blocks.kicked(of_blocks.carried(after)); });
   }
-  const RestCells& rest = chain.characteristics().rest();
   StationaryMasses result{.masses = std::nullopt,
-                          .rest = rest,
-                          .visits = static_cast<long>(chain.characteristics().visits().size())};
+                          .rest = places,
+                          .visits = static_cast<long>(characteristics.visits().size())};
   // The first impulse finds the oscillator at rest.
-  Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size());
-  start(rest.below) = start(rest.above) = 0.5;
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
+  for (const RestPlace& place : places) {
+    if (place.contact) continue;
+    for (const auto& [cell, share] : place.cells) start(cell) = share;
+  }
+  start.tail(atoms).setOnes();
+  start /= start.sum();
   Eigen::VectorXd after = chain.kicked(start);
   improve(chain, aggregation, kRoughTolerance, deadline, after, result);
   if (!result.failure.empty()) return result;
@@ -127,7 +134,16 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& 
   if (!result.failure.empty()) return result;
   const Eigen::VectorXd before = chain.carried(after, &result.impacts);
   result.residual = (chain.kicked(before) - after).cwiseAbs().sum();
-  result.masses = before / before.sum();
+  const Eigen::VectorXd masses = before / before.sum();
+  result.masses = masses.head(grid.size());
+  for (const RestPlace& place : places) {
+    double mass = 0;
+    for (const auto& [cell, share] : place.cells) mass += masses(cell);
+    result.at_rest.push_back(mass);
+  }
+  for (int k = 0; k < atoms; ++k) {
+    result.at_rest[characteristics.contacts()[k]] = masses(grid.size() + k);
+  }
   return result;
 }
 

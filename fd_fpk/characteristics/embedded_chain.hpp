@@ -10,15 +10,16 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A stationary density as masses on cells.
+/// A stationary density as masses on cells, and in contact.
 struct StationaryMasses {
-  std::optional<Eigen::VectorXd> masses;  ///< of p; they sum to 1
-  ImpactSums impacts = {};
+  std::optional<Eigen::VectorXd> masses;  ///< of p, on cells; with those of `rest` they sum to 1
+  std::vector<double> at_rest = {};  ///< in contact, or in the cells of an equilibrium, by place
+  WallImpacts impacts = {};
   double residual = 0;  ///< ||J T q - q||_1 of the density after impulses, whose mass is 1
   long iterations = 0;  ///< of GMRES
   std::string failure = {};
-  RestCells rest = {};  ///< as the characteristics have them
-  long visits = 0;      ///< of cells by characteristics
+  std::vector<RestPlace> rest = {};  ///< as the characteristics have them
+  long visits = 0;                   ///< of cells by characteristics
 };
 
 /// The chain of the states right after impulses, q = J T q with the passage T and the jumps J of

@@ -4,31 +4,61 @@
 #include <cmath>
 #include <limits>
 
-#include "fd_fpk/operator/turning_point.hpp"
+#include "problem/real_roots.hpp"
 
 namespace fpkcheck::fd_fpk {
-
-Flow::Flow(const problem::System& system)
-    : damping_(system.damping()),
-      restitution_(system.restitution()),
-      force_(system.force()),
-      tangent_(system.tangent_stiffness()),
-      potential_(system.potential()),
-      system_(system) {}
-
 namespace {
 
 // Damping times the longest step of the Runge-Kutta method: of 2.78 on the negative axis, where it
 // decays as it should.
 constexpr double kStability = 0.75;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 // expm1(s t)/s
 double grown(double s, double time) { return s == 0 ? time : std::expm1(s * time) / s; }
 
+std::vector<double> turns_between_walls(const problem::Polynomial& slope,
+                                        const problem::System& system) {
+  const double bound = 2 * problem::root_bound(slope) + 1;
+  const double low = system.left() ? system.left()->position : -bound;
+  const double high = system.right() ? system.right()->position : bound;
+  return low < high ? problem::sign_changes(slope, low, high) : std::vector<double>{};
+}
+
 }  // namespace
 
-// Exactly, with the force linear in y - y0: exponentials of the roots s of s^2 + c s + g'(y0) = 0,
-// real where a step is longer than explicit formulas stand.
+Flow::Flow(const problem::System& system)
+    : system_(system),
+      force_(system.force()),
+      tangent_(system.tangent_stiffness()),
+      potential_(system.potential()),
+      damping_(system.damping_polynomial()),
+      damping_slope_(system.damping_polynomial().derivative()),
+      rayleigh_(system.rayleigh()),
+      turns_(turns_between_walls(force_, system)),
+      bends_(turns_between_walls(tangent_.derivative(), system)) {}
+
+double Flow::distance(double y, Side side) const {
+  return side == Side::left ? y - system_.left()->position : system_.right()->position - y;
+}
+
+std::optional<Side> Flow::beyond(double y) const {
+  if (system_.left() && y < system_.left()->position) return Side::left;
+  if (system_.right() && y > system_.right()->position) return Side::right;
+  return std::nullopt;
+}
+
+double Flow::acceleration(const State& at) const {
+  return -(at.v * (damping_(at.y) + rayleigh_ * at.v * at.v) + force_(at.y));
+}
+
+double Flow::contraction(const State& at) const {
+  return damping_(at.y) + 3 * rayleigh_ * at.v * at.v;
+}
+
+// Exactly, with the forces linear about the state: exponentials of the roots s of
+// s^2 + f_v s + (f_y + g') = 0, real where a step is longer than explicit formulas stand.
 State Flow::after_creeping(const State& from, double time) const {
   const auto [slow, fast, v_slow, v_fast] = modes(from);
   return {from.y + v_slow * grown(slow, time) + v_fast * grown(fast, time),
@@ -36,14 +66,16 @@ State Flow::after_creeping(const State& from, double time) const {
 }
 
 Flow::Modes Flow::modes(const State& at) const {
-  const double root = std::sqrt(std::max(0.0, damping_ * damping_ - 4 * tangent_(at.y)));
-  const double fast = -(damping_ + root) / 2, slow = -2 * tangent_(at.y) / (damping_ + root);
+  const double damping = contraction(at);
+  const double stiffness = tangent_(at.y) + at.v * damping_slope_(at.y);
+  const double root = std::sqrt(std::max(0.0, damping * damping - 4 * stiffness));
+  const double fast = -(damping + root) / 2, slow = -2 * stiffness / (damping + root);
   const double v_fast = (acceleration(at) - slow * at.v) / (fast - slow);
   return {.slow = slow, .fast = fast, .v_slow = at.v - v_fast, .v_fast = v_fast};
 }
 
 State Flow::after(const State& from, double time) const {
-  if (damping_ * time > kStability) {
+  if (contraction(from) * time > kStability) {
     const State full = after_creeping(from, time);
     const State halves = after_creeping(after_creeping(from, time / 2), time / 2);
     return {(4 * halves.y - full.y) / 3, (4 * halves.v - full.v) / 3};
@@ -60,43 +92,100 @@ State Flow::after(const State& from, double time) const {
           from.v + time / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
 }
 
-double Flow::longest_step(const State& from, double frequency) const {
+double Flow::longest_step(const State& from, const Reach& reach) const {
   constexpr double kChange = 0.1;  // of the state, in the norm of the energy
-  const double size = std::hypot(frequency * from.y, from.v);
-  const double rate = std::hypot(frequency * from.v, acceleration(from));
-  const double span = kChange * size / rate;
-  if (damping_ * span <= kStability) return span;
+  // Over a saddle, and where no force acts, the state changes little and what comes next much.
+  constexpr double kLongest = 0.3, kOfTheWay = 0.1;
+  const double size = std::sqrt(2 * std::max(0.0, energy(from) - reach.least_potential));
+  const double rate = std::hypot(reach.frequency * from.v, acceleration(from));
+  const double free = kChange * size / rate;
+  const double across =
+      reach.high > reach.low ? kOfTheWay * (reach.high - reach.low) / std::abs(from.v) : kInfinity;
+  const double span = std::min({free, kLongest / reach.frequency, across});
+  const double damping = contraction(from);
+  if (damping * span <= kStability) return span;
   // What decays fast changes the sign of v, and bends the path at the begin of a step.
   constexpr double kDecayed = 0.05, kNone = 1e-300;
   const Modes modes = this->modes(from);
   const double smooth =
-      kDecayed * std::abs(modes.v_slow) / (damping_ * std::abs(modes.v_fast) + kNone);
-  return std::max(kStability / damping_, std::min(span, smooth));
+      kDecayed * std::abs(modes.v_slow) / (damping * std::abs(modes.v_fast) + kNone);
+  return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
-double Flow::energy(const State& at) const { return at.v * at.v / 2 + potential_(at.y); }
+// Between neighbouring turns U is monotone; beyond the last it grows.
+double Flow::end_of_reach(double y, double energy, Side side) const {
+  const double sign = side == Side::left ? -1 : 1;
+  const auto inside = [&](double at) { return potential_(at) < energy; };
+  const auto between = [&](double within, double beyond) {
+    while (true) {
+      const double middle = (within + beyond) / 2;
+      if (middle == within || middle == beyond) return beyond;
+      (inside(middle) ? within : beyond) = middle;
+    }
+  };
+  double reached = y;
+  const auto passes = [&](double knot) {
+    if (sign * (knot - reached) <= 0) return true;
+    if (!inside(knot)) return false;
+    reached = knot;
+    return true;
+  };
+  const auto count = static_cast<int>(turns_.size());
+  for (int n = 0; n < count; ++n) {
+    const double turn = turns_[side == Side::left ? count - 1 - n : n];
+    if (!passes(turn)) return between(reached, turn);
+  }
+  if (const auto& end = wall(side)) {
+    return passes(end->position) ? end->position : between(reached, end->position);
+  }
+  double step = std::max(1e-3 * std::abs(reached), 1e-30);
+  while (inside(reached + sign * step)) step *= 2;
+  return between(reached, reached + sign * step);
+}
 
-double Flow::frequency(const State& at) const {
-  return std::sqrt(tangent_(turning_point(system_, energy(at))));
+Reach Flow::reach(const State& at) const {
+  const double level = energy(at);
+  Reach reach{.low = end_of_reach(at.y, level, Side::left),
+              .high = end_of_reach(at.y, level, Side::right),
+              .least_potential = 0,
+              .frequency = 0};
+  const auto inside = [&](double y) { return y > reach.low && y < reach.high; };
+  double stiffness = std::max(std::abs(tangent_(reach.low)), std::abs(tangent_(reach.high)));
+  reach.least_potential = std::min(potential_(reach.low), potential_(reach.high));
+  for (const double y : turns_) {
+    if (inside(y)) reach.least_potential = std::min(reach.least_potential, potential_(y));
+  }
+  for (const double y : bends_) {
+    if (inside(y)) stiffness = std::max(stiffness, std::abs(tangent_(y)));
+  }
+  reach.frequency = std::sqrt(stiffness);
+  return reach;
 }
 
 Winding Flow::winding(double speed) const {
   constexpr double kCreeping = 1e-6;
-  State state{0, speed};
-  Winding winding{.height = 0, .duration = std::numeric_limits<double>::infinity()};
+  const double wall = system_.left()->position;
+  State state{wall, speed};
+  Winding winding{.height = 0, .duration = kInfinity};
   double time = 0;
-  for (double frequency = this->frequency(state); energy(state) > kCreeping * speed * speed;) {
-    const double span = longest_step(state, frequency);
+  const Reach reach = this->reach(state);
+  while (energy(state) - reach.least_potential > kCreeping * speed * speed) {
+    const double span = longest_step(state, reach);
     const State end = after(state, span);
     if (state.v > 0 && end.v <= 0) {
       // The parabola's top.
       const double until = span * state.v / (state.v - end.v);
-      winding.height = after(state, until).y;
+      winding.height = std::max(winding.height, after(state, until).y - wall);
     }
-    if (end.y < 0) {
-      const double until = impact_time(state, span);
+    const auto hit = beyond(end.y);
+    if (hit == Side::left) {
+      const double until = impact_time(state, span, Side::left);
       winding.landing = -after(state, until).v;
       winding.duration = time + until;
+      break;
+    }
+    if (hit) {  // the other wall
+      winding.height = system_.right()->position - wall;
       break;
     }
     time += span;
@@ -105,15 +194,20 @@ Winding Flow::winding(double speed) const {
   return winding;
 }
 
-double Flow::impact_time(const State& from, double time) const {
-  double before = 0, beyond = time;
+double Flow::impact_time(const State& from, double time, Side side) const {
+  double before = 0, until = time;
+  const double distance_now = distance(from.y, side);
+  const double direction = side == Side::left ? 1 : -1;  // of growing distance
   // Where the chord meets the wall; a flight from the wall itself has none.
-  double guess = from.y > 0 ? time * from.y / (from.y - after(from, time).y) : time / 2;
+  double guess = distance_now > 0
+                     ? time * distance_now / (distance_now - distance(after(from, time).y, side))
+                     : time / 2;
   for (int iteration = 0; iteration < 60; ++iteration) {
     const State at = after(from, guess);
-    (at.y < 0 ? beyond : before) = guess;
-    double next = guess - at.y / at.v;
-    if (!(next > before && next < beyond)) next = (before + beyond) / 2;
+    const double left = distance(at.y, side);
+    (left < 0 ? until : before) = guess;
+    double next = guess - left / (direction * at.v);
+    if (!(next > before && next < until)) next = (before + until) / 2;
     const bool close = std::abs(next - guess) <= 1e-13 * time;
     guess = next;
     if (close) break;

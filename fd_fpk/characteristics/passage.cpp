@@ -1,6 +1,7 @@
 #include "fd_fpk/characteristics/passage.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace fpkcheck::fd_fpk {
@@ -15,77 +16,130 @@ struct CellMass {
 }  // namespace
 
 Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& tilts,
-                                    ImpactSums* impacts) const {
+                                    WallImpacts* impacts) const {
   const auto& visits = characteristics_.visits();
-  const auto& from_wall = characteristics_.from_wall();
-  const RestCells& rest = characteristics_.rest();
+  const auto& from_walls = characteristics_.from_walls();
+  const auto& rest = characteristics_.rest_places();
+  const auto& contacts = characteristics_.contacts();
+  const auto atoms = static_cast<Eigen::Index>(contacts.size());
+  const Eigen::Index count = masses.size() - atoms;
   std::vector<CellMass> cells;
-  cells.reserve(static_cast<std::size_t>(masses.size()));
-  for (Eigen::Index n = 0; n < masses.size(); ++n) {
+  cells.reserve(static_cast<std::size_t>(count));
+  for (Eigen::Index n = 0; n < count; ++n) {
     cells.push_back({.mass = masses(n), .tilt_y = tilts.y(n), .tilt_v = tilts.v(n)});
   }
-  double at_rest = masses(rest.below) + masses(rest.above);
-  std::vector<double> entering(from_wall.size(), 0.0);
+  std::vector<double> at_rest(rest.size(), 0.0), entering(from_walls.size(), 0.0);
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    for (const auto& [cell, share] : rest[k].cells) at_rest[k] += masses(cell);
+  }
+  const auto hit = [&](Side side, double number, double momentum, double energy) {
+    if (!impacts) return;
+    ImpactSums& sums = impacts->at(side);
+    sums.number += number;
+    sums.momentum += momentum;
+    sums.energy += energy;
+  };
+  for (Eigen::Index k = 0; k < atoms; ++k) {
+    const Emission& emission = emissions_[static_cast<std::size_t>(k)];
+    const int place = contacts[static_cast<std::size_t>(k)];
+    const double mass = masses(count + k);
+    for (std::size_t n = 0; n < entering.size(); ++n) entering[n] += emission.shares[n] * mass;
+    at_rest[place] += emission.stays * mass;
+    hit(*rest[place].contact, 0, emission.momentum * mass, emission.energy * mass);
+  }
 
   const auto source = [&](const Visit& visit) {
     const CellMass& cell = cells[visit.cell];
     return visit.share * (cell.mass + cell.tilt_y * visit.y + cell.tilt_v * visit.v);
   };
   // What is left at the end of a track.
-  const auto follow = [&](const Track& track, double mass) {
+  const auto follow = [&](const Track& track, double mass, bool with_sources) {
     for (std::size_t n = track.first; n < track.last; ++n) {
       const Visit& visit = visits[n];
-      const double begins = source(visit);
-      const double left = visit.survival * mass + visit.kept * begins;
-      cells[visit.cell].ended += mass + begins - left;
-      mass = left;
+      const double begins = with_sources ? source(visit) : 0;
+      const double ended = visit.ended * mass + visit.ended_begun * begins;
+      cells[visit.cell].ended += ended;
+      mass += begins - ended;
     }
     return mass;
   };
-  const auto land = [&](const Landing& landing, double mass) {
-    if (landing.speed == 0) {
-      at_rest += mass;
+  const auto come_to_rest = [&](const Landing& landing, double mass) {
+    const int place = *landing.rest;
+    if (!landing.cascade) {
+      at_rest[place] += mass;
       return;
     }
-    entering[landing.faster] += landing.to_faster * mass;
-    entering[landing.slower] += (1 - landing.to_faster) * mass;
-    if (impacts) {
-      impacts->number += mass;
-      impacts->momentum += landing.speed * mass;
-      impacts->energy += landing.speed * landing.speed * mass;
+    // What an impulse ends on the way is on either side of v = 0.
+    const Cascade& cascade = *landing.cascade;
+    at_rest[place] += cascade.survival * mass;
+    for (const auto& [cell, share] : rest[place].cells) {
+      cells[cell].ended += (1 - cascade.survival) * share * mass;
+    }
+    hit(*landing.wall, mass, (landing.speed + cascade.momentum) * mass,
+        (landing.speed * landing.speed + cascade.energy) * mass);
+  };
+  const auto land = [&](const Track& track, double mass) {
+    const Landing& landing = track.landing;
+    if (landing.rest) {
+      come_to_rest(landing, mass);
+    } else if (landing.wall) {
+      entering[landing.faster] += landing.to_faster * mass;
+      entering[landing.slower] += (1 - landing.to_faster) * mass;
+      hit(*landing.wall, mass, landing.speed * mass, landing.speed * landing.speed * mass);
+    } else if (track.last > track.first) {
+      cells[visits[track.last - 1].cell].ended += mass;
     }
   };
 
   for (const Track& track : characteristics_.from_outside()) {
-    land(track.landing, follow(track, 0));
+    land(track, follow(track, 0, true));
   }
-  for (std::size_t n = 0; n < from_wall.size(); ++n) {
-    const Track& track = from_wall[n];
-    const Landing& landing = track.landing;
-    double mass = entering[n];
-    // Part of what leaves here may land here again: the mass is then that of all rounds.
-    double again = 0;
-    if (landing.speed > 0) {
-      if (landing.faster == static_cast<int>(n)) again += landing.to_faster;
-      if (landing.slower == static_cast<int>(n)) again += 1 - landing.to_faster;
-    }
-    if (again > 0) {
-      double survival = 1, left = 0;
-      for (std::size_t m = track.first; m < track.last; ++m) {
-        const Visit& visit = visits[m];
-        left = visit.survival * left + visit.kept * source(visit);
-        survival *= visit.survival;
+  const auto leave_walls = [&](bool with_sources) {
+    for (std::size_t n = 0; n < from_walls.size(); ++n) {
+      const Track& track = from_walls[n];
+      const Landing& landing = track.landing;
+      double mass = std::exchange(entering[n], 0.0);
+      // Part of what leaves here may land here again: the mass is then that of all rounds.
+      double again = 0;
+      if (landing.wall && !landing.rest) {
+        if (landing.faster == static_cast<int>(n)) again += landing.to_faster;
+        if (landing.slower == static_cast<int>(n)) again += 1 - landing.to_faster;
       }
-      mass = (mass + again * left) / (1 - again * survival);
+      if (again > 0) {
+        double lost = 0, left = 0;
+        for (std::size_t m = track.first; m < track.last; ++m) {
+          const Visit& visit = visits[m];
+          const double begins = with_sources ? source(visit) : 0;
+          left += begins - visit.ended * left - visit.ended_begun * begins;
+          lost += (1 - lost) * visit.ended;
+        }
+        mass = (mass + again * left) / (1 - again + again * lost);
+      }
+      const double left = follow(track, mass, with_sources);
+      land(track, left);
+      // All rounds are in `left` already.
+      entering[n] -= again * left;
     }
-    land(landing, follow(track, mass));
+  };
+  leave_walls(true);
+  // Between two walls a part may land on a characteristic that has had its turn.
+  constexpr int kMostRounds = 1000;
+  constexpr double kNothing = 1e-15;
+  for (int round = 0; round < kMostRounds; ++round) {
+    double left = 0;
+    for (const double mass : entering) left += std::abs(mass);
+    if (left <= kNothing * masses.cwiseAbs().sum()) break;
+    leave_walls(false);
   }
   Eigen::VectorXd ended(masses.size());
-  for (Eigen::Index n = 0; n < masses.size(); ++n) {
-    ended(n) = cells[static_cast<std::size_t>(n)].ended;
+  for (Eigen::Index n = 0; n < count; ++n) ended(n) = cells[static_cast<std::size_t>(n)].ended;
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    if (rest[k].contact) continue;
+    for (const auto& [cell, share] : rest[k].cells) ended(cell) += share * at_rest[k];
   }
-  ended(rest.below) += rest.share_below * at_rest;
-  ended(rest.above) += (1 - rest.share_below) * at_rest;
+  for (Eigen::Index k = 0; k < atoms; ++k) {
+    ended(count + k) = at_rest[contacts[static_cast<std::size_t>(k)]];
+  }
   return ended;
 }
 

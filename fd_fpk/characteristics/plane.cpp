@@ -60,7 +60,7 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow, d
   const auto& law = problem.impulses.law();
   Singularities found;
   for (const auto& [amplitude, probability] : law.atoms()) {
-    double speed = amplitude > 0 ? amplitude : -flow.restitution() * amplitude;
+    double speed = amplitude > 0 ? amplitude : -problem.system.restitution() * amplitude;
     double left = 1;
     found.v.push_back(std::abs(amplitude));
     for (int n = 0; n < kWindings && left > kFaint && speed > kSlow * usual_speed; ++n) {
@@ -69,7 +69,7 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow, d
       found.v.push_back(speed);
       found.v.push_back(winding.landing);
       // Windings that lie close together make no spikes of their own.
-      const double next = flow.restitution() * winding.landing;
+      const double next = problem.system.restitution() * winding.landing;
       if (next > kApart * speed) break;
       speed = next;
       left *= std::exp(-problem.impulses.arrival_rate() * winding.duration);

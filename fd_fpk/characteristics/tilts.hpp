@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "fd_fpk/characteristics/rest.hpp"
 #include "fd_fpk/operator/grid.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -14,11 +15,12 @@ struct Tilts {
 };
 
 /// Tilts by central differences of the densities of neighbours, linear in the masses; none in the
-/// two cells at rest, nor at the ends of the lines but for the wall, where the neighbour in front
-/// of it tells.
+/// cells at rest, nor at the ends of the lines but for walls, where the neighbour in front of them
+/// tells. What follows the masses of the cells has none.
 class TiltRule {
  public:
-  explicit TiltRule(const Grid& grid);
+  /// @param places whose cells are at rest
+  TiltRule(const Grid& grid, const std::vector<RestPlace>& places);
 
   Tilts operator()(const Eigen::VectorXd& masses) const;
   Eigen::VectorXd in_v(const Eigen::VectorXd& masses) const;
@@ -32,14 +34,11 @@ class TiltRule {
   struct Weights {
     double below, own, above;
   };
-  static std::vector<Weights> weights(const Line& line, bool at_wall);
-
-  bool at_rest(int i, int j) const {
-    return i == 0 && (j == grid_.nv() / 2 - 1 || j == grid_.nv() / 2);
-  }
+  static std::vector<Weights> weights(const Line& line);
 
   const Grid& grid_;
   std::vector<Weights> of_y_, of_v_;
+  std::vector<bool> at_rest_;  // by cell
   Eigen::VectorXd limits_y_, limits_v_;
 };
 

@@ -144,20 +144,17 @@ double energy_residual(const problem::Problem& problem, problem::Impact impact, 
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
                                               const Eigen::VectorXd& averages, int order,
-                                              double impact_momentum) {
+                                              const MomentumAtWalls& walls) {
   const auto [y, v] = marginals(grid, averages);
   const auto& force = problem.system.force();
   const problem::System& system = problem.system;
   problem::VirialTerms for_virial{
-      .mean_displacement = integral(grid.x1, y, order, monomial(1)),
+      .mean_displacement = integral(grid.x1, y, order, monomial(1)) + walls.displacement_at_rest,
       .mean_square_velocity = integral(grid.x2, v, order, monomial(2)),
       .mean_virial = integral(grid.x1, y, order, force.times_argument())};
   problem::MomentumTerms for_momentum{.mean_force = integral(grid.x1, y, order, force),
-                                      .impact_momentum = impact_momentum};
-  if (system.right()) {
-    for_virial.right_momentum = for_momentum.right_momentum =
-        impact_flux(grid, averages, order, 2, End::right);
-  }
+                                      .impact_momentum = walls.left_momentum};
+  for_virial.right_momentum = for_momentum.right_momentum = walls.right_momentum;
   if (system.rayleigh() != 0) {
     for_virial.mean_y_cubed_velocity =
         joint_integral(grid, averages, order, monomial(1), monomial(3));
@@ -174,6 +171,14 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
     residuals.momentum = problem::momentum_balance(problem, for_momentum).residual();
   }
   return residuals;
+}
+
+MomentumAtWalls momentum_at_walls(const problem::System& system, const Grid& grid,
+                                  const Eigen::VectorXd& averages, int order) {
+  MomentumAtWalls walls;
+  if (system.left()) walls.left_momentum = impact_flux(grid, averages, order, 2);
+  if (system.right()) walls.right_momentum = impact_flux(grid, averages, order, 2, End::right);
+  return walls;
 }
 
 WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,

@@ -48,13 +48,24 @@ problem::EnergyTerms energy_terms(const problem::System& system, const transform
 double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
                        const Eigen::VectorXd& averages, int order);
 
+/// What reaches the walls per unit time.
+struct MomentumAtWalls {
+  double left_momentum = 0;   ///< int_{v<0} v^2 p(0, v) dv, and that of impulses at rest
+  double right_momentum = 0;  ///< likewise
+  /// Of the mass at rest in contact, part of E[y]. The force on it the wall takes, and neither counts.
+  double displacement_at_rest = 0;
+};
+
 /// problem::virial_balance and problem::momentum_balance of cell averages. The force is averaged
 /// over the cells as the operator averages it. Without a wall and without a mean of the impulses
 /// there is no residual of momentum: both sides are 0.
-/// @param impact_momentum int_{v<0} v^2 p(0, v) dv; not looked at without a wall on the left
+/// @param walls not looked at where there is none
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
                                               const Eigen::VectorXd& averages, int order,
-                                              double impact_momentum);
+                                              const MomentumAtWalls& walls);
+/// As the density has it at the walls.
+MomentumAtWalls momentum_at_walls(const problem::System& system, const Grid& grid,
+                                  const Eigen::VectorXd& averages, int order);
 
 /// Density on the outer walls relative to the peak, or to the peak of equivalent linearisation
 /// where that is lower: a spike at rest must not hide a tail.

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "fd_fpk/characteristics/contact_plane.hpp"
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 #include "fd_fpk/characteristics/plane.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution.hpp"
 #include "fd_fpk/stationary/judgement.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -25,20 +28,18 @@ constexpr int kCharacteristicsPerCell = 8;
 struct Stationary {
   Grid grid;
   StationaryMasses found;
-  double rest_mass = 0;
 };
+
+Grid grid_for(const problem::Problem& problem, const Options& options, const Box& box) {
+  return of_the_paper(problem) ? characteristic_grid(problem, options, box)
+                               : contact_grid(problem, options, box);
+}
 
 Stationary stationary_in(const problem::Problem& problem, const Options& options, const Box& box,
                          const Deadline& given_up) {
-  Grid grid = characteristic_grid(problem, options, box);
+  Grid grid = grid_for(problem, options, box);
   StationaryMasses found = stationary_masses(problem, grid, kCharacteristicsPerCell, given_up);
-  double rest_mass = 0;
-  if (found.masses) {
-    rest_mass = (*found.masses)(found.rest.below) + (*found.masses)(found.rest.above);
-    // The oscillator at rest turns on, and hits the wall without a speed.
-    found.impacts.number += rest_mass * found.rest.impact_rate / problem.impulses.arrival_rate();
-  }
-  return {.grid = std::move(grid), .found = std::move(found), .rest_mass = rest_mass};
+  return {.grid = std::move(grid), .found = std::move(found)};
 }
 
 // Masses by displacement and by speed.
@@ -55,8 +56,9 @@ Sums sums(const Stationary& on) {
 
 // Of a box: what leaves it stays in the cells at its end.
 constexpr double kMostAtEnd = 1e-6;
-double at_end(const Sums& sums) {
-  return std::max(sums.of_y(sums.of_y.size() - 1), sums.of_speed(sums.of_speed.size() - 1));
+double at_end(const Stationary& on, const Sums& sums) {
+  const double in_y = on.grid.x1.right() == Beyond::vacuum ? sums.of_y(sums.of_y.size() - 1) : 0;
+  return std::max(in_y, sums.of_speed(sums.of_speed.size() - 1));
 }
 
 // The first face beyond which there is no more than `negligible`; the last one where the cells at
@@ -77,10 +79,15 @@ double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible
 Box box_of(const problem::Problem& problem, const Options& options, const Deadline& deadline,
            Answer so_far) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
+  // Where a good part has arrived at the end of the box.
+  constexpr double kMuch = 1e-3, kMuchWider = 3;
   constexpr double kSlower = 1.5;  // the wider box, about
   constexpr int kMostTimes = 6;
-  Box box = generous_box(problem, options);
-  if (options.x1_max && options.x2_max) return box;
+  Box box = of_the_paper(problem) ? generous_box(problem, options)
+                                  : generous_contact_box(problem, options);
+  const bool given_y = options.x1_max || problem.system.right(),
+             given_v = options.x2_max.has_value();
+  if (given_y && given_v) return box;
   Options coarse = options;
   coarse.nx = coarse.nv = std::nullopt;
   coarse.refinement = kCoarse;
@@ -91,34 +98,70 @@ Box box_of(const problem::Problem& problem, const Options& options, const Deadli
     const Sums masses = sums(on);
     const double y = end_of(on.grid.x1, masses.of_y, kNegligible);
     const double v = end_of(on.grid.speeds(), masses.of_speed, kNegligible);
-    const bool wider_y = !options.x1_max && y >= box.x1_max;
-    const bool wider_v = !options.x2_max && v >= box.x2_max;
-    const bool will_do = at_end(masses) <= kMostAtEnd;
+    const bool wider_y = !given_y && y >= box.x1_max;
+    const bool wider_v = !given_v && v >= box.x2_max;
+    const bool will_do = at_end(on, masses) <= kMostAtEnd;
     if (will_do && (wider_y || wider_v) && !deadline.allows(kSlower * stopwatch.seconds())) break;
-    if (!options.x1_max) box.x1_max = wider_y ? kWider * box.x1_max : y;
-    if (!options.x2_max) box.x2_max = wider_v ? kWider * box.x2_max : v;
+    const double wider = at_end(on, masses) > kMuch ? kMuchWider : kWider;
+    if (!given_y) box.x1_max = wider_y ? wider * box.x1_max : y;
+    if (!given_v) box.x2_max = wider_v ? wider * box.x2_max : v;
     if (!wider_y && !wider_v) break;
   }
   return box;
+}
+
+// What rests in contact, on the physical axis too.
+void add_atoms(const problem::Problem& problem, const Stationary& on,
+               transform::Solution& solution) {
+  auto& moments = solution.moments;
+  for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
+    const RestPlace& place = on.found.rest[k];
+    if (!place.contact) continue;
+    const double probability = on.found.at_rest[k];
+    solution.atoms.push_back(
+        {.y = place.y, .probability = probability, .standard_error = {}, .stated_error = {}});
+    const double y = problem.frame.y(place.y);
+    moments.y1 += probability * y;
+    moments.y2 += probability * y * y;
+    moments.y4 += probability * y * y * y * y;
+    solution.mass += probability;
+  }
 }
 
 void observe(const problem::Problem& problem, const Stationary& on, const Eigen::VectorXd& averages,
              Result& result) {
   auto& [solution, summary] = result;
   const double rate = problem.impulses.arrival_rate();
-  const ImpactSums& impacts = on.found.impacts;
+  const auto& [left, right] = on.found.impacts;
   solution.density = grid_density(on.grid, averages);
-  solution.moments = moments(on.grid, averages, kOrder);
+  solution.moments = physical_moments(problem.frame, on.grid, averages, kOrder);
   solution.mass = on.grid.areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
+  add_atoms(problem, on, solution);
   summary.wall = relative_wall_density(problem, on.grid, averages);
-  summary.impact_rate = rate * impacts.number;
-  solution.energy_residual =
-      problem::energy_residual(problem, problem::Impact::map,
-                               {.mean_velocity = solution.moments.v1,
-                                .mean_square_velocity = solution.moments.v2,
-                                .impact_energy_flux = rate * impacts.energy});
-  summary.balances = balance_residuals(problem, on.grid, averages, kOrder, rate * impacts.momentum);
+  summary.impact_rate = rate * (left.number + right.number);
+  double displacement_at_rest = 0;
+  for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
+    const RestPlace& place = on.found.rest[k];
+    const double mass = on.found.at_rest[k];
+    if (place.contact) {
+      displacement_at_rest += mass * place.y;
+      summary.impact_rate = std::numeric_limits<double>::infinity();
+    } else {
+      // In an equilibrium it turns on, and hits the wall without a speed.
+      summary.rest_mass += mass;
+      summary.impact_rate += mass * place.impact_rate;
+    }
+  }
+  auto terms =
+      energy_terms(problem.system, moments(on.grid, averages, kOrder), on.grid, averages, kOrder);
+  terms.impact_energy_flux = rate * left.energy;
+  terms.right_energy_flux = rate * right.energy;
+  solution.energy_residual = problem::energy_residual(problem, problem::Impact::map, terms);
+  summary.balances = balance_residuals(problem, on.grid, averages, kOrder,
+                                       {.left_momentum = rate * left.momentum,
+                                        .right_momentum = rate * right.momentum,
+                                        .displacement_at_rest = displacement_at_rest});
 }
 
 }  // namespace
@@ -144,12 +187,11 @@ Result solve_along_characteristics(const problem::Problem& problem, const Option
     solution.reason = on.found.failure;
     return result;
   }
-  const double frequency = std::sqrt(problem::equivalent_linearisation(problem).stiffness);
-  summary.residual = on.found.residual * problem.impulses.arrival_rate() / frequency;
-  summary.rest_mass = on.rest_mass;
+  summary.residual =
+      on.found.residual * problem.impulses.arrival_rate() / problem::scales(problem).frequency;
   observe(problem, on, on.found.masses->cwiseQuotient(on.grid.areas()), result);
   solution.status = Status::ok;
-  if (const double beyond = at_end(sums(on)); beyond > kMostAtEnd) {
+  if (const double beyond = at_end(on, sums(on)); beyond > kMostAtEnd) {
     solution.status = Status::failed;
     solution.reason = fmt::format(
         "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the cells "
@@ -158,6 +200,7 @@ Result solve_along_characteristics(const problem::Problem& problem, const Option
     return result;
   }
   judge_resolution(options, result);
+  if (!of_the_paper(problem)) judge_balances(result);
   return result;
 }
 

@@ -100,6 +100,9 @@ double l1(const ErrorEstimate& error) { return std::max(error.y_l1, error.ydot_l
 
 void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
   fine.summary.error = error;
+  for (std::size_t k = 0; k < error.at_rest.size(); ++k) {
+    fine.solution.atoms[k].stated_error = error.at_rest[k];
+  }
   if (error.observed_order >= transform::kLeastOrderOfALimit) {
     fine.solution.extrapolation = {*coarser.density, error.factor};
   }
@@ -167,7 +170,8 @@ ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, con
           .moments = known.error.moments,
           .observed_order = known.orders.l1,
           .extrapolated = transform::limit(fine.moments, last, known.factor),
-          .factor = known.factor};
+          .factor = known.factor,
+          .at_rest = known.at_rest};
 }
 
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,

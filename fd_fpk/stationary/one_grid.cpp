@@ -91,8 +91,8 @@ void observe(const problem::Problem& problem, const problem::Scales& scales, con
   summary.wall = relative_wall_density(scales, grid, averages);
   summary.impact_rate = impact_rate(problem.system, grid, averages, order);
   solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
-  const double momentum = problem.system.left() ? impact_flux(grid, averages, order, 2) : 0;
-  summary.balances = balance_residuals(problem, grid, averages, order, momentum);
+  summary.balances = balance_residuals(problem, grid, averages, order,
+                                       momentum_at_walls(problem.system, grid, averages, order));
 }
 
 // Half as far again where a wall has a density that may matter: what rare impulses do beyond a wall

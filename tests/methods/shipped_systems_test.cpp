@@ -92,7 +92,8 @@ TEST_P(OtherSystems, AreTheSameByFiniteDifferencesAndSimulation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, OtherSystems,
-                         testing::Values("tilted", "van_der_pol", "gap", "two_walls", "box"),
+                         testing::Values("tilted", "van_der_pol", "gap", "two_walls", "box",
+                                         "preload", "ball", "stops"),
                          [](const auto& system) { return std::string(system.param); });
 
 }  // namespace

@@ -33,17 +33,16 @@ TEST(Flow, OverdampedCreepsAndDoesNotComeBack) {
 // Steps become much longer than 1/c, and still are those of the formulas.
 TEST(Flow, FollowsWhatCreepsToRestForALongTime) {
   const auto follow = [](const Flow& flow, State state, double until) {
-    const double frequency = flow.frequency(state);
     double time = 0, longest = 0;
     for (int step = 0; time < until; ++step) {
       EXPECT_LT(step, 400);
       if (step >= 400) break;
-      const double span = std::min(flow.longest_step(state, frequency), until - time);
+      const double span = std::min(flow.longest_step(state, flow.reach(state)), until - time);
       longest = std::max(longest, span);
       state = flow.after(state, span);
       time += span;
     }
-    EXPECT_GT(longest * flow.damping(), 5);
+    EXPECT_GT(longest * flow.contraction(state), 5);
     return state;
   };
   {
@@ -81,7 +80,7 @@ TEST(Flow, StepsKeepTheEnergyOfAnUndampedMotion) {
   State state{0.2, 1.1};
   const double energy = flow.energy(state);
   for (int step = 0; step < 100; ++step) {
-    state = flow.after(state, flow.longest_step(state, flow.frequency(state)));
+    state = flow.after(state, flow.longest_step(state, flow.reach(state)));
     if (state.y < 0) state = {-state.y, -state.v};  // the odd continuation
   }
   EXPECT_NEAR(flow.energy(state) / energy, 1, 3e-5);
@@ -91,8 +90,74 @@ TEST(Flow, ImpactTimeIsWhereTheWallIs) {
   const Flow flow(tests::paper_case(2).system);
   const State from{0.05, -0.7};
   ASSERT_LT(flow.after(from, 0.1).y, 0);
-  const double time = flow.impact_time(from, 0.1);
+  const double time = flow.impact_time(from, 0.1, Side::left);
   EXPECT_NEAR(flow.after(from, time).y, 0, 1e-14);
+}
+
+// Of a constant force g0: heights u^2 / (2 g0), times 2 u / g0.
+TEST(Flow, BallFliesAlongParabolas) {
+  const double g0 = 1.7, u = 0.3;
+  const Flow flow(problem::System({.constant = g0, .restitution = 0.7}));
+  const auto winding = flow.winding(u);
+  EXPECT_NEAR(winding.duration, 2 * u / g0, 1e-12);
+  EXPECT_NEAR(winding.height, u * u / (2 * g0), 1e-12);
+  EXPECT_NEAR(winding.landing, u, 1e-12);
+}
+
+TEST(Flow, MeetsTheWallOnTheRightToo) {
+  const Flow flow(
+      problem::System({.damping = 0.1, .stiffness = 1}, {.right = 0.5, .right_restitution = 0.7}));
+  const State from{0.45, 0.7};
+  ASSERT_EQ(flow.beyond(flow.after(from, 0.1).y), Side::right);
+  const double time = flow.impact_time(from, 0.1, Side::right);
+  EXPECT_NEAR(flow.after(from, time).y, 0.5, 1e-14);
+  EXPECT_FALSE(flow.beyond(0.5));
+  EXPECT_FALSE(flow.beyond(-10));
+}
+
+// U = -y^2/2 + y^4/4: wells of depth 1/4 at +-1, g' = 2 there.
+TEST(Flow, ReachesOfTwoWellsBelowTheSaddleTheirOwnAndAboveBoth) {
+  const Flow flow(problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}));
+  const Reach below = flow.reach({1, 0.1});
+  EXPECT_GT(below.low, 0.9);
+  EXPECT_LT(below.high, 1.1);
+  EXPECT_NEAR(flow.energy({below.low, 0}), flow.energy({1, 0.1}), 1e-12);
+  EXPECT_NEAR(flow.energy({below.high, 0}), flow.energy({1, 0.1}), 1e-12);
+  EXPECT_DOUBLE_EQ(below.least_potential, -0.25);
+  EXPECT_NEAR(below.frequency, std::sqrt(2), 0.15);
+  const Reach above = flow.reach({1, 1});
+  EXPECT_NEAR(above.low, -above.high, 1e-12);
+  EXPECT_NEAR(flow.energy({above.high, 0}), 0.25, 1e-12);
+}
+
+// Areas shrink as the flow's divergence says, and the exponential steps have the tangents of both
+// forces: against differences of the flow.
+TEST(Flow, ContractionIsMinusTheDivergence) {
+  const Flow flow(problem::System(
+      {.damping = 0.3, .van_der_pol = 0.7, .rayleigh = 0.2, .stiffness = 1, .cubic = 2},
+      {.none = true}));
+  const State at{0.6, -0.8};
+  const double h = 1e-5;
+  const double slope =
+      (flow.acceleration({at.y, at.v + h}) - flow.acceleration({at.y, at.v - h})) / (2 * h);
+  EXPECT_NEAR(flow.contraction(at), -slope, 1e-8);
+}
+
+// y'' + c(y) y' + k y = 0 far above critical damping: long steps against short ones.
+TEST(Flow, CreepsWhereDampingDependsOnTheDisplacement) {
+  const Flow flow(
+      problem::System({.damping = 30, .van_der_pol = 40, .stiffness = 1}, {.none = true}));
+  State state{1, -1 / 70.0}, fine = state;
+  double time = 0;
+  for (int step = 0; time < 40 && step < 5000; ++step) {
+    const double span = std::min(flow.longest_step(state, flow.reach(state)), 40 - time);
+    state = flow.after(state, span);
+    time += span;
+  }
+  ASSERT_DOUBLE_EQ(time, 40);
+  for (int step = 0; step < 8000; ++step) fine = flow.after(fine, 40 / 8000.0);
+  EXPECT_NEAR(state.y / fine.y, 1, 1e-3);
+  EXPECT_NEAR(state.v / fine.v, 1, 1e-2);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "fd_fpk/characteristics/plane.hpp"
 #include "fd_fpk/operator/observables.hpp"
@@ -22,14 +23,14 @@ struct Setting {
       : problem(p),
         grid(characteristic_grid(p, {.refinement = refinement}, {.x1_max = 4, .x2_max = 4})),
         characteristics(p.system, grid, p.impulses.arrival_rate(), 8),
-        tilts(grid) {}
+        tilts(grid, characteristics.rest_places()) {}
 
   // A smooth density of mass 1 that fits the box.
   Eigen::VectorXd masses() const {
     return folded_gaussian(grid, 0.4, 0.5).cwiseProduct(grid.areas());
   }
-  Eigen::VectorXd passed(const Eigen::VectorXd& q, ImpactSums* impacts = nullptr) const {
-    return Passage(characteristics)(q, tilts(q), impacts);
+  Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
+    return Passage(characteristics, problem.impulses.law())(q, tilts(q), impacts);
   }
   // Over cells that are evenly filled.
   double mean(const Eigen::VectorXd& m, const auto& of) const {
@@ -61,7 +62,6 @@ TEST(Passage, KeepsMassAndSign) {
 TEST(Characteristics, CrossEveryCellInSharesOfOne) {
   for (const auto& p : problems()) {
     const Setting s(p);
-    const auto& rest = s.characteristics.rest();
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(s.grid.size());
     Eigen::VectorXd y = shares, v = shares;
     for (const Visit& visit : s.characteristics.visits()) {
@@ -69,8 +69,12 @@ TEST(Characteristics, CrossEveryCellInSharesOfOne) {
       y(visit.cell) += visit.share * visit.y;
       v(visit.cell) += visit.share * visit.v;
     }
+    std::set<int> resting;
+    for (const RestPlace& place : s.characteristics.rest_places()) {
+      for (const auto& [cell, share] : place.cells) resting.insert(cell);
+    }
     for (int cell = 0; cell < s.grid.size(); ++cell) {
-      const bool at_rest = cell == rest.below || cell == rest.above;
+      const bool at_rest = resting.contains(cell);
       EXPECT_NEAR(shares(cell), at_rest ? 0 : 1, 1e-12) << cell;
       EXPECT_NEAR(y(cell), 0, 1e-12) << cell;
       EXPECT_NEAR(v(cell), 0, 1e-12) << cell;
@@ -88,11 +92,11 @@ TEST(Passage, LosesTheEnergyThatDampingAndImpactsTake) {
       const Setting s(p, refinement);
       const auto energy = [&](double y, double v) { return v * v / 2 + p.system.potential()(y); };
       const auto square = [](double, double v) { return v * v; };
-      ImpactSums impacts;
+      WallImpacts impacts;
       const Eigen::VectorXd q = s.masses(), after = s.passed(q, &impacts);
       const double gained = rate * (s.mean(after, energy) - s.mean(q, energy));
       const double lost =
-          p.system.damping() * s.mean(after, square) + (1 - r * r) / 2 * rate * impacts.energy;
+          p.system.damping() * s.mean(after, square) + (1 - r * r) / 2 * rate * impacts.left.energy;
       residuals.push_back(std::abs(gained + lost) / lost);
     }
     EXPECT_LT(residuals[0], 0.02);
@@ -107,11 +111,12 @@ TEST(Characteristics, MassAtRestTurnsOn) {
   const Setting s(
       tests::make_problem({.damping = c, .cubic = 0, .restitution = 0.5, .rate = 1e-4}));
   const double turn = std::atan2(2 * w, c);
-  EXPECT_NEAR(s.characteristics.rest().share_below, 1 - turn / std::numbers::pi, 1e-2);
-  EXPECT_NEAR(s.characteristics.rest().impact_rate, w / std::numbers::pi, 1e-4);
+  const auto& rest = s.characteristics.rest_places().front();
+  EXPECT_NEAR(rest.cells.front().share, 1 - turn / std::numbers::pi, 1e-2);
+  EXPECT_NEAR(rest.impact_rate, w / std::numbers::pi, 1e-4);
   const Setting creeping(tests::make_problem({.damping = 4, .cubic = 0, .restitution = 0.5}));
-  EXPECT_EQ(creeping.characteristics.rest().share_below, 1);
-  EXPECT_EQ(creeping.characteristics.rest().impact_rate, 0);
+  EXPECT_EQ(creeping.characteristics.rest_places().front().cells.front().share, 1);
+  EXPECT_EQ(creeping.characteristics.rest_places().front().impact_rate, 0);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(Observables, BalancesOfVirialAndMomentumAreThoseOfTheFoldedGaussian) {
   const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
   const auto of = [&](double velocity_deviation) {
     const auto averages = folded_gaussian(grid, s, velocity_deviation);
-    return balance_residuals(p, grid, averages, 5, impact_flux(grid, averages, 5, 2));
+    return balance_residuals(p, grid, averages, 5, momentum_at_walls(p.system, grid, averages, 5));
   };
   EXPECT_NEAR(*of(w).virial, 0, 1e-6);
   EXPECT_NEAR(*of(w).momentum, 0, 1e-5);

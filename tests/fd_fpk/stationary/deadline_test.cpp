@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/stationary/along_characteristics.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/one_grid.hpp"
