@@ -8,6 +8,7 @@
 #include "fd_fpk/stationary/one_grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -70,7 +71,7 @@ class Solver {
       : problem_(problem), options_(options), deadline_(options.max_seconds) {}
 
   Result solve() const {
-    if (!of_the_paper(problem_) || !may_follow_characteristics(options_)) {
+    if (!problem::of_the_paper(problem_) || !may_follow_characteristics(options_)) {
       return by(Transport::upwind);
     }
     if (options_.transport == Transport::characteristics) return by(Transport::characteristics);
@@ -106,7 +107,7 @@ class Solver {
   Result by(Transport transport, const Deadline& deadline, Answer so_far = Answer::none_yet) const {
     Options options = options_;
     options.transport = transport;
-    const bool family = !of_the_paper(problem_);
+    const bool family = !problem::of_the_paper(problem_);
     Surroundings surroundings{.scales = problem::scales(problem_)};
     // All grids share it, and the lengths by which their cells are measured. What a box of the usual
     // wall density cuts off the tails of impulses is 2e-7 of E[v^2].

@@ -6,7 +6,7 @@
 namespace fpkcheck::mcs {
 
 std::string objection(const problem::Problem& problem, const Options& options) {
-  if (problem::features(problem).original) return "";
+  if (problem::of_the_paper(problem)) return "";
   if (options.tails) {
     return "splitting for the tails takes one wall at the equilibrium, constant damping and impulses "
            "alone";

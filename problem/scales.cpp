@@ -114,7 +114,7 @@ Scales by_averaging(const Problem& problem) {
 }  // namespace
 
 Scales scales(const Problem& problem) {
-  return features(problem).original ? by_linearisation(problem) : by_averaging(problem);
+  return of_the_paper(problem) ? by_linearisation(problem) : by_averaging(problem);
 }
 
 double impulses_per_decay_time(const Problem& problem, const Scales& scales) {

@@ -33,7 +33,7 @@ EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
       level_(level),
       wall_low_(problem.system.left() ? problem.system.left()->position : -kEver),
       wall_high_(problem.system.right() ? problem.system.right()->position : kEver),
-      at_equilibrium_(problem::features(problem).original) {
+      at_equilibrium_(problem::of_the_paper(problem)) {
   if (at_equilibrium_) {
     part_from_the_wall_at_0(problem);
   } else {
