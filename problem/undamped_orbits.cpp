@@ -9,19 +9,15 @@
 #include "problem/real_roots.hpp"
 
 namespace fpkcheck::problem {
-namespace {
 
-Polynomial with_mean_force(const System& system, double mean_force) {
-  auto coefficients = system.potential().coefficients();
-  coefficients[1] -= mean_force;
+Polynomial effective_potential(const Problem& problem) {
+  auto coefficients = problem.system.potential().coefficients();
+  coefficients[1] -= problem.impulses.rate_moment(1);
   return Polynomial(coefficients);
 }
 
-}  // namespace
-
 UndampedOrbits::UndampedOrbits(const Problem& problem)
-    : system_(problem.system),
-      potential_(with_mean_force(problem.system, problem.impulses.rate_moment(1))) {
+    : system_(problem.system), potential_(effective_potential(problem)) {
   const Polynomial slope = potential_.derivative();
   // Where the slope is one of a single term its root is 0, which a bound of 1 + 0 holds too.
   const double bound = 2 * root_bound(slope) + 1;

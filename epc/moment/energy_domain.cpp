@@ -20,16 +20,10 @@ namespace {
 constexpr double kEver = std::numeric_limits<double>::infinity();
 constexpr double kQuarter = std::numbers::pi / 2;
 
-problem::Polynomial potential_of(const problem::Problem& problem) {
-  auto a = problem.system.potential().coefficients();
-  a[1] -= problem.impulses.rate_moment(1);
-  return problem::Polynomial(a);
-}
-
 }  // namespace
 
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
-    : potential_(potential_of(problem)),
+    : potential_(problem::effective_potential(problem)),
       level_(level),
       wall_low_(problem.system.left() ? problem.system.left()->position : -kEver),
       wall_high_(problem.system.right() ? problem.system.right()->position : kEver),
