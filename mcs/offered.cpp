@@ -1,7 +1,7 @@
 #include "mcs/offered.hpp"
 
-#include "mcs/simulation/general_plan.hpp"
 #include "problem/features.hpp"
+#include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -11,7 +11,7 @@ std::string objection(const problem::Problem& problem, const Options& options) {
     return "splitting for the tails takes one wall at the equilibrium, constant damping and impulses "
            "alone";
   }
-  return noise_objection(problem, options.equation);
+  return problem::collapse_objection(problem, options.equation);
 }
 
 }  // namespace fpkcheck::mcs
