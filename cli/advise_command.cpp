@@ -113,7 +113,7 @@ int advise_command(const Call& call) {
     throw InputError(fmt::format("--accuracy {:g} (must be above 0 and at most 2)", accuracy));
   }
   const auto problem = load_cases(common).front();
-  if (!problem::features(problem).original) {
+  if (!problem::of_the_paper(problem)) {
     throw InputError(fmt::format(
         "{}: the map of validity holds one wall at the equilibrium, constant damping and impulses alone "
         "(fpkcheck run {} compares the methods there)",

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
-#include <boost/algorithm/string/split.hpp>
 #include <iterator>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
+#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
@@ -61,12 +63,6 @@ std::string all_methods(const methods::Registry& registry) {
   return list;
 }
 
-std::vector<std::string> parts_of(const std::string& list) {
-  std::vector<std::string> parts;
-  boost::algorithm::split(parts, list, [](char c) { return c == ','; });
-  return parts;
-}
-
 }  // namespace
 
 int run_command(const Call& call) {
@@ -105,9 +101,11 @@ int run_command(const Call& call) {
                    std::make_move_iterator(from_files.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
+  std::vector<std::string> named;
+  if (list) named = items("--methods", *list);
   return solve_and_report(common, methods,
                           {.required = list ? Required::all : Required::references,
-                           .named = parts_of(list.value_or("")),
+                           .named = named,
                            .threads = threads_in(given),
                            .with_dual = true},
                           call.command_line);

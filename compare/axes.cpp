@@ -54,7 +54,7 @@ std::vector<double> without_divisions(const std::vector<double>& edges, int divi
 
 ComparisonAxes comparison_axes(const problem::Problem& problem) {
   const auto scales = problem::scales(problem);
-  if (!problem::features(problem).original) {
+  if (!problem::of_the_paper(problem)) {
     return {even_bins(scales.y_low, scales.y_high), bins(scales.v_high, true, 0), 0};
   }
   const int divisions = problem::impulses_per_decay_time(problem, scales) < 1 ? kDivisions : 0;

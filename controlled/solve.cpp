@@ -45,7 +45,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   if (options.simulation.equation != mcs::Equation::kf || options.simulation.tails) {
     return plainly(problem, options, "control functions are those of the impulses, unsplit");
   }
-  if (!problem::features(problem).original || !problem.frame.is_identity()) {
+  if (!problem::of_the_paper(problem) || !problem.frame.is_identity()) {
     return plainly(
         problem, options,
         "control functions are those of one wall at y = 0 on the left, at the equilibrium, constant damping and "

@@ -7,15 +7,10 @@
 
 #include "parameters/input_error.hpp"
 #include "problem/scales.hpp"
+#include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::exact {
 namespace {
-
-problem::Polynomial with_mean(const problem::Problem& problem) {
-  auto coefficients = problem.system.potential().coefficients();
-  coefficients[1] -= problem.impulses.rate_moment(1);
-  return problem::Polynomial(coefficients);
-}
 
 template <class Add>
 void panels(double from, double to, int count, const Add& add) {
@@ -32,7 +27,7 @@ void panels(double from, double to, int count, const Add& add) {
 
 }  // namespace
 
-EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(with_mean(problem)) {
+EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(effective_potential(problem)) {
   const problem::System& system = problem.system;
   for (const auto& wall : {system.left(), system.right()}) {
     if (wall && wall->restitution != 1) {

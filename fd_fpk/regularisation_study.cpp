@@ -12,6 +12,7 @@
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -134,7 +135,7 @@ std::optional<double> RegularisationRow::growth(const problem::Problem& problem)
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const RegularisationStudyOptions& options,
                                          const std::function<void(int, int)>& progress) {
-  if (!of_the_paper(problem)) {
+  if (!problem::of_the_paper(problem)) {
     throw InputError(
         "a study of the cut series beyond the paper's class (one wall at the equilibrium, constant "
         "damping and impulses alone)");

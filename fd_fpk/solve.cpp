@@ -37,7 +37,7 @@ bool prefer_characteristics(const problem::Problem& problem) {
   constexpr double kStrongLosses = 0.4;
   constexpr double kOffTheWall = 2;  // deviations, of the static deflection
   const double per_decay_time = problem::impulses_per_decay_time(problem, problem::scales(problem));
-  if (!of_the_paper(problem)) return per_decay_time < kRare;
+  if (!problem::of_the_paper(problem)) return per_decay_time < kRare;
   const auto linear = problem::equivalent_linearisation(problem);
   const bool losses =
       problem.system.restitution() < kStrongLosses &&
@@ -49,7 +49,7 @@ bool prefer_characteristics(const problem::Problem& problem) {
 // their cells.
 bool need_characteristics(const problem::Problem& problem) {
   constexpr double kPressedDown = 5;
-  if (!of_the_paper(problem)) return false;
+  if (!problem::of_the_paper(problem)) return false;
   return unbounded_at_origin(problem) || (bounces(problem) && pressing(problem) > kPressedDown);
 }
 
@@ -106,7 +106,7 @@ class Solver {
   Result by(Transport transport, const Deadline& deadline, Answer so_far = Answer::none_yet) const {
     Options options = options_;
     options.transport = transport;
-    const bool family = !of_the_paper(problem_);
+    const bool family = !problem::of_the_paper(problem_);
     Surroundings surroundings{.scales = problem::scales(problem_)};
     // All grids share it, and the lengths by which their cells are measured. What a box of the usual
     // wall density cuts off the tails of impulses is 2e-7 of E[v^2].

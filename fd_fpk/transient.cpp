@@ -14,6 +14,7 @@
 #include "fd_fpk/stopwatch.hpp"
 #include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -176,7 +177,7 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient) {
   validate(options, transient);
-  if (!of_the_paper(problem)) {
+  if (!problem::of_the_paper(problem)) {
     throw InputError(
         "a density over time beyond the paper's class (one wall at the equilibrium, constant damping "
         "and impulses alone: take the stationary density)");

@@ -357,8 +357,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   require_shareable(options);
   // Kicks at even times would part the particle from the wall after each interval: an answer that
   // depends on the interval and tends to no motion that is stated.
-  solution.reason = plan.general ? noise_objection(problem, options.equation)
-                                 : problem::collapse_objection(problem, options.equation);
+  solution.reason = problem::collapse_objection(problem, options.equation);
   if (!solution.reason.empty()) return result;  // failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);

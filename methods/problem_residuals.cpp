@@ -17,7 +17,7 @@ using transform::Status;
 
 struct ProblemResiduals::Fit {
   explicit Fit(const problem::Problem& of)
-      : problem(of.frame.is_identity() ? problem::seen_from(problem::frame_of(of.system), of) : of),
+      : problem(problem::seen_from(problem::frame_of(of.system), of)),
         refused(dual::residuals_refused(problem)) {}
 
   problem::Problem problem;

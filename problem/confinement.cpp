@@ -24,7 +24,7 @@ void require_stationary(const Problem& problem) {
         side));
   }
   // Known without a calculation: nothing of these gives energy, and something takes it.
-  if (features(problem).original) return;
+  if (of_the_paper(problem)) return;
   const EnergyAveraging averaging(problem);
   if (const auto& why = averaging.unconfined()) {
     throw InputError(fmt::format(

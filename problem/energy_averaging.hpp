@@ -23,6 +23,8 @@ class EnergyAveraging {
   /// @pre the spring holds: UndampedOrbits::confined()
   explicit EnergyAveraging(const Problem& problem);
 
+  const UndampedOrbits& orbits() const { return orbits_; }
+
   /// Nothing where Phi does not grow at the largest energies: why, in one phrase.
   const std::optional<std::string>& unconfined() const { return unconfined_; }
 

@@ -4,9 +4,8 @@
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::problem {
-namespace {
 
-bool is_original(const Problem& problem) {
+bool of_the_paper(const Problem& problem) {
   const System& system = problem.system;
   const auto& g = system.force().coefficients();
   return system.left() && system.left()->position == 0 && !system.right() &&
@@ -15,11 +14,9 @@ bool is_original(const Problem& problem) {
          !problem.noise.present();
 }
 
-}  // namespace
-
 Features features(const Problem& problem) {
   const System& system = problem.system;
-  Features found{.original = is_original(problem),
+  Features found{.original = of_the_paper(problem),
                  .no_wall = !system.left() && !system.right(),
                  .two_walls = system.left() && system.right(),
                  .noise = problem.noise.present(),

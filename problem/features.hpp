@@ -6,9 +6,7 @@ namespace fpkcheck::problem {
 
 /// What a problem has in it that decides which solver can treat it.
 struct Features {
-  /// The paper's class: a wall at y = 0 on the left alone, f = c y' with c > 0, g = k y + mu y^3 with
-  /// k, mu >= 0, impulses without noise. (In the frame of frame_of.)
-  bool original = false;
+  bool original = false;  ///< of_the_paper(problem)
 
   bool no_wall = false, two_walls = false;
   /// The force is not 0 at a wall: there is a gap, or the mass is pressed against it.
@@ -26,5 +24,10 @@ struct Features {
 };
 
 Features features(const Problem& problem);
+
+/// The paper's class: a wall at y = 0 on the left alone, f = c y' with c > 0, g = k y + mu y^3 with
+/// k, mu >= 0, impulses without noise. (In the frame of frame_of.) Seen from the coefficients: who
+/// asks no more need not search for the minima that features() counts.
+bool of_the_paper(const Problem& problem);
 
 }  // namespace fpkcheck::problem

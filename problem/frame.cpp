@@ -11,6 +11,7 @@ Frame frame_of(const System& system) {
 }
 
 Problem seen_from(const Frame& frame, const Problem& problem) {
+  if (frame.is_identity()) return problem;
   Problem seen = problem;
   seen.system = problem.system.seen_from(frame);
   seen.frame = frame;

@@ -19,14 +19,18 @@ struct Frame {
   /// y' of x'.
   double v(double x_dot) const { return sign() * x_dot; }
   bool is_identity() const { return origin == 0 && !mirrored; }
+  /// By which x is seen from y.
+  Frame inverse() const {
+    return {.origin = -sign() * origin + 0.0, .mirrored = mirrored};  // no -0
+  }
   bool operator==(const Frame&) const = default;
 };
 
 /// From the left wall; from the right one where it is the only one.
 Frame frame_of(const System& system);
 
-/// The problem in coordinates x, with Problem::frame. The name, and the parameters as the case file
-/// has them, stay.
+/// The problem in coordinates x, with Problem::frame; as it stands, with the frame that it has,
+/// where they are its own. The name, and the parameters as the case file has them, stay.
 Problem seen_from(const Frame& frame, const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -13,8 +13,10 @@ namespace fpkcheck::problem {
 /// is then a law of its own, which neither the equation nor the impact states.
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
-/// Why equation and impact do not determine a stationary density and what to do; empty where they
-/// do. Impulses come one by one and part the particle from the wall: `white` alone collapses.
+/// Why equation and impact do not determine a stationary density at one of the walls and what to
+/// do; empty where they do. Impulses come one by one and part the particle from the wall: it
+/// collapses under the problem's own noise, whatever the equation, and where `white` takes them for
+/// noise.
 std::string collapse_objection(const Problem& problem, Equation equation);
 
 }  // namespace fpkcheck::problem

@@ -32,13 +32,13 @@ Scales by_linearisation(const Problem& problem) {
 double creeping_relaxation(const Problem& problem, const Scales& scales, double damping) {
   constexpr int kCells = 200;
   const double diffusion = total_intensity(problem) / 2;
-  const double mean_force = problem.impulses.rate_moment(1);
+  const Polynomial potential = effective_potential(problem);
   const double step = (scales.y_high - scales.y_low) / kCells;
   const double over = diffusion / (damping * damping) / (step * step);
   std::vector<double> level(kCells), mass(kCells), u(kCells);
   for (int n = 0; n < kCells; ++n) {
     const double y = scales.y_low + (n + 0.5) * step;
-    level[n] = damping / diffusion * (problem.system.potential()(y) - mean_force * y);
+    level[n] = damping / diffusion * potential(y);
     u[n] = y;
   }
   const double least = *std::ranges::min_element(level);
@@ -79,6 +79,7 @@ Scales by_averaging(const Problem& problem) {
   constexpr double kLevel = kDeviations * kDeviations / 2;
   const EnergyAveraging averaging(problem);
   const auto& bands = averaging.bands();
+  const double bottom = averaging.orbits().lowest_potential();
   Scales scales;
   double y2 = 0, v2 = 0, damping = 0, lowest = bands.front().orbit.swing.left,
          highest = bands.front().orbit.swing.right;
@@ -93,9 +94,7 @@ Scales by_averaging(const Problem& problem) {
     if (band.potential > kLevel) continue;
     lowest = std::min(lowest, orbit.swing.left);
     highest = std::max(highest, orbit.swing.right);
-    const UndampedOrbits orbits(problem);
-    scales.v_high =
-        std::max(scales.v_high, std::sqrt(2 * (band.energy - orbits.lowest_potential())));
+    scales.v_high = std::max(scales.v_high, std::sqrt(2 * (band.energy - bottom)));
   }
   scales.displacement_deviation =
       std::sqrt(std::max(y2 - scales.centre * scales.centre, 1e-24 * y2));
@@ -114,7 +113,7 @@ Scales by_averaging(const Problem& problem) {
 }  // namespace
 
 Scales scales(const Problem& problem) {
-  return features(problem).original ? by_linearisation(problem) : by_averaging(problem);
+  return of_the_paper(problem) ? by_linearisation(problem) : by_averaging(problem);
 }
 
 double impulses_per_decay_time(const Problem& problem, const Scales& scales) {

@@ -11,17 +11,25 @@
 namespace fpkcheck::problem {
 namespace {
 
-Polynomial with_mean_force(const System& system, double mean_force) {
-  auto coefficients = system.potential().coefficients();
-  coefficients[1] -= mean_force;
-  return Polynomial(coefficients);
+// Where a function changes its sign between two places.
+template <class Function>
+double sign_change(const Function& f, double from, double to) {
+  std::uintmax_t iterations = 200;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      f, from, to, boost::math::tools::eps_tolerance<double>(50), iterations);
+  return (left + right) / 2;
 }
 
 }  // namespace
 
+Polynomial effective_potential(const Problem& problem) {
+  auto coefficients = problem.system.potential().coefficients();
+  coefficients[1] -= problem.impulses.rate_moment(1);
+  return Polynomial(coefficients);
+}
+
 UndampedOrbits::UndampedOrbits(const Problem& problem)
-    : system_(problem.system),
-      potential_(with_mean_force(problem.system, problem.impulses.rate_moment(1))) {
+    : system_(problem.system), potential_(effective_potential(problem)) {
   const Polynomial slope = potential_.derivative();
   // Where the slope is one of a single term its root is 0, which a bound of 1 + 0 holds too.
   const double bound = 2 * root_bound(slope) + 1;
@@ -60,11 +68,10 @@ double UndampedOrbits::deepest() const {
 double UndampedOrbits::end(double knot, double outwards, double energy) const {
   double step = std::max(std::abs(knot) * 1e-8, 1e-30);
   while (potential_(knot + outwards * step) < energy) step *= 2;
-  std::uintmax_t iterations = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      [&](double x) { return potential_(knot + outwards * x) - energy; }, 0.0, step,
-      boost::math::tools::eps_tolerance<double>(50), iterations);
-  return knot + outwards * (left + right) / 2;
+  const auto above = [&](double distance) {
+    return potential_(knot + outwards * distance) - energy;
+  };
+  return knot + outwards * sign_change(above, 0, step);
 }
 
 std::vector<Swing> UndampedOrbits::swings(double energy) const {
@@ -72,14 +79,8 @@ std::vector<Swing> UndampedOrbits::swings(double energy) const {
   if (system_.left()) knots.insert(knots.begin(), system_.left()->position);
   if (system_.right()) knots.push_back(system_.right()->position);
   if (knots.empty()) return {};
-  const auto below = [&](double y) { return potential_(y) < energy; };
-  const auto crossing = [&](double from, double to) {
-    std::uintmax_t iterations = 200;
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        [&](double y) { return potential_(y) - energy; }, from, to,
-        boost::math::tools::eps_tolerance<double>(50), iterations);
-    return (left + right) / 2;
-  };
+  const auto above = [&](double y) { return potential_(y) - energy; };
+  const auto below = [&](double y) { return above(y) < 0; };
   std::vector<Swing> all;
   Swing open{};
   bool inside = below(knots.front());
@@ -90,7 +91,7 @@ std::vector<Swing> UndampedOrbits::swings(double energy) const {
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const bool next = below(knots[n + 1]);
     if (inside == next) continue;
-    const double at = crossing(knots[n], knots[n + 1]);
+    const double at = sign_change(above, knots[n], knots[n + 1]);
     if (inside) {
       open.right = at;
       open.at_right = false;

@@ -23,8 +23,11 @@ struct Orbit {
   double time_damping = 0;  ///< T times that of c(y) + c_vv v^2
 };
 
-/// The motion without damping and excitation but for the mean of the impulses: in the potential
-/// V = U - lambda E[Y] y, elastic at the walls.
+/// V = U - lambda E[Y] y: of the spring and of the mean of the impulses.
+Polynomial effective_potential(const Problem& problem);
+
+/// The motion without damping and excitation but for the mean of the impulses: in the effective
+/// potential, elastic at the walls.
 class UndampedOrbits {
  public:
   explicit UndampedOrbits(const Problem& problem);

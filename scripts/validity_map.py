@@ -14,8 +14,16 @@ from pathlib import Path
 from made_parts import replace_part
 
 # Of an answer that is `ok`, but further off than twice what it states (and what the reference may be off by): x.
-LETTERS = {"ok": "o", "inaccurate": "i", "inadmissible": "a", "not_converged": "n", "ill_posed": "p", "failed": "f"}
-WORST = "fpnaixo"  # first: what a problem is kept as that was solved in several units
+LETTERS = {
+    "ok": "o",
+    "inaccurate": "i",
+    "inadmissible": "a",
+    "not_converged": "n",
+    "ill_posed": "p",
+    "failed": "f",
+    "not_offered": "u",
+}
+WORST = "ufpnaixo"  # first: what a problem is kept as that was solved in several units
 GROUPS = ["impulses_per_decay_time", "damping_ratio", "cubic_share"]
 PAIR = ("_y", "_ydot")
 REFERENCE = "fd-kf"

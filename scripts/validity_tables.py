@@ -18,7 +18,7 @@ SHARE, FEWEST = 0.95, 4
 IMPULSES = ((0, 1), (1, 2), (2, 3), (3, 10), (10, 30), (30, 100), (100, float("inf")))
 CUBIC = ((0, 0.01), (0.01, 0.1), (0.1, 0.4), (0.4, 0.7), (0.7, 0.9), (0.9, 1))
 LAWS = ("gaussian", "laplace", "two_point", "uniform")
-CELL = re.compile(r"(?P<l1>[\d.]+(?:e-\d+)?)?(?P<letter>[oxianpf])(?P<milliseconds>[\d.]+)$")
+CELL = re.compile(r"(?P<l1>[\d.]+(?:e-\d+)?)?(?P<letter>[oxianpfu])(?P<milliseconds>[\d.]+)$")
 
 
 class Answer:
@@ -78,7 +78,7 @@ def methods_table(points, methods):
         answers = [point.answers[method] for point in points if method in point.answers]
         letters = [one.letter for one in answers]
         fine = [one.l1 for one in answers if one.letter in "ox"]
-        others = [(letter, letters.count(letter)) for letter in "anpf" if letter in letters]
+        others = [(letter, letters.count(letter)) for letter in "anpfu" if letter in letters]
         rows.append(
             [
                 method,

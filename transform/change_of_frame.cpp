@@ -61,9 +61,7 @@ Density in_physical_coordinates(const problem::Frame& frame, Density density) {
 }
 
 Density in_coordinates_of(const problem::Frame& frame, Density density) {
-  // x = -sign origin + sign y
-  const problem::Frame back{.origin = -frame.sign() * frame.origin, .mirrored = frame.mirrored};
-  return in_physical_coordinates(frame.is_identity() ? frame : back, std::move(density));
+  return in_physical_coordinates(frame.inverse(), std::move(density));
 }
 
 Solution in_physical_coordinates(const problem::Frame& frame, Solution solution) {

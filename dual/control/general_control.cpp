@@ -8,6 +8,7 @@
 
 #include "dual/control/generator_factors.hpp"
 #include "problem/scales.hpp"
+#include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::dual {
 namespace {
@@ -131,18 +132,15 @@ ControlProblem general_control(const problem::Problem& problem, const KnotSpline
   const problem::Scales scales = problem::scales(problem);
   const double temperature =
       kHeat * std::pow(wider_by(problem, scales) * scales.velocity_deviation, 2);
-  const double push = problem.impulses.rate_moment(1);
-  const auto work = [potential = problem.system.potential(), push](double at) {
-    return potential(at) - push * at;
-  };
+  const problem::Polynomial potential = problem::effective_potential(problem);
   double least = std::numeric_limits<double>::infinity();
-  for (const double at : y.breaks()) least = std::min(least, work(at));
+  for (const double at : y.breaks()) least = std::min(least, potential(at));
   return {.problem = problem,
           .y = y,
           .v = v,
           .weight_y =
               [=](double at) {
-                return std::clamp(std::exp(-(work(at) - least) / temperature), kLeast, 1.0);
+                return std::clamp(std::exp(-(potential(at) - least) / temperature), kLeast, 1.0);
               },
           .weight_v =
               [=](double at) { return std::max(std::exp(-at * at / (2 * temperature)), kLeast); },

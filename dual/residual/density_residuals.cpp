@@ -23,7 +23,7 @@ WeakResiduals usual_residuals(const problem::Problem& problem, ControlSplines sp
 
 ControlFunctions backward_solutions(const problem::Problem& problem, const WeakResiduals& residuals,
                                     const std::vector<SeparableFunction>& functions) {
-  const auto control = problem::features(problem).original ? usual_control : general_control;
+  const auto control = problem::of_the_paper(problem) ? usual_control : general_control;
   const double wall_weight = kWallWeight * problem::scales(problem).frequency;
   return control_functions(control(problem, residuals.y(), residuals.v(), wall_weight), functions);
 }

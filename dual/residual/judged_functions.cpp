@@ -41,7 +41,7 @@ std::vector<std::function<double(double)>> bins_of(const KnotSplines& splines) {
 }  // namespace
 
 ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells) {
-  if (!problem::features(problem).original) return general_splines(problem, cells);
+  if (!problem::of_the_paper(problem)) return general_splines(problem, cells);
   const double deviation = problem::equivalent_linearisation(problem).displacement_deviation;
   const bool off_the_wall = problem::static_deflection(problem) > kOffTheWall * deviation;
   return usual_splines(problem, cells, off_the_wall ? 0 : kShrinking);

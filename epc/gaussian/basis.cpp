@@ -33,7 +33,7 @@ Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
 }  // namespace
 
 Deviations deviations(const problem::Problem& problem) {
-  if (!problem::features(problem).original) {
+  if (!problem::of_the_paper(problem)) {
     const auto scales = problem::scales(problem);
     return {std::hypot(scales.displacement_deviation, scales.centre), scales.velocity_deviation};
   }

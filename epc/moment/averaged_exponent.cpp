@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problem/undamped_orbits.hpp"
-
 namespace fpkcheck::epc::moment {
 
 AveragedExponent::AveragedExponent(const problem::Problem& problem)
-    : AveragedExponent(problem::UndampedOrbits(problem), problem::EnergyAveraging(problem)) {}
+    : AveragedExponent(problem::EnergyAveraging(problem)) {}
 
-AveragedExponent::AveragedExponent(const problem::UndampedOrbits& orbits,
-                                   const problem::EnergyAveraging& averaging)
-    : potential_(orbits.potential()),
-      bottom_(orbits.lowest_potential()),
+AveragedExponent::AveragedExponent(const problem::EnergyAveraging& averaging)
+    : potential_(averaging.orbits().potential()),
+      bottom_(averaging.orbits().lowest_potential()),
       bands_(averaging.bands()) {
   for (std::size_t b = 0; b < bands_.size(); ++b) {
     if (b == 0 || bands_[b].energy != bands_[b - 1].energy) levels_.push_back(b);

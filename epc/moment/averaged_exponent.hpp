@@ -28,8 +28,7 @@ class AveragedExponent {
 
  private:
   using Band = problem::EnergyAveraging::Band;
-  AveragedExponent(const problem::UndampedOrbits& orbits,
-                   const problem::EnergyAveraging& averaging);
+  explicit AveragedExponent(const problem::EnergyAveraging& averaging);
   const Band& holding(double y, double energy) const;
   double slope_above(const Band& band) const;
 

@@ -20,20 +20,14 @@ namespace {
 constexpr double kEver = std::numeric_limits<double>::infinity();
 constexpr double kQuarter = std::numbers::pi / 2;
 
-problem::Polynomial potential_of(const problem::Problem& problem) {
-  auto a = problem.system.potential().coefficients();
-  a[1] -= problem.impulses.rate_moment(1);
-  return problem::Polynomial(a);
-}
-
 }  // namespace
 
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
-    : potential_(potential_of(problem)),
+    : potential_(problem::effective_potential(problem)),
       level_(level),
       wall_low_(problem.system.left() ? problem.system.left()->position : -kEver),
       wall_high_(problem.system.right() ? problem.system.right()->position : kEver),
-      at_equilibrium_(problem::features(problem).original) {
+      at_equilibrium_(problem::of_the_paper(problem)) {
   if (at_equilibrium_) {
     part_from_the_wall_at_0(problem);
   } else {

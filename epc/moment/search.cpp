@@ -128,7 +128,7 @@ class LinearisedSetting : public half_plane::Setting {
 }  // namespace
 
 half_plane::Root find_root(const problem::Problem& problem, const Options& options) {
-  if (problem::features(problem).original) {
+  if (problem::of_the_paper(problem)) {
     return half_plane::find_root(LinearisedSetting(problem, options), options);
   }
   return half_plane::find_root(AveragedSetting(problem, options, rate_moments(problem, options)),

@@ -71,7 +71,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const double edge = edge_density(shape, problem, options.tail);
   std::string objected = objection(edge, *summary.leading_form);
   // The paper's class is judged by the probability beyond the level alone (half_plane::conclude).
-  if (objected.empty() && !problem::features(problem).original) {
+  if (objected.empty() && !problem::of_the_paper(problem)) {
     objected = objection_at_level(level_density(shape, problem), *summary.leading_form);
   }
   half_plane::describe(root, options.tail, density, sigma,

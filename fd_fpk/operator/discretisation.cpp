@@ -252,8 +252,6 @@ Discretisation discretise_family(const problem::Problem& problem, const Options&
 
 }  // namespace
 
-bool of_the_paper(const problem::Problem& problem) { return problem::features(problem).original; }
-
 Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
                    const problem::Scales& scales) {
   constexpr double kFaint = 1e-3;     // of the peak: what is below may be noise of the grid
@@ -296,7 +294,7 @@ Box initial_box(const problem::Problem& problem, const Options& options) {
 Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
                 const Options& options) {
   const auto& law = problem.impulses.law();
-  if (!of_the_paper(problem)) {
+  if (!problem::of_the_paper(problem)) {
     const problem::System& system = problem.system;
     Box box{.x1_max = options.x1_max.value_or(scales.y_high),
             .x2_max = options.x2_max.value_or(std::max(
@@ -316,7 +314,7 @@ Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
 }
 
 bool unbounded_at_origin(const problem::Problem& problem) {
-  if (!of_the_paper(problem)) return false;
+  if (!problem::of_the_paper(problem)) return false;
   return problem::impulses_per_decay_time(problem) <= 2;
 }
 
@@ -327,7 +325,7 @@ bool off_the_wall(const problem::Problem& problem) {
 }
 
 double origin_refinement(const problem::Problem& problem, const Options& options) {
-  if (!of_the_paper(problem)) {
+  if (!problem::of_the_paper(problem)) {
     return options.origin_refinement.value_or(refinement_at_walls(problem, options));
   }
   constexpr double kSmallJump = 0.1;
@@ -356,7 +354,7 @@ Extent beyond(const problem::Problem& problem, const Options& options, const Gri
 }
 
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
-  if (!of_the_paper(problem)) return discretise_family(problem, options, box);
+  if (!problem::of_the_paper(problem)) return discretise_family(problem, options, box);
   const auto linear = problem::equivalent_linearisation(problem);
   const auto [of_x1, of_x2] = gradings(problem, options);
   const double width =

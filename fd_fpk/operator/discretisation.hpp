@@ -85,10 +85,6 @@ Box initial_box(const problem::Problem& problem, const Options& options);
 Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
                 const Options& options);
 
-/// The problem is of the paper's class (problem::Features::original): scales, cells and grading are
-/// those of equivalent linearisation.
-bool of_the_paper(const problem::Problem& problem);
-
 /// The lengths of a density on a coarse grid, by its Fisher information: l^-2 = E[(d ln p/dx)^2].
 /// They are the deviations of what is normal, and less in several wells or on a ring; never more.
 Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,

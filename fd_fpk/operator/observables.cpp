@@ -162,7 +162,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
   }
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, for_virial).residual()};
-  if (!problem::features(problem).original) {
+  if (!problem::of_the_paper(problem)) {
     for (int i = 0; i < grid.nx(); ++i) {
       for_momentum.size_of_force += y[i] * grid.x1.width(i) * std::abs(force(grid.x1.centre(i)));
     }
@@ -205,7 +205,7 @@ Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem
 
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem,
                                const problem::Scales& scales) {
-  if (of_the_paper(problem)) {
+  if (problem::of_the_paper(problem)) {
     return folded_gaussian(grid, scales.displacement_deviation, scales.velocity_deviation);
   }
   return gaussian(grid, scales.centre, scales.displacement_deviation, scales.velocity_deviation);

@@ -31,8 +31,8 @@ struct Stationary {
 };
 
 Grid grid_for(const problem::Problem& problem, const Options& options, const Box& box) {
-  return of_the_paper(problem) ? characteristic_grid(problem, options, box)
-                               : contact_grid(problem, options, box);
+  return problem::of_the_paper(problem) ? characteristic_grid(problem, options, box)
+                                        : contact_grid(problem, options, box);
 }
 
 Stationary stationary_in(const problem::Problem& problem, const Options& options, const Box& box,
@@ -83,8 +83,8 @@ Box box_of(const problem::Problem& problem, const Options& options, const Deadli
   constexpr double kMuch = 1e-3, kMuchWider = 3;
   constexpr double kSlower = 1.5;  // the wider box, about
   constexpr int kMostTimes = 6;
-  Box box = of_the_paper(problem) ? generous_box(problem, options)
-                                  : generous_contact_box(problem, options);
+  Box box = problem::of_the_paper(problem) ? generous_box(problem, options)
+                                           : generous_contact_box(problem, options);
   const bool given_y = options.x1_max || problem.system.right(),
              given_v = options.x2_max.has_value();
   if (given_y && given_v) return box;
@@ -200,7 +200,7 @@ Result solve_along_characteristics(const problem::Problem& problem, const Option
     return result;
   }
   judge_resolution(options, result);
-  if (!of_the_paper(problem)) judge_balances(result);
+  if (!problem::of_the_paper(problem)) judge_balances(result);
   return result;
 }
 

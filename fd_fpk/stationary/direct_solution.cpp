@@ -6,6 +6,7 @@
 #include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -124,7 +125,7 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
   constexpr double kCoarse = 0.5;
   constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
   Box box = initial_box(problem, scales, options);
-  const bool look_at_lengths = !of_the_paper(problem);
+  const bool look_at_lengths = !problem::of_the_paper(problem);
   if (!options.x1_max || !options.x2_max || look_at_lengths) {
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;

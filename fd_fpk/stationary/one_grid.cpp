@@ -11,6 +11,7 @@
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/judgement.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -152,10 +153,12 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
   if (density) {
     const Grid& grid = direct.discretisation.grid;
     observe(problem, surroundings.scales, options, grid, *density, result);
-    if (of_the_paper(problem)) summary.wider = wider_extent(problem, options, grid, summary.wall);
+    if (problem::of_the_paper(problem)) {
+      summary.wider = wider_extent(problem, options, grid, summary.wall);
+    }
     judge_box(grid, result);
     judge_resolution(options, result);
-    if (!of_the_paper(problem)) judge_balances(result);
+    if (!problem::of_the_paper(problem)) judge_balances(result);
   }
   return result;
 }

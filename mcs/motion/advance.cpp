@@ -1,5 +1,7 @@
 #include "mcs/motion/advance.hpp"
 
+#include "mcs/motion/side_by_side.hpp"
+
 namespace fpkcheck::mcs {
 
 void advance(const Motion& motion, std::span<Stream* const> streams, double time,
@@ -8,13 +10,7 @@ void advance(const Motion& motion, std::span<Stream* const> streams, double time
     stream->branch.remaining = time;
     if (motion.splitting && motion.records) motion.splitting->begin(*stream);
   }
-  const auto move = compiled_for(lanes.instructions, baseline::move, avx2::move, avx512::move);
-  const auto width = static_cast<std::size_t>(lanes.width);
-  std::size_t next = 0;
-  for (; next + width <= streams.size(); next += width) {
-    move(motion, streams.data() + next, lanes.width);
-  }
-  for (; next < streams.size(); ++next) baseline::move(motion, streams.data() + next, 1);
+  move_side_by_side<Motion>(motion, streams, lanes, baseline::move, avx2::move, avx512::move);
 }
 
 }  // namespace fpkcheck::mcs

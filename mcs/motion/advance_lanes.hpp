@@ -4,6 +4,7 @@
 #include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/flight.hpp"
+#include "mcs/motion/sample_lanes.hpp"
 
 // Included by the files that are compiled for different instructions (InstructionSet). All of
 // it is inlined or has internal linkage, so that no function compiled for instructions that a
@@ -11,14 +12,6 @@
 
 namespace fpkcheck::mcs {
 namespace {
-
-/// The bin in lanes, by arithmetic, for even edges; a number within rounding of an edge may go to
-/// either side of it.
-template <class Real>
-FPKCHECK_INLINE Real place(const BinFinder& bins, const Real& x) {
-  return smaller(larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
-                 all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
-}
 
 /// Paper (3): one impulse, and the next one drawn.
 template <bool kRecords>
@@ -53,9 +46,7 @@ struct Lanes {
   using Real = typename LanesOf<W>::Real;
   using Mask = decltype(Real{} < Real{});
   template <class Number>
-  struct alignas(64) Array {
-    Number at[W];
-  };
+  using Array = LaneArray<Number, W>;
 
   const Motion& motion;
   Stream* const* streams;
@@ -161,36 +152,11 @@ struct Lanes {
 
   // A lane with nothing to count counts it with the weight 0.
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Real& counted) {
-    const Real x = at.y, u = at.v;
-    const Real xx = x * x, xu = x * u, uu = u * u;
-    const Real terms[] = {x,      u,      xx,      xu,      uu,      x * xx,  xx * u,
-                          x * uu, u * uu, xx * xx, xx * xu, xx * uu, xu * uu, uu * uu};
-#pragma GCC unroll 16
-    for (std::size_t p = 0; p < kPowers.size(); ++p) {
-      powers[p] = powers[p] + counted * terms[p];
-    }
+    add_powers(at, counted, powers);
     samples = samples + counted;
     // A sample within rounding of an impact may lie beyond the wall by as much.
-    const Real in_front = larger(x, Real{});
-    if (motion.y_bins->even() && motion.v_bins->even()) {
-      const auto row = truncated(place(*motion.y_bins, in_front));
-      // At rest the side of 0 counts, however close: half of a spike is there.
-      const Real hair = all_lanes<Real>(motion.v_bins->hair());
-      const Real off_zero = select(u < 0.0, smaller(u, -hair), larger(u, hair));
-      const auto column = truncated(place(*motion.v_bins, off_zero));
-      const auto cell = row * static_cast<std::int32_t>(motion.v_bins->bins() + 2) + column;
-      Array<std::int32_t> cell_of;
-      Array<double> weights;
-      __builtin_memcpy(&cell_of, &cell, sizeof cell);
-      store(counted, weights.at);
-#pragma GCC unroll 8
-      for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
-    } else {
-      for (int i = 0; i < W; ++i) {
-        streams[i]->record.histogram.add((*motion.y_bins)(lane(in_front, i)),
-                                         (*motion.v_bins)(lane(u, i)), lane(counted, i));
-      }
-    }
+    const Real in_front = larger(at.y, Real{});
+    put_into_bins(*motion.y_bins, *motion.v_bins, in_front, at.v, counted, streams, cells);
   }
 
   // Maxima of y where the velocity turns in flight.

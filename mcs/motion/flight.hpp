@@ -3,16 +3,9 @@
 #include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/free_motion.hpp"
 #include "mcs/motion/oscillator.hpp"
+#include "mcs/motion/taylor_polynomial.hpp"
 
 namespace fpkcheck::mcs {
-
-/// Position y >= 0 and velocity y' of the oscillator, of one or in lanes.
-template <class Real>
-struct BasicState {
-  Real y;
-  Real v;
-};
-using State = BasicState<double>;
 
 /// The motion from one event to the next: the Taylor polynomial, about a given state, of the
 /// solution of paper (1) without impulses. It is trusted over a fraction of the shortest period
@@ -39,29 +32,12 @@ class BasicFlight {
   /// end tells whether there was an impact, and impacts cannot accumulate.
   FPKCHECK_INLINE Real reach(double phase) const { return phase / frequency_bound_; }
 
-  /// The state s after the start. (Horner's rule in s^2 for even and odd powers apart: half as long
-  /// a chain of operations that wait for one another.)
-  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const {
-    static_assert(kOrder % 2 == 0);
-    const Real s2 = s * s;
-    Real y_even = a_[kOrder], v_odd = double{kOrder} * a_[kOrder];
-    Real y_odd{}, v_even{};
-#pragma GCC unroll 16
-    for (int n = kOrder - 1; n >= 1; n -= 2) {
-      y_odd = y_odd * s2 + a_[n];
-      v_even = v_even * s2 + static_cast<double>(n) * a_[n];
-      y_even = y_even * s2 + a_[n - 1];
-      if (n > 1) v_odd = v_odd * s2 + static_cast<double>(n - 1) * a_[n - 1];
-    }
-    return {y_even + s * y_odd, v_even + s * v_odd};
-  }
+  /// The state s after the start.
+  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const { return state_at<kOrder>(a_, s); }
 
   /// The second derivative of the polynomial itself at s.
   FPKCHECK_INLINE Real own_acceleration(const Real& s) const {
-    Real sum = double{kOrder * (kOrder - 1)} * a_[kOrder];
-#pragma GCC unroll 16
-    for (int n = kOrder - 1; n >= 2; --n) sum = sum * s + static_cast<double>(n * (n - 1)) * a_[n];
-    return sum;
+    return acceleration_at<kOrder>(a_, s);
   }
 
   /// y'' at a state, by paper (1).

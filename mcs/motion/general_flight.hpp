@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mcs/motion/flight.hpp"
 #include "mcs/motion/general_series.hpp"
+#include "mcs/motion/taylor_polynomial.hpp"
 
 // Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
 namespace fpkcheck::mcs {
@@ -55,27 +55,9 @@ class GeneralFlight {
     return phase / frequency;
   }
 
-  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const {
-    static_assert(kOrder % 2 == 0);
-    const Real s2 = s * s;
-    Real y_even = a_[kOrder], v_odd = double{kOrder} * a_[kOrder];
-    Real y_odd{}, v_even{};
-#pragma GCC unroll 16
-    for (int n = kOrder - 1; n >= 1; n -= 2) {
-      y_odd = y_odd * s2 + a_[n];
-      v_even = v_even * s2 + static_cast<double>(n) * a_[n];
-      y_even = y_even * s2 + a_[n - 1];
-      if (n > 1) v_odd = v_odd * s2 + static_cast<double>(n - 1) * a_[n - 1];
-    }
-    return {y_even + s * y_odd, v_even + s * v_odd};
-  }
+  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const { return state_at<kOrder>(a_, s); }
 
-  FPKCHECK_INLINE Real acceleration(const Real& s) const {
-    Real sum = double{kOrder * (kOrder - 1)} * a_[kOrder];
-#pragma GCC unroll 16
-    for (int n = kOrder - 1; n >= 2; --n) sum = sum * s + static_cast<double>(n * (n - 1)) * a_[n];
-    return sum;
-  }
+  FPKCHECK_INLINE Real acceleration(const Real& s) const { return acceleration_at<kOrder>(a_, s); }
 
   /// The zero of v in [0, end], in the lanes where v(0) and v(end) are of different signs: to 1e-6 of
   /// the time from there to either end, which leaves 1e-12 in y.

@@ -2,18 +2,11 @@
 
 #include "mcs/motion/general_events.hpp"
 #include "mcs/motion/general_flight.hpp"
+#include "mcs/motion/sample_lanes.hpp"
 
 // Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
 namespace fpkcheck::mcs {
 namespace {
-
-/// The bin in lanes, by arithmetic, for even edges; a number within rounding of an edge may go to
-/// either side of it.
-template <class Real>
-FPKCHECK_INLINE Real place_in(const BinFinder& bins, const Real& x) {
-  return smaller(larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
-                 all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
-}
 
 /// The branches of streams in lanes, and what they see.
 template <int W, int kOrder>
@@ -22,9 +15,7 @@ struct GeneralLanes {
   using Mask = decltype(Real{} < Real{});
   using Flight = GeneralFlight<Real, kOrder>;
   template <class Number>
-  struct alignas(64) Array {
-    Number at[W];
-  };
+  using Array = LaneArray<Number, W>;
 
   const GeneralMotion& motion;
   Stream* const* streams;
@@ -144,14 +135,8 @@ struct GeneralLanes {
                              bool rests) {
     const Real one = all_lanes<Real>(1.0);
     const Real counted = where(due, one);
-    const Real x = at.y, u = at.v;
-    const Real xx = x * x, xu = x * u, uu = u * u;
-    const Real terms[] = {x,      u,      xx,      xu,      uu,      x * xx,  xx * u,
-                          x * uu, u * uu, xx * xx, xx * xu, xx * uu, xu * uu, uu * uu};
-#pragma GCC unroll 16
-    for (std::size_t p = 0; p < kPowers.size(); ++p) {
-      powers[p] = powers[p] + counted * terms[p];
-    }
+    add_powers(at, counted, powers);
+    const Real x = at.y, xx = x * x;
     y5 = y5 + counted * (xx * xx * x);
     y6 = y6 + counted * (xx * xx * xx);
     samples = samples + counted;
@@ -168,36 +153,19 @@ struct GeneralLanes {
         rest_left = rest_left + resting;
       }
     }
-    put_into_bins(x, u, into_bins);
+    put_into_bins(*motion.y_bins, *motion.v_bins, between_walls(x), at.v, into_bins, streams,
+                  cells);
   }
 
-  FPKCHECK_INLINE void put_into_bins(const Real& x, const Real& u, const Real& counted) {
-    // A sample within rounding of an impact may lie beyond a wall by as much.
+  // A sample within rounding of an impact may lie beyond a wall by as much.
+  FPKCHECK_INLINE Real between_walls(const Real& x) const {
     Real between = x;
     if (motion.oscillator.right.stands) {
       const double last = motion.oscillator.right.position - motion.y_bins->hair();
       between = smaller(between, all_lanes<Real>(last));
     }
     if (motion.oscillator.left.stands) between = larger(between, Real{});
-    if (motion.y_bins->even() && motion.v_bins->even()) {
-      const auto row = truncated(place_in(*motion.y_bins, between));
-      // At rest the side of 0 counts, however close: half of a spike is there.
-      const Real hair = all_lanes<Real>(motion.v_bins->hair());
-      const Real off_zero = select(u < 0.0, smaller(u, -hair), larger(u, hair));
-      const auto column = truncated(place_in(*motion.v_bins, off_zero));
-      const auto cell = row * static_cast<std::int32_t>(motion.v_bins->bins() + 2) + column;
-      Array<std::int32_t> cell_of;
-      Array<double> weights;
-      __builtin_memcpy(&cell_of, &cell, sizeof cell);
-      store(counted, weights.at);
-#pragma GCC unroll 8
-      for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
-    } else {
-      for (int i = 0; i < W; ++i) {
-        streams[i]->record.histogram.add((*motion.y_bins)(lane(between, i)),
-                                         (*motion.v_bins)(lane(u, i)), lane(counted, i));
-      }
-    }
+    return between;
   }
 
   /// Adds 1 to the bin of y in the lanes of the mask.

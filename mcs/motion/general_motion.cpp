@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mcs/motion/side_by_side.hpp"
+
 namespace fpkcheck::mcs {
 
 double kick_interval(const GeneralMotion& motion, double y, double v) {
@@ -24,14 +26,8 @@ double kick_interval(const GeneralMotion& motion, double y, double v) {
 void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
              const LaneSet& lanes) {
   for (Stream* stream : streams) stream->branch.remaining = time;
-  const auto move = compiled_for(lanes.instructions, baseline::move_general, avx2::move_general,
-                                 avx512::move_general);
-  const auto width = static_cast<std::size_t>(lanes.width);
-  std::size_t next = 0;
-  for (; next + width <= streams.size(); next += width) {
-    move(motion, streams.data() + next, lanes.width);
-  }
-  for (; next < streams.size(); ++next) baseline::move_general(motion, streams.data() + next, 1);
+  move_side_by_side<GeneralMotion>(motion, streams, lanes, baseline::move_general,
+                                   avx2::move_general, avx512::move_general);
 }
 
 }  // namespace fpkcheck::mcs

@@ -1,10 +1,7 @@
 #include "mcs/simulation/general_plan.hpp"
 
-#include <fmt/format.h>
-
 #include "parameters/input_error.hpp"
 #include "problem/features.hpp"
-#include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -34,18 +31,6 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
                                  options.white_step.value_or(kAutomaticKickStep)),
           .power = problem::total_intensity(problem) / 2,
           .rests = features.rests_in_contact && diffusion == 0};
-}
-
-std::string noise_objection(const problem::Problem& problem, Equation equation) {
-  if (!problem.noise.present() && equation != Equation::white) return "";
-  for (const auto& wall : {problem.system.left(), problem.system.right()}) {
-    if (!wall || wall->restitution > problem::kCollapseRestitution) continue;
-    return fmt::format(
-        "under white noise impacts with restitution {:.3g} accumulate to rest on the wall, and "
-        "nothing says how the motion leaves it (take a restitution above exp(-pi/sqrt 3) = {:.4f})",
-        wall->restitution, problem::kCollapseRestitution);
-  }
-  return "";
 }
 
 }  // namespace fpkcheck::mcs

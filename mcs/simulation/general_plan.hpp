@@ -23,8 +23,4 @@ struct GeneralPlan {
 /// @throws InputError where the options ask for what such an oscillator does not have
 GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options);
 
-/// Why the noise, or what stands for the impulses, leads to no stationary density at the walls
-/// (problem/inelastic_collapse.hpp); empty where it does.
-std::string noise_objection(const problem::Problem& problem, Equation equation);
-
 }  // namespace fpkcheck::mcs

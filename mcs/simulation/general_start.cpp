@@ -8,21 +8,21 @@
 
 namespace fpkcheck::mcs {
 
-GeneralStart::GeneralStart(const problem::Problem& problem)
-    : bands_(problem::EnergyAveraging(problem).bands()),
-      potential_(problem::UndampedOrbits(problem).potential()) {
+GeneralStart::GeneralStart(const problem::Problem& problem) : averaging_(problem) {
   double sum = 0;
-  for (const auto& band : bands_) below_.push_back(sum += band.mass);
+  for (const auto& band : averaging_.bands()) below_.push_back(sum += band.mass);
 }
 
 State GeneralStart::operator()(std::uint64_t seed, std::uint32_t stream) const {
   const Uniforms u = uniforms(seed, stream, Purpose::start, kBlock);
   const auto place = std::ranges::upper_bound(below_, u.first[0] * below_.back()) - below_.begin();
-  const auto& band = bands_[std::min(static_cast<std::size_t>(place), bands_.size() - 1)];
+  const auto& bands = averaging_.bands();
+  const auto& band = bands[std::min(static_cast<std::size_t>(place), bands.size() - 1)];
   const auto [left, right, at_left, at_right] = band.orbit.swing;
   const double middle = (left + right) / 2, half = (right - left) / 2;
+  const problem::Polynomial& potential = averaging_.orbits().potential();
   const auto speed = [&](double y) {
-    return std::sqrt(std::max(2 * (band.energy - potential_(y)), 0.0));
+    return std::sqrt(std::max(2 * (band.energy - potential(y)), 0.0));
   };
   // y = middle + half sin(angle) for a time in proportion to half cos(angle) / speed, by rejection.
   const auto time = [&](double angle) {

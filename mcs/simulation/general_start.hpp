@@ -19,9 +19,8 @@ class GeneralStart {
   State operator()(std::uint64_t seed, std::uint32_t stream) const;
 
  private:
-  std::vector<problem::EnergyAveraging::Band> bands_;
+  problem::EnergyAveraging averaging_;
   std::vector<double> below_;  // masses of the bands up to each, itself included
-  problem::Polynomial potential_;
 };
 
 }  // namespace fpkcheck::mcs

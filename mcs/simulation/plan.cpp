@@ -127,7 +127,7 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
 }  // namespace
 
 Plan make_plan(const problem::Problem& problem, const Options& options) {
-  if (!problem::features(problem).original) return make_plan_of_any_oscillator(problem, options);
+  if (!problem::of_the_paper(problem)) return make_plan_of_any_oscillator(problem, options);
   validate(options);
   const auto linear = problem::equivalent_linearisation(problem);
   const double decay = problem::slowest_decay(linear);

@@ -64,6 +64,19 @@ bool is_possible(const Branch& branch, const Plan& plan) {
          between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0);
 }
 
+/// A stream before it moves. @param source gives the impulses after the first
+Stream stream_at(const State& start, const Impulse& first, const ImpulseSource& source,
+                 const Plan& plan) {
+  return {.branch = {.y = start.y,
+                     .v = start.v,
+                     .until_impulse = first.waiting,
+                     .amplitude = first.amplitude,
+                     .until_sample = plan.sampling_interval / 2,
+                     .remaining = 0},
+          .source = source,
+          .record = StreamRecord(plan.y_bins, plan.v_bins)};
+}
+
 }  // namespace
 
 Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
@@ -85,14 +98,7 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
     ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
     const State start = folded_start(source, plan.displacement_deviation, plan.velocity_deviation);
     const Impulse first = source.next();
-    streams_.push_back({.branch = {.y = start.y,
-                                   .v = start.v,
-                                   .until_impulse = first.waiting,
-                                   .amplitude = first.amplitude,
-                                   .until_sample = plan.sampling_interval / 2,
-                                   .remaining = 0},
-                        .source = source,
-                        .record = StreamRecord(plan.y_bins, plan.v_bins)});
+    streams_.push_back(stream_at(start, first, source, plan));
     if (plan.deposit) streams_.back().record.deposit = Deposit(plan.deposit->grid);
   }
 }
@@ -115,15 +121,8 @@ void Simulation::begin_any(const problem::Problem& problem) {
     const State start = start_of(plan.seed, stream);
     Impulse first{.waiting = std::numeric_limits<double>::infinity(), .amplitude = 0};
     if (std::isfinite(plan.excitation.interval)) first = source.next();
-    Stream made{.branch = {.y = start.y,
-                           .v = start.v,
-                           .until_impulse = first.waiting,
-                           .amplitude = first.amplitude,
-                           .until_sample = plan.sampling_interval / 2,
-                           .remaining = 0},
-                .source = source,
-                .record = StreamRecord(plan.y_bins, plan.v_bins),
-                .noise = NoiseSource(plan.seed, stream)};
+    Stream made = stream_at(start, first, source, plan);
+    made.noise = NoiseSource(plan.seed, stream);
     made.record.general.emplace();
     if (general.kicks.present()) {
       // At any time within the interval: samples then see all of it alike.

@@ -124,8 +124,8 @@ class Statement {
 }  // namespace
 
 std::string problem_statement(std::span<const Problem* const> problems) {
-  const bool original = std::ranges::all_of(
-      problems, [](const Problem* p) { return problem::features(*p).original; });
+  const bool original =
+      std::ranges::all_of(problems, [](const Problem* p) { return problem::of_the_paper(*p); });
   if (original) return fmt::format("{}<p>{}{}</p>\n", kOriginal, kImpulses, kSought);
   return Statement(problems).html();
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
@@ -26,7 +27,11 @@ struct StatusLetter {
 constexpr StatusLetter kStatusLetters[] = {
     {'o', Status::ok},           {'x', Status::ok, true},      {'i', Status::inaccurate},
     {'a', Status::inadmissible}, {'n', Status::not_converged}, {'p', Status::ill_posed},
-    {'f', Status::failed},       {'o', Status::not_offered}};
+    {'f', Status::failed},       {'u', Status::not_offered}};
+
+bool is_status_letter(char c) {
+  return std::ranges::find(kStatusLetters, c, &StatusLetter::letter) != std::end(kStatusLetters);
+}
 
 std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -67,8 +72,11 @@ struct MapLine {
 std::optional<MappedAnswer> answer_in(const MapLine& line, std::string_view cell) {
   if (cell.empty()) return std::nullopt;
   // "e" of an exponent is no status.
-  const auto at = cell.find_first_of("oxianpf");
-  if (at == cell.npos) line.refuse(cell, "must be L1, letter of a status, milliseconds: .004o310");
+  const auto at =
+      static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
+  if (at == cell.size()) {
+    line.refuse(cell, "must be L1, letter of a status, milliseconds: .004o310");
+  }
   const auto* const entry = std::ranges::find(kStatusLetters, cell[at], &StatusLetter::letter);
   MappedAnswer answer{.status = entry->status,
                       .l1 = {},

@@ -42,7 +42,7 @@ struct ValidityMap {
 ///
 /// and below each id L1, the letter of the status and milliseconds, ".0042o310", "i5.1" without a
 /// density, or nothing where the method was not asked. Letters: o ok, x ok but misstated,
-/// i inaccurate, a inadmissible, n not_converged, p ill_posed, f failed.
+/// i inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u not_offered.
 /// @param where how messages name it
 /// @throws InputError on one line
 ValidityMap read_validity_map(std::string_view text, const std::string& where);

@@ -11,7 +11,7 @@ Groups groups_of(const problem::Problem& problem) {
   const auto& system = problem.system.coefficients();
   const auto scales = problem::scales(problem);
   const double stiffness = scales.frequency * scales.frequency;
-  const bool original = problem::features(problem).original;
+  const bool original = problem::of_the_paper(problem);
   return {.impulses_per_decay_time = problem::impulses_per_decay_time(problem, scales),
           .damping_ratio = system.damping / (2 * scales.frequency),
           .cubic_share = original ? 1 - system.stiffness / stiffness

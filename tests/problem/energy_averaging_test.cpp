@@ -12,6 +12,16 @@ namespace {
 
 const WallParameters kNone{.none = true};
 
+TEST(EffectivePotential, HasTheForceAndTheMeanOfTheImpulsesForItsSlope) {
+  const Problem p = tests::with_impulses(System({.stiffness = 1, .cubic = 0.3}, kNone),
+                                         tests::gaussian_impulses(2, 0.3, 0.12));
+  const Polynomial slope = effective_potential(p).derivative();
+  for (const double y : {-0.7, 0.0, 1.3}) {
+    EXPECT_NEAR(slope(y), p.system.force()(y) - p.impulses.rate_moment(1), 1e-15);
+  }
+  EXPECT_EQ(UndampedOrbits(p).potential().coefficients(), effective_potential(p).coefficients());
+}
+
 TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {
   const Problem p = tests::with_noise(System({.damping = 0.2, .stiffness = 4}, kNone), 1);
   const UndampedOrbits orbits(p);

@@ -65,5 +65,28 @@ TEST(Frame, OfTheOldClassIsTheProblemItself) {
             problem.system.force().coefficients());
 }
 
+TEST(Frame, OfAProblemInItsFrameChangesNothing) {
+  const System system(kAll, {.right = 2, .right_restitution = 0.9});
+  const Problem seen =
+      tests::in_frame(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+  const Problem again = tests::in_frame(seen);
+  EXPECT_EQ(again.frame, seen.frame);
+  EXPECT_EQ(again.system.left(), seen.system.left());
+  EXPECT_EQ(again.system.force().coefficients(), seen.system.force().coefficients());
+  EXPECT_EQ(again.impulses.law().mean(), -0.3);
+}
+
+TEST(Frame, OfTheInverseLeadsBack) {
+  for (const Frame frame : {Frame{-0.5, false}, Frame{2, true}, Frame{}}) {
+    const Frame back = frame.inverse();
+    for (const double x : {0.0, 0.3, 1.7}) {
+      EXPECT_NEAR(back.y(frame.y(x)), x, 1e-15);
+      EXPECT_NEAR(back.x(x), frame.y(x), 1e-15);
+      EXPECT_EQ(back.v(frame.v(x)), x);
+    }
+    EXPECT_EQ(back.is_identity(), frame.is_identity());
+  }
+}
+
 }  // namespace
 }  // namespace fpkcheck::problem

@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "family.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
-TEST(InelasticCollapse, EndsWhiteNoiseAloneAndOnlyUpToItsThreshold) {
+TEST(InelasticCollapse, WithoutNoiseEndsTheEquationWhiteAloneAndOnlyUpToItsThreshold) {
   const auto objection = [](double r, Equation equation) {
     return collapse_objection(tests::make_problem({.restitution = r}), equation);
   };
@@ -16,6 +17,18 @@ TEST(InelasticCollapse, EndsWhiteNoiseAloneAndOnlyUpToItsThreshold) {
   for (const auto equation : {Equation::km4, Equation::km4_pade, Equation::kf}) {
     EXPECT_TRUE(objection(0.1, equation).empty()) << name(equation);
   }
+}
+
+TEST(InelasticCollapse, MayBeAtEitherWallAndUnderNoiseOfTheProblem) {
+  const System system({.damping = 0.1, .stiffness = 1},
+                      {.left = -1, .left_restitution = 0.5, .right = 1, .right_restitution = 0.12});
+  Problem p = tests::with_impulses(system, tests::gaussian_impulses(1, 1));
+  EXPECT_TRUE(collapse_objection(p, Equation::kf).empty());
+  EXPECT_NE(collapse_objection(p, Equation::white).find("restitution 0.12"), std::string::npos);
+  p.noise.intensity = 0.1;
+  const auto text = collapse_objection(p, Equation::kf);
+  EXPECT_NE(text.find("restitution 0.12"), std::string::npos) << text;
+  EXPECT_EQ(text.find("solve kf"), std::string::npos) << text;  // it has the noise, too
 }
 
 TEST(InelasticCollapse, SaysWhatIsWrongAndWhatToDo) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <utility>
+
 #include "methods/builtin.hpp"
 #include "parameters/input_error.hpp"
 
@@ -53,9 +56,28 @@ TEST(ReadValidityMap, KnowsEveryLetterAndWhoWasNotAsked) {
   EXPECT_EQ(status_of(".1a5")->status, Status::inadmissible);
   EXPECT_EQ(status_of("p5")->status, Status::ill_posed);
   EXPECT_EQ(status_of("f5")->status, Status::failed);
+  EXPECT_EQ(status_of("u5")->status, Status::not_offered);
   EXPECT_TRUE(status_of(".1x5")->is_ok());
   EXPECT_TRUE(status_of(".1x5")->misstated);
   EXPECT_FALSE(status_of(""));
+}
+
+TEST(ReadValidityMap, HasALetterOfItsOwnForEveryStatus) {
+  // Where two shared one, the reader would know the first of them alone.
+  std::set<std::pair<Status, bool>> read;
+  for (char letter = 'a'; letter <= 'z'; ++letter) {
+    if (letter == 'e') continue;  // of an exponent
+    try {
+      const auto map =
+          read_validity_map(kHeader + "1,1,0,1,gaussian,0,.1" + letter + "5,.1o1\n", "map");
+      const auto& answer = *map.points[0].answers[0];
+      EXPECT_TRUE(read.emplace(answer.status, answer.misstated).second) << letter;
+    } catch (const InputError&) {
+    }
+  }
+  std::set<std::pair<Status, bool>> expected{{Status::ok, true}};
+  for (const auto& named : names(Status{})) expected.emplace(named.value, false);
+  EXPECT_EQ(read, expected);
 }
 
 TEST(ReadValidityMap, RefusesWhatIsNone) {

@@ -9,6 +9,7 @@
 #include "family.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/operator.hpp"
+#include "operator/three_point_averages.hpp"
 #include "problem/motion_balances.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -53,25 +54,6 @@ Grid grid_of(const System& system, double left, double right, double v_max, int 
                         system.right() ? Beyond::boundary : Beyond::vacuum);
 }
 
-// Cell averages of a function by 3 x 3 Gauss points a cell.
-template <class Function>
-Eigen::VectorXd averages_of(const Grid& grid, const Function& f) {
-  const double node = std::sqrt(0.6) / 2, weight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  Eigen::VectorXd averages = Eigen::VectorXd::Zero(grid.size());
-  for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.nv(); ++j) {
-      for (int a = -1; a <= 1; ++a) {
-        for (int b = -1; b <= 1; ++b) {
-          averages(i * grid.nv() + j) += weight[a + 1] * weight[b + 1] *
-                                         f(grid.x1.centre(i) + a * node * grid.x1.width(i),
-                                           grid.x2.centre(j) + b * node * grid.x2.width(j));
-        }
-      }
-    }
-  }
-  return averages;
-}
-
 std::vector<Excitation> excitations(const Problem& p, const Grid& grid) {
   std::vector<Excitation> all{white_noise(p.impulses), kramers_moyal(p.impulses, grid.x2, 0.4),
                               kramers_moyal_pade(p.impulses, grid.x2, 6),
@@ -106,7 +88,7 @@ TEST(OperatorOfFamily, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
     const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right() ? 24 : 80, 120);
-    Eigen::VectorXd averages = averages_of(grid, bump);
+    Eigen::VectorXd averages = three_point_averages(grid, bump);
     averages /= grid.areas().dot(averages);
     for (const Excitation& e : excitations(p, grid)) {
       const auto op = fokker_planck_operator(p.system, e, Impact::map, grid, 5);
@@ -125,12 +107,12 @@ TEST(OperatorOfFamily, MovesTheMeanVelocityByForcesImpulsesAndImpacts) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
     const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right() ? 24 : 80, 120);
-    Eigen::VectorXd averages = averages_of(grid, bump);
+    Eigen::VectorXd averages = three_point_averages(grid, bump);
     averages /= grid.areas().dot(averages);
     const auto mean = [&](const auto& g) {
-      return grid.areas().dot(averages_of(grid, [&](double x, double v) {
+      return grid.areas().dot(three_point_averages(grid, [&](double x, double v) {
         return g(x, v) * bump(x, v);
-      })) / grid.areas().dot(averages_of(grid, bump));
+      })) / grid.areas().dot(three_point_averages(grid, bump));
     };
     const auto& system = p.system;
     double expected = -mean([&](double x, double v) {
@@ -187,7 +169,7 @@ TEST(OperatorOfFamily, AnnihilatesExactDensitiesToItsOrder) {
       const Grid grid = grid_of(p.system, left, right, v_max, cells, 2 * (7 * cells / 8));
       Excitation noise{.diffusion = p.noise.diffusion(), .exchange = {}};
       const auto op = fokker_planck_operator(p.system, noise, Impact::map, grid, order);
-      return grid.areas().dot((op * averages_of(grid, law)).cwiseAbs());
+      return grid.areas().dot((op * three_point_averages(grid, law)).cwiseAbs());
     };
     for (const int order : {3, 5}) {
       const double coarse = residual(40, order), middle = residual(56, order),

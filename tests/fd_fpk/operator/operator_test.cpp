@@ -6,31 +6,13 @@
 
 #include "exact/closed_forms.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "operator/three_point_averages.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 using problem::Impact;
-
-// Cell averages of a function by 3 x 3 Gauss points a cell.
-template <class Function>
-Eigen::VectorXd three_point_averages(const Grid& grid, const Function& f) {
-  const double node = std::sqrt(0.6) / 2, weight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  Eigen::VectorXd averages = Eigen::VectorXd::Zero(grid.size());
-  for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.nv(); ++j) {
-      for (int a = -1; a <= 1; ++a) {
-        for (int b = -1; b <= 1; ++b) {
-          averages(i * grid.nv() + j) += weight[a + 1] * weight[b + 1] *
-                                         f(grid.x1.centre(i) + a * node * grid.x1.width(i),
-                                           grid.x2.centre(j) + b * node * grid.x2.width(j));
-        }
-      }
-    }
-  }
-  return averages;
-}
 
 TEST(Operator, ColumnsSumToZeroForEveryExcitationOrderAndRestitution) {
   for (const double r : {1.0, 0.98, 0.4}) {

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "mcs/lanes/lanes.hpp"
+#include "mcs/motion/taylor_polynomial.hpp"
+#include "mcs/streams/stream.hpp"
+
+// What samples in lanes are counted into, whatever the oscillator. Included by the files that are
+// compiled for different instructions, as motion/advance_lanes.hpp.
+namespace fpkcheck::mcs {
+namespace {
+
+template <class Number, int W>
+struct alignas(64) LaneArray {
+  Number at[W];
+};
+
+/// The bin in lanes, by arithmetic, for even edges; a number within rounding of an edge may go to
+/// either side of it.
+template <class Real>
+FPKCHECK_INLINE Real place(const BinFinder& bins, const Real& x) {
+  return smaller(larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
+                 all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
+}
+
+/// Adds kPowers of a state, weighted.
+template <class Real>
+FPKCHECK_INLINE void add_powers(const BasicState<Real>& at, const Real& counted,
+                                Real (&powers)[kPowers.size()]) {
+  const Real x = at.y, u = at.v;
+  const Real xx = x * x, xu = x * u, uu = u * u;
+  const Real terms[] = {x,      u,      xx,      xu,      uu,      x * xx,  xx * u,
+                        x * uu, u * uu, xx * xx, xx * xu, xx * uu, xu * uu, uu * uu};
+#pragma GCC unroll 16
+  for (std::size_t p = 0; p < kPowers.size(); ++p) {
+    powers[p] = powers[p] + counted * terms[p];
+  }
+}
+
+/// Adds weights to the streams' histograms.
+/// @param y    between the walls
+/// @param cells of the streams' histograms
+template <int W, class Real>
+FPKCHECK_INLINE void put_into_bins(const BinFinder& y_bins, const BinFinder& v_bins, const Real& y,
+                                   const Real& v, const Real& counted, Stream* const* streams,
+                                   double* const (&cells)[W]) {
+  if (y_bins.even() && v_bins.even()) {
+    const auto row = truncated(place(y_bins, y));
+    // At rest the side of 0 counts, however close: half of a spike is there.
+    const Real hair = all_lanes<Real>(v_bins.hair());
+    const Real off_zero = select(v < 0.0, smaller(v, -hair), larger(v, hair));
+    const auto column = truncated(place(v_bins, off_zero));
+    const auto cell = row * static_cast<std::int32_t>(v_bins.bins() + 2) + column;
+    LaneArray<std::int32_t, W> cell_of;
+    LaneArray<double, W> weights;
+    __builtin_memcpy(&cell_of, &cell, sizeof cell);
+    store(counted, weights.at);
+#pragma GCC unroll 8
+    for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
+  } else {
+    for (int i = 0; i < W; ++i) {
+      streams[i]->record.histogram.add(y_bins(lane(y, i)), v_bins(lane(v, i)), lane(counted, i));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs
