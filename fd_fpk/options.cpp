@@ -48,7 +48,7 @@ Description<Options> make_description() {
       .add("transport", &O::transport,
            {"T",
             "upwind differences, or characteristics: along the motion between impulses, for kf "
-            "(default: where impulses are rare or losses strong)"})
+            "(default: where impulses are rare, losses strong, or the mass rests in contact)"})
       .with_fallback(std::string(name(Transport::upwind)))
       .add("order", &O::order,
            {"P", "order of the transport terms, 2 .. 8; odd ones are upwind-biased"}, between(2, 8))
