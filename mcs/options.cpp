@@ -69,7 +69,7 @@ const Description<Options>& description() {
               "white_step", &Options::white_step,
               {"RAD",
                "time between the kicks that make up white noise, in radians (default 0.05; 0.2 of other "
-               "oscillators than the paper's)"},
+               "oscillators than the paper's, where every wall keeps 0.6 of the speed)"},
               between(kShortestStep, kLongestWhiteStep))
           .add("tails", &Options::tails, {"", "importance splitting: resolve the far tails"})
           .add("controlled", &Options::controlled,

@@ -6,7 +6,18 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr double kAutomaticKickStep = 0.2;  // radians
+// In radians. The more a wall takes, the nearer to it decides what the noise does there, and between
+// two kicks it does nothing.
+constexpr double kAutomaticKickStep = 0.2, kKickStepWithStrongLosses = 0.05;
+constexpr double kStrongLosses = 0.6;
+
+double automatic_kick_step(const problem::System& system) {
+  const auto takes_much = [](const std::optional<problem::Wall>& wall) {
+    return wall && wall->restitution < kStrongLosses;
+  };
+  return takes_much(system.left()) || takes_much(system.right()) ? kKickStepWithStrongLosses
+                                                                 : kAutomaticKickStep;
+}
 
 }  // namespace
 
@@ -28,7 +39,7 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
           .oscillator = general_oscillator(
               problem, scales, white ? problem.impulses.rate_moment(1) : 0, diffusion > 0),
           .kicks = general_kicks(problem, scales, diffusion,
-                                 options.white_step.value_or(kAutomaticKickStep)),
+                                 options.white_step.value_or(automatic_kick_step(problem.system))),
           .power = problem::total_intensity(problem) / 2,
           .rests = features.rests_in_contact && diffusion == 0};
 }
