@@ -48,7 +48,9 @@ std::string characteristics_objection(const problem::Problem& problem) {
     return "characteristics end at rest, and this damping gives energy to the motion";
   }
   const Flow flow(problem.system);
-  for (const RestPlace& place : rest_places(flow)) {
+  const auto places = rest_places(flow);
+  if (places.empty()) return "characteristics end at rest, and here is no place of rest";
+  for (const RestPlace& place : places) {
     if (!place.contact && flow.contraction({place.y, 0}) <= 0) {
       return "characteristics end at rest, and nothing damps the motion about an equilibrium";
     }

@@ -191,7 +191,7 @@ Track Characteristics::follow(const State& from, double flux) {
   double energy = track.energy - reach.least_potential, time = 0;
   for (long step = 0;; ++step) {
     if ((track.landing.rest = rest_within(at.state))) break;
-    if (step > kMostSteps && rate_ * time > kLongest) break;
+    if (too_many() || (step > kMostSteps && rate_ * time > kLongest)) break;
     if (flow_.energy(at.state) - reach.least_potential < kAlike * energy) {
       reach = flow_.reach(at.state);
       energy = flow_.energy(at.state) - reach.least_potential;

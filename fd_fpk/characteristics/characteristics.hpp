@@ -20,6 +20,10 @@ struct Visit {
   double y, v;        ///< its mean position, from that of all visits to the cell
 };
 
+/// Of all characteristics: they take a gigabyte. Slow motions that wind about an equilibrium, at no
+/// wall, visit cells without end.
+inline constexpr std::size_t kMostVisits = 20000000;
+
 /// Where a characteristic ends: at a wall, at rest, or, after so long that nothing is left of it, on
 /// the way.
 struct Landing {
@@ -66,6 +70,8 @@ class Characteristics {
   /// landing, none lands on one before it.
   const std::vector<Track>& from_walls() const { return from_walls_; }
   const std::vector<Visit>& visits() const { return visits_; }
+  /// There would be more visits than kMostVisits: the plane is not covered.
+  bool too_many() const { return visits_.size() > kMostVisits; }
   const std::vector<RestPlace>& rest_places() const { return rest_; }
   /// The places in contact, as indices of rest_places().
   const std::vector<int>& contacts() const { return contacts_; }

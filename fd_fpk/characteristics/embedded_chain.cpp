@@ -1,5 +1,7 @@
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fd_fpk/characteristics/aggregation.hpp"
@@ -107,6 +109,11 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& 
   Chain chain(problem, grid, characteristics_per_cell);
   const auto& characteristics = chain.characteristics();
   const auto& places = characteristics.rest_places();
+  if (characteristics.too_many()) {
+    return {.masses = std::nullopt,
+            .failure = fmt::format("characteristics visit cells more than {} times", kMostVisits),
+            .visits = static_cast<long>(characteristics.visits().size())};
+  }
   const auto atoms = static_cast<int>(characteristics.contacts().size());
   Aggregation aggregation(grid, atoms, blocks_for(problem));
   {

@@ -211,6 +211,11 @@ TEST(Contact, IsRefusedToWhatHasNoAtoms) {
                                                                         .restitution = 0.7}),
                                                                 tests::gaussian_impulses(1, 0.5)));
   EXPECT_NE(objection(van_der_pol, {}).find("gives energy"), std::string::npos);
+  const auto walls = problem::WallParameters{
+      .left = 0, .left_restitution = 0.7, .right = 1, .right_restitution = 0.7};
+  const auto box =
+      tests::with_impulses(System({.damping = 0}, walls), tests::gaussian_impulses(1, 0.5));
+  EXPECT_NE(characteristics_objection(box).find("no place of rest"), std::string::npos);
 }
 
 }  // namespace
