@@ -1,4 +1,4 @@
-"""Stationary densities of a vibro-impact Duffing oscillator under Poisson impulses, cross-checked.
+"""Stationary densities of randomly excited oscillators with impacts, cross-checked.
 
     y'' + c y' + k y + mu y^3 = sum_k Y_k delta(t - tau_k)   for y > 0,     y'(+) = -r y'(-)  at y = 0
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/reference.hpp"
+#include "compare/rest_atoms.hpp"
 #include "report/page/cell_window.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
@@ -102,6 +103,9 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
     const JointDensity* joint = find(one, id);
     if (joint == nullptr || !on_the_same_cells(joint->density, density)) continue;
     maps.differences.push_back(difference(*joint, *reference, window));
+    // Atoms of rest are at different points of the plane.
+    maps.differences.back().l1 += compare::atom_distance(
+        transform::find_solution(one.solutions, id)->atoms, measure->atoms, transform::Variable::y);
   }
   if (maps.differences.empty()) return std::nullopt;
   return maps;

@@ -13,7 +13,7 @@ namespace fpkcheck::report {
 /// How far a solution's joint density is from the reference's.
 struct JointDifference {
   std::string solution;  ///< id
-  double l1;             ///< over all common cells
+  double l1;             ///< over all common cells, and of atoms of rest
   SignedRoots values;    ///< the differences cell by cell, as reference_density
 };
 

@@ -179,7 +179,11 @@ std::string page(const results::Run& run) {
     cases += sections.back().html();
     plots += (k == 0 ? "" : ",") + sections.back().plots();
   }
-  const std::string title = "fpkcheck: stationary densities of a vibro-impact oscillator";
+  const bool with_walls = std::ranges::any_of(run.cases, [](const results::Case& one) {
+    return one.problem.system.left() || one.problem.system.right();
+  });
+  const std::string title = std::string("fpkcheck: stationary densities of ") +
+                            (with_walls ? "a vibro-impact oscillator" : "an oscillator");
   const std::string body =
       navigation(run, sections) + "<main>\n" + element("h1", title) +
       (run.stopped.empty() ? "" : "<p>" + element("strong", run.stopped) + "</p>\n") +

@@ -97,7 +97,7 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
   results::NetCdfWriter file;
   const auto program = results::this_program(command);
   file.attribute("Conventions", "CF-1.8");
-  file.attribute("title", "solutions over the parameters of a vibro-impact oscillator");
+  file.attribute("title", "solutions over the parameters of an oscillator");
   file.attribute("source", fmt::format("{} {}", program.name, program.version));
   file.attribute("command", program.command);
   file.attribute("case", results.plan.base.name);

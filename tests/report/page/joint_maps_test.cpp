@@ -65,6 +65,17 @@ TEST(JointMaps, GiveTheDifferenceBackFromItsRoots) {
   }
 }
 
+// Atoms are at points of their own, so that what they differ by adds up.
+TEST(JointMaps, CountWhatAtomsOfRestDifferBy) {
+  auto one = whole_case();
+  const double before = joint_maps(one)->differences.back().l1;
+  for (auto& solution : one.solutions) {
+    if (solution.id() == "fd-kf") solution.atoms = {{.y = 0, .probability = 0.25}};
+    if (solution.id() == "mcs") solution.atoms = {{.y = 0, .probability = 0.125}};
+  }
+  EXPECT_NEAR(joint_maps(one)->differences.back().l1, before + 0.125, 1e-12);
+}
+
 TEST(JointMaps, NeedAReferenceAndSomethingBesideIt) {
   auto one = whole_case();
   const auto joints = std::exchange(one.joints, {});
