@@ -239,11 +239,12 @@ void Characteristics::land(Side side, double speed, Landing& landing) const {
 void Characteristics::cross(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
-  // Areas shrink (Liouville).
-  const double shrinking = flow_.contraction({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
-  const double mean = shrinking > 0 ? -std::expm1(-shrinking) / shrinking : 1;
+  // Areas shrink (Liouville): by exp(-x), on average by (1 - exp(-x)) / x.
+  const double x = flow_.contraction({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
+  constexpr double kSmall = 1e-4;
+  const double mean = x > kSmall ? -std::expm1(-x) / x : 1 - x / 2 + x * x / 6;
   const double flux = std::max(kLeastFlux, at.flux * mean);
-  at.flux = std::max(kLeastFlux, at.flux * std::exp(-shrinking));
+  at.flux = std::max(kLeastFlux, at.flux * (1 - x * mean));
   at.state = to;
   double done = 0;
   while (true) {
@@ -331,7 +332,6 @@ void Characteristics::find_landings(std::vector<Track>& tracks) const {
 }
 
 std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
   std::vector<Emission> all;
   for (const int contact : contacts_) {
@@ -351,7 +351,7 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
     const Fan& fan = this->fan(side);
     Emission emission{.shares = std::vector<double>(from_walls_.size(), 0.0)};
     for (std::size_t k = 0; k < fan.speeds.size(); ++k) {
-      const double above = k == 0 ? kInfinity : fan.above[k];
+      const double above = k == 0 ? std::numeric_limits<double>::infinity() : fan.above[k];
       emission.shares[fan.tracks[k]] = slower(above) - slower(fan.below[k]);
     }
     emission.stays = slower(fan.below.back());

@@ -117,11 +117,12 @@ double Flow::end_of_reach(double y, double energy, Side side) const {
   const double sign = side == Side::left ? -1 : 1;
   const auto inside = [&](double at) { return potential_(at) < energy; };
   const auto between = [&](double within, double beyond) {
-    while (true) {
+    constexpr int kBisections = 30;
+    for (int n = 0; n < kBisections; ++n) {
       const double middle = (within + beyond) / 2;
-      if (middle == within || middle == beyond) return beyond;
       (inside(middle) ? within : beyond) = middle;
     }
+    return beyond;
   };
   double reached = y;
   const auto passes = [&](double knot) {

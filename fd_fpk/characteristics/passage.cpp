@@ -1,6 +1,7 @@
 #include "fd_fpk/characteristics/passage.hpp"
 
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,13 +54,15 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
     return visit.share * (cell.mass + cell.tilt_y * visit.y + cell.tilt_v * visit.v);
   };
   // What is left at the end of a track.
-  const auto follow = [&](const Track& track, double mass, bool with_sources) {
+  constexpr std::true_type kWithSources;
+  constexpr std::false_type kAgain;  // the sources have begun already
+  const auto follow = [&](const Track& track, double mass, auto with_sources) {
     for (std::size_t n = track.first; n < track.last; ++n) {
       const Visit& visit = visits[n];
       const double begins = with_sources ? source(visit) : 0;
-      const double ended = visit.ended * mass + visit.ended_begun * begins;
-      cells[visit.cell].ended += ended;
-      mass += begins - ended;
+      // Both for themselves: what is left waits for nothing but what was left before.
+      cells[visit.cell].ended += visit.ended * mass + visit.ended_begun * begins;
+      mass = (1.0 - visit.ended) * mass + (1.0 - visit.ended_begun) * begins;
     }
     return mass;
   };
@@ -92,13 +95,14 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
   };
 
   for (const Track& track : characteristics_.from_outside()) {
-    land(track, follow(track, 0, true));
+    land(track, follow(track, 0, kWithSources));
   }
-  const auto leave_walls = [&](bool with_sources) {
+  const auto leave_walls = [&](auto with_sources) {
     for (std::size_t n = 0; n < from_walls.size(); ++n) {
       const Track& track = from_walls[n];
       const Landing& landing = track.landing;
       double mass = std::exchange(entering[n], 0.0);
+      if (!with_sources && mass == 0) continue;
       // Part of what leaves here may land here again: the mass is then that of all rounds.
       double again = 0;
       if (landing.wall && !landing.rest) {
@@ -110,7 +114,7 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
         for (std::size_t m = track.first; m < track.last; ++m) {
           const Visit& visit = visits[m];
           const double begins = with_sources ? source(visit) : 0;
-          left += begins - visit.ended * left - visit.ended_begun * begins;
+          left = (1.0 - visit.ended) * left + (1.0 - visit.ended_begun) * begins;
           lost += (1 - lost) * visit.ended;
         }
         mass = (mass + again * left) / (1 - again + again * lost);
@@ -121,7 +125,7 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
       entering[n] -= again * left;
     }
   };
-  leave_walls(true);
+  leave_walls(kWithSources);
   // Between two walls a part may land on a characteristic that has had its turn.
   constexpr int kMostRounds = 1000;
   constexpr double kNothing = 1e-15;
@@ -129,7 +133,7 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
     double left = 0;
     for (const double mass : entering) left += std::abs(mass);
     if (left <= kNothing * masses.cwiseAbs().sum()) break;
-    leave_walls(false);
+    leave_walls(kAgain);
   }
   Eigen::VectorXd ended(masses.size());
   for (Eigen::Index n = 0; n < count; ++n) ended(n) = cells[static_cast<std::size_t>(n)].ended;

@@ -72,9 +72,7 @@ TEST(Contact, ShippedSystemsRestAsLongAsInTheSimulation) {
   };
   const Case cases[] = {
       {"preload", {}, {0.010019}, {1.1e-5}},
-      {"preload", {"system.restitution=0.5"}, {0.074843}, {3e-5}},
       {"stops", {}, {0.012373, 0.012410}, {1.5e-5, 1.4e-5}},
-      {"ball", {}, {0.166848}, {5.3e-5}},
       {"ball", {"system.restitution=0.5"}, {0.408009}, {4.2e-5}},
   };
   for (const auto& [name, changes, at_rest, errors] : cases) {
@@ -140,7 +138,9 @@ TEST(Contact, WallOnTheRightIsTheWallOnTheLeftMirrored) {
 TEST(Contact, WithoutContactAgreesWithDifferences) {
   for (const char* name : {"gap", "two_walls"}) {
     const auto p = problem::load_case(name);
-    const auto along = solve_contact(p, {.transport = Transport::characteristics}).solution;
+    const auto along =
+        solve_contact(p, {.transport = Transport::characteristics, .error_estimate = false})
+            .solution;
     const auto differences =
         solve_contact(p, {.transport = Transport::upwind, .error_estimate = false}).solution;
     EXPECT_EQ(along.status, Status::ok) << along.reason;
