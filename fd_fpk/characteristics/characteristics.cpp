@@ -1,5 +1,7 @@
 #include "fd_fpk/characteristics/characteristics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
@@ -54,8 +56,9 @@ struct Characteristics::Position {
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid, double rate,
-                                 int per_cell)
+                                 int per_cell, const Deadline& given_up)
     : grid_(grid),
+      given_up_(given_up),
       flow_(system),
       rate_(rate),
       rest_(fd_fpk::rest_places(flow_, grid, rate)),
@@ -73,6 +76,12 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
   share_areas();
   find_landings(from_outside_);
   find_landings(from_walls_);
+}
+
+std::string Characteristics::failure() const {
+  if (out_of_time_) return "max-seconds are over before the characteristics are laid";
+  if (!ended()) return "";
+  return fmt::format("characteristics visit cells more than {} times", kMostVisits);
 }
 
 // Through the outer sides of the box, where the flow enters it: everything inside came from there,
@@ -185,13 +194,14 @@ Track Characteristics::follow(const State& from, double flux) {
               .j = cell_of(grid_.x2, from.v),
               .flux = flux,
               .first = visits_.size()};
+  if (given_up_.is_over()) out_of_time_ = true;
   constexpr double kAlike = 0.7;  // energies, for which the reach need not be looked for again
   Track track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
   Reach reach = flow_.reach(from);
   double energy = track.energy - reach.least_potential, time = 0;
   for (long step = 0;; ++step) {
     if ((track.landing.rest = rest_within(at.state))) break;
-    if (too_many() || (step > kMostSteps && rate_ * time > kLongest)) break;
+    if (ended() || (step > kMostSteps && rate_ * time > kLongest)) break;
     if (flow_.energy(at.state) - reach.least_potential < kAlike * energy) {
       reach = flow_.reach(at.state);
       energy = flow_.energy(at.state) - reach.least_potential;

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fd_fpk/characteristics/flow.hpp"
 #include "fd_fpk/characteristics/rest.hpp"
 #include "fd_fpk/operator/grid.hpp"
+#include "fd_fpk/stopwatch.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -20,9 +22,9 @@ struct Visit {
   double y, v;        ///< its mean position, from that of all visits to the cell
 };
 
-/// Of all characteristics: they take a gigabyte. Slow motions that wind about an equilibrium, at no
-/// wall, visit cells without end.
-inline constexpr std::size_t kMostVisits = 20000000;
+/// Of all characteristics: they take half a gigabyte. Slow motions that wind about an equilibrium, at
+/// no wall, visit cells without end.
+inline constexpr std::size_t kMostVisits = 10000000;
 
 /// Where a characteristic ends: at a wall, at rest, or, after so long that nothing is left of it, on
 /// the way.
@@ -61,7 +63,9 @@ class Characteristics {
  public:
   /// @param rate of the impulses
   /// @param per_cell characteristics that start in each cell at the boundary
-  Characteristics(const problem::System& system, const Grid& grid, double rate, int per_cell);
+  /// @param given_up when no more are laid
+  Characteristics(const problem::System& system, const Grid& grid, double rate, int per_cell,
+                  const Deadline& given_up = Deadline::none());
 
   /// Those that come from the boundary of the box or begin in a cell that no other crosses; they
   /// land on those from the walls.
@@ -70,8 +74,8 @@ class Characteristics {
   /// landing, none lands on one before it.
   const std::vector<Track>& from_walls() const { return from_walls_; }
   const std::vector<Visit>& visits() const { return visits_; }
-  /// There would be more visits than kMostVisits: the plane is not covered.
-  bool too_many() const { return visits_.size() > kMostVisits; }
+  /// Why the plane is not covered; empty where it is.
+  std::string failure() const;
   const std::vector<RestPlace>& rest_places() const { return rest_; }
   /// The places in contact, as indices of rest_places().
   const std::vector<int>& contacts() const { return contacts_; }
@@ -96,6 +100,7 @@ class Characteristics {
   void sort_from_walls();
   void lay_through_gaps();
   Track follow(const State& from, double flux);
+  bool ended() const { return out_of_time_ || visits_.size() > kMostVisits; }
   std::optional<int> rest_within(const State& at) const;
   void cross(Position& at, const State& to, double time);
   void land(Side side, double speed, Landing& landing) const;
@@ -103,6 +108,8 @@ class Characteristics {
   void find_landings(std::vector<Track>& tracks) const;
 
   const Grid& grid_;
+  Deadline given_up_;
+  bool out_of_time_ = false;
   Flow flow_;
   double rate_;
   std::vector<RestPlace> rest_;

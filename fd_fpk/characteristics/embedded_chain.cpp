@@ -1,7 +1,5 @@
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "fd_fpk/characteristics/aggregation.hpp"
@@ -14,11 +12,12 @@ namespace {
 
 class Chain {
  public:
-  Chain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell)
+  Chain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell,
+        const Deadline& given_up)
       : grid_(grid),
         jumps_(cell_jumps(grid.x2, problem.impulses.law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
-                         characteristics_per_cell),
+                         characteristics_per_cell, given_up),
         passage_(characteristics_, problem.impulses.law()),
         tilts_after_(grid, characteristics_.rest_places()),
         tilts_before_(grid, characteristics_.rest_places()) {}
@@ -106,18 +105,21 @@ int blocks_for(const problem::Problem& problem) {
 
 StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
                                    int characteristics_per_cell, const Deadline& deadline) {
-  Chain chain(problem, grid, characteristics_per_cell);
+  Chain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
   const auto& places = characteristics.rest_places();
-  if (characteristics.too_many()) {
+  if (const std::string why = characteristics.failure(); !why.empty()) {
     return {.masses = std::nullopt,
-            .failure = fmt::format("characteristics visit cells more than {} times", kMostVisits),
+            .failure = why,
             .visits = static_cast<long>(characteristics.visits().size())};
   }
   const auto atoms = static_cast<int>(characteristics.contacts().size());
   Aggregation aggregation(grid, atoms, blocks_for(problem));
   {
-    const Chain of_blocks(problem, aggregation.blocks(), characteristics_per_cell);
+    const Chain of_blocks(problem, aggregation.blocks(), characteristics_per_cell, deadline);
+    if (const std::string why = of_blocks.characteristics().failure(); !why.empty()) {
+      return {.masses = std::nullopt, .failure = why};
+    }
     aggregation.set_chain(
         [&](const Eigen::VectorXd& after) { return of_blocks.kicked(of_blocks.carried(after)); });
   }

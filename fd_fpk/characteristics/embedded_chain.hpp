@@ -26,7 +26,7 @@ struct StationaryMasses {
 /// the velocity at fixed displacement, solved by GMRES: first with the mass evenly spread in each
 /// cell, which keeps it positive, then with tilts limited by that solution. GMRES is preconditioned by
 /// the same chain on blocks of cells.
-/// @param deadline at which GMRES gives up
+/// @param deadline at which characteristics and GMRES give up
 StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
                                    int characteristics_per_cell,
                                    const Deadline& deadline = Deadline::none());
