@@ -1,4 +1,5 @@
-"""Writes the table of docs/systems.md, between its marks, from runs of the shipped systems.
+"""Writes the table of docs/systems.md, between its marks, from runs of the shipped systems. The row of one that has no
+run there stays as it is.
 
     systems_table.py docs/systems.md DIRECTORY NAME ...
 """
@@ -20,6 +21,10 @@ def number(value):
     return "–" if value is None else f"{value:.1e}"
 
 
+def at_rest(solution):
+    return ", ".join(f"{atom['probability']:.4f}" for atom in solution.get("atoms", []))
+
+
 def row(name, case):
     solutions = {one["id"]: one for one in case["solutions"]}
     ok = [key for key, one in solutions.items() if one["status"] == "ok"]
@@ -29,8 +34,7 @@ def row(name, case):
     closures = [(l1(case, key, judge), key) for key in solutions if key.startswith("epc-")]
     closures = [(value, key) for value, key in closures if value is not None]
     best = min(closures) if closures else None
-    rest = ", ".join(
-        f"{atom['probability']:.4f}" for atom in solutions.get("mcs", {}).get("atoms", []))
+    rest = " / ".join(filter(None, (at_rest(solutions.get(key, {})) for key in ("mcs", "fd-kf"))))
     not_offered = [key for key, one in solutions.items() if one["status"] == "not_offered"]
     return [
         f"[`{name}`](#{name})", f"{solutions[judge]['moments']['y2']:.4f}" if judge else "–",
@@ -42,13 +46,16 @@ def row(name, case):
 
 def main():
     page, directory, names = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:]
-    head = ["system", "E[y^2]", "E[y'^2]", "P(rest)", "fd-kf to mcs, L1", "closest closure, L1", "ok of offered"]
+    head = ["system", "E[y^2]", "E[y'^2]", "P(rest): mcs / fd-kf", "fd-kf to mcs, L1", "closest closure, L1", "ok of offered"]
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    former = page.read_text().splitlines()
     for name in names:
         summary = directory / name / "summary.json"
         if summary.exists():
             case = json.loads(summary.read_text())["cases"][0]
             lines.append("| " + " | ".join(row(name, case)) + " |")
+        else:
+            lines += [line for line in former if line.startswith(f"| [`{name}`]")]
     replace_part(page, "table", "\n".join(lines))
 
 
