@@ -19,9 +19,9 @@ struct MeanAndCovariance {
   double var_z = 0, cov_zv = 0, var_v = 0;
 };
 
-/// The moments at `time` of the linear oscillator (g = k y, f = c y', any c) with r = 1 at a wall at
-/// y = 0, or without walls, under impulses with E[Y] = 0 and noise, started from the given ones: with
-/// x = (z, z'), A = (0 1; -k -c) and S = E[x x^T],
+/// The moments at `time` of the linear oscillator (g = k y, f = c y', any c) with r = 1 at a wall
+/// at y = 0, or without walls, under impulses with E[Y] = 0 and noise, started from the given ones:
+/// with x = (z, z'), A = (0 1; -k -c) and S = E[x x^T],
 ///
 ///     dE[x]/dt = A E[x],      dS/dt = A S + S A^T + diag(0, lambda E[Y^2] + 2D),
 ///     E[x](T) = e^(AT) E[x](0),

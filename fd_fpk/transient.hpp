@@ -47,8 +47,8 @@ struct TransientResult {
   double regularisation_length = 0;  ///< l of km4, else 0
 };
 
-/// p(y, y', t) by the operator of solve() from a Gaussian that is cut off at the walls and has mass 1
-/// between them: from one of mean zero in the (z, z') plane, where the wall is at y = 0. Time is
+/// p(y, y', t) by the operator of solve() from a Gaussian that is cut off at the walls and has mass
+/// 1 between them: from one of mean zero in the (z, z') plane, where the wall is at y = 0. Time is
 /// stepped by CVODE: BDF of variable step and order, GMRES preconditioned by KLU.
 ///
 /// What the options leave free of box and grid is made to hold and to resolve both the stationary
