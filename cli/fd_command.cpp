@@ -30,8 +30,8 @@ std::vector<std::string> names_with_flags() {
 TransientOptions transient_options(const Values& given) {
   if (!contains(given, "until")) {
     throw InputError(
-        "--snapshots, --start-y, --start-v or --time-tolerance without --until (they belong to a "
-        "density over time: give --until T)");
+        "--snapshots, --time-tolerance or --start-.. without --until (they belong to a density over "
+        "time: give --until T)");
   }
   TransientOptions options;
   for (const auto& [name, value] : given) {

@@ -24,12 +24,16 @@ LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCo
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
   require(system.linear(), "system.cubic", system.force().coefficient(3), "0");
+  require(system.damping_is_constant(), "system.damping", system.damping(), "f = c y'");
+  require(!system.left() || system.left()->position == 0, "wall.left",
+          system.left() ? system.left()->position : 0, "a wall at 0");
+  require(!system.right(), "wall.right", system.right() ? system.right()->position : 0, "none");
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
   require(std::isfinite(time) && time >= 0, "time", time, "a time from 0 on");
 
   const double c = system.damping(), k = system.stiffness();
-  const double velocity_variance = impulses.intensity() / (2 * c);
+  const double velocity_variance = problem::total_intensity(problem) / (2 * c);
   Eigen::Matrix2d generator;
   generator << 0, 1, -k, -c;
   const Eigen::Matrix2d propagator = (generator * time).exp();

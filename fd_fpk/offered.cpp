@@ -5,13 +5,20 @@
 #include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::fd_fpk {
+namespace {
+
+// Noise, or what stands for the impulses has the diffusion of one.
+bool diffuses(const problem::Features& features, const Options& options) {
+  return features.noise || options.equation == Equation::white || options.equation == Equation::km4;
+}
+
+}  // namespace
 
 std::string objection(const problem::Problem& problem, const Options& options) {
   const auto features = problem::features(problem);
   if (features.original) return "";
-  const bool noise =
-      features.noise || options.equation == Equation::white || options.equation == Equation::km4;
-  if (noise) {  // that of the cut series is its diffusion
+  const bool noise = diffuses(features, options);
+  if (noise) {
     std::string collapse = problem::collapse_objection(problem, Equation::white);
     if (!collapse.empty()) return collapse;
   }
@@ -29,6 +36,15 @@ std::string objection(const problem::Problem& problem, const Options& options) {
                  : characteristics_objection(problem);
   }
   return "";
+}
+
+std::string objection_over_time(const problem::Problem& problem, const Options& options) {
+  const auto features = problem::features(problem);
+  if (features.rests_in_contact && !diffuses(features, options)) {
+    return "the mass comes to rest in contact with a wall, where the law has an atom, which "
+           "differences do not hold: take the stationary density";
+  }
+  return objection(problem, options);
 }
 
 bool may_follow_characteristics(const Options& options) {

@@ -10,6 +10,9 @@ namespace fpkcheck::fd_fpk {
 /// Why this solver does not treat a problem, in one phrase; empty where it does.
 std::string objection(const problem::Problem& problem, const Options& options);
 
+/// Likewise of a density over time, for which there are differences alone.
+std::string objection_over_time(const problem::Problem& problem, const Options& options);
+
 /// Characteristics are offered where the motion between impulses is that of the equation, unless the
 /// options ask for what they do not have.
 bool may_follow_characteristics(const Options& options);

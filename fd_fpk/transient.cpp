@@ -4,17 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "fd_fpk/linear/linear_cvode.hpp"
+#include "fd_fpk/offered.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution.hpp"
-#include "fd_fpk/operator/turning_point.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "parameters/input_error.hpp"
-#include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
+#include "problem/scales.hpp"
+#include "problem/undamped_orbits.hpp"
+#include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -25,35 +29,78 @@ using transform::Status;
 constexpr double kStartBox = 6;
 constexpr double kStartCells = 5;
 
-// The deviations of the start, after the options.
-struct Start {
-  double displacement;
-  double velocity;
-};
-
-Start start_of(const problem::Problem& problem, const TransientOptions& transient) {
+// The start after the options, in the problem's frame.
+Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales,
+                  const TransientOptions& transient) {
   constexpr double kDefault = 0.5;
-  const auto linear = problem::equivalent_linearisation(problem);
-  return {transient.start_displacement.value_or(kDefault * linear.displacement_deviation),
-          transient.start_velocity.value_or(kDefault * linear.velocity_deviation)};
+  Gaussian start{
+      .displacement_deviation =
+          transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
+      .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
+      .mean_displacement = problem::of_the_paper(problem) ? 0 : scales.centre};
+  // In a symmetric well it is 0 but for rounding.
+  constexpr double kRounding = 1e-12;
+  if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
+    start.mean_displacement = 0;
+  }
+  const problem::Frame& frame = problem.frame;
+  if (const auto& y = transient.start_mean_displacement) start.mean_displacement = frame.x(*y);
+  if (const auto& v = transient.start_mean_velocity) start.mean_velocity = frame.v(*v);
+  const auto &left = problem.system.left(), &right = problem.system.right();
+  if ((left && start.mean_displacement < left->position) ||
+      (right && start.mean_displacement > right->position)) {
+    throw InputError(
+        fmt::format("a start in the middle of y = {:.6g} (that is behind a wall: give a "
+                    "start-mean-y between the walls)",
+                    frame.y(start.mean_displacement)));
+  }
+  return start;
+}
+
+// The largest v^2/2 + V(y) on the ellipse of kStartBox deviations, as far as walls leave it.
+double most_energy(const problem::System& system, const problem::Polynomial& potential,
+                   const Gaussian& start) {
+  constexpr int kDirections = 120;
+  double most = -HUGE_VAL;
+  for (int n = 0; n < kDirections; ++n) {
+    const double angle = 2 * std::numbers::pi * n / kDirections;
+    double y = start.mean_displacement + kStartBox * start.displacement_deviation * std::cos(angle);
+    if (system.left()) y = std::max(y, system.left()->position);
+    if (system.right()) y = std::min(y, system.right()->position);
+    const double v = start.mean_velocity + kStartBox * start.velocity_deviation * std::sin(angle);
+    most = std::max(most, v * v / 2 + potential(y));
+  }
+  return most;
 }
 
 // Holds the stationary density, the start, and what a start at rest or at the wall turns into.
-Box box_of(const problem::Problem& problem, const Options& options, const Start& start) {
+Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
+           const Gaussian& start) {
   const auto& system = problem.system;
-  Box box = stationary_box(problem, options, Deadline(options.max_seconds));
-  const double y = kStartBox * start.displacement, v = kStartBox * start.velocity;
-  if (!options.x1_max) box.x1_max = std::max({box.x1_max, y, turning_point(system, v * v / 2)});
-  if (!options.x2_max) box.x2_max = std::max({box.x2_max, v, std::sqrt(2 * system.potential()(y))});
+  Box box = stationary_box(problem, scales, options, Deadline(options.max_seconds));
+  const problem::UndampedOrbits orbits(problem);
+  const double energy = most_energy(system, orbits.potential(), start);
+  const auto swings = orbits.swings(energy);
+  if (!options.x1_max) {
+    if (!system.left()) box.x1_min = std::min(box.x1_min, swings.front().left);
+    if (!system.right()) box.x1_max = std::max(box.x1_max, swings.back().right);
+  }
+  if (!options.x2_max) {
+    box.x2_max = std::max(box.x2_max, std::sqrt(2 * (energy - orbits.lowest_potential())));
+  }
   return box;
 }
 
 // A start narrower than the stationary density wants narrower cells, in both directions: it turns.
-Options resolving(const problem::Problem& problem, Options options, const Start& start) {
-  constexpr double kCells = 6;  // of the automatic grid to a deviation
-  const auto linear = problem::equivalent_linearisation(problem);
-  const double narrowness = std::max(linear.displacement_deviation / start.displacement,
-                                     linear.velocity_deviation / start.velocity);
+Options resolving(const problem::Problem& problem, const problem::Scales& scales, Options options,
+                  const Lengths& of_stationary, const Gaussian& start) {
+  constexpr double kCells = 6;  // of the automatic grid to a length
+  const Lengths lengths =
+      problem::of_the_paper(problem)
+          ? Lengths{.x1 = scales.displacement_deviation, .x2 = scales.velocity_deviation}
+          : of_stationary;
+  const double narrowness =
+      std::max(lengths.x1 / start.displacement_deviation, lengths.x2 / start.velocity_deviation);
   options.refinement *= std::max(1.0, narrowness * kStartCells / kCells);
   // Steps are short against the oscillation: the narrow cells of an automatic grading would make
   // the equations stiff for the sake of one point.
@@ -63,30 +110,40 @@ Options resolving(const problem::Problem& problem, Options options, const Start&
 
 Snapshot snapshot(const problem::Problem& problem, const Options& options, const Grid& grid,
                   const FokkerPlanckOperator& op, const Eigen::VectorXd& averages, double time) {
-  Snapshot s{.time = time, .moments = moments(grid, averages, options.order)};
-  s.energy = mean_energy(problem.system, grid, averages, options.order);
-  const double energy_rate = mean_energy(problem.system, grid, op * averages, options.order);
-  const auto [input, dissipated] =
-      problem::power(problem, options.impact,
-                     energy_terms(problem.system, s.moments, grid, averages, options.order));
+  const problem::System& system = problem.system;
+  const problem::Frame& frame = problem.frame;
+  Snapshot s{.time = time,
+             .moments = physical_moments(frame, grid, averages, options.order),
+             .yv = physical_yv(frame, grid, averages, options.order)};
+  // U is 0 at y = 0, wherever that is.
+  s.energy = mean_energy(system, grid, averages, options.order) - system.potential()(frame.x(0));
+  const double energy_rate = mean_energy(system, grid, op * averages, options.order);
+  const auto [input, dissipated] = problem::power(
+      problem, options.impact,
+      energy_terms(system, moments(grid, averages, options.order), grid, averages, options.order));
   s.power = input - dissipated;
-  s.power_residual = (s.power - energy_rate) / (problem.impulses.intensity() / 2);
-  s.impact_rate = impact_flux(grid, averages, options.order, 1);
+  s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
+  s.impact_rate = impact_rate(system, grid, averages, options.order);
   s.mass = op.mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
   s.wall = relative_wall_density(problem, grid, averages);
   const auto [y, ydot] = marginals(grid, averages);
   s.y.assign(y.begin(), y.end());
   s.v.assign(ydot.begin(), ydot.end());
+  if (frame.mirrored) {
+    std::ranges::reverse(s.y);
+    std::ranges::reverse(s.v);
+  }
   return s;
 }
 
 // What is wrong with a density; fills in status and reason.
-void judge(const Grid& grid, const Snapshot& at, TransientResult& result) {
-  if (const auto objection = box_objection(grid, at.wall, fmt::format("at t = {:.4g} ", at.time));
-      !objection.empty()) {
+void judge(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
+           TransientResult& result) {
+  const std::string when = fmt::format("at t = {:.4g} ", at.time);
+  if (std::string small = box_objection(frame, grid, at.wall, when); !small.empty()) {
     result.status = Status::failed;
-    result.reason = objection;
+    result.reason = std::move(small);
   } else if (!kBarsOverTime.allow_density(at.min_density)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
@@ -103,7 +160,7 @@ void judge(const Grid& grid, const Snapshot& at, TransientResult& result) {
 }
 
 void step_through(const problem::Problem& problem, const Options& options,
-                  const TransientOptions& transient, const Grid& grid,
+                  const TransientOptions& transient, const Gaussian& gaussian, const Grid& grid,
                   const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                   TransientResult& result) {
   constexpr long kMostSteps = 1000000;  // between two snapshots
@@ -111,8 +168,7 @@ void step_through(const problem::Problem& problem, const Options& options,
   constexpr double kLinearTolerance = 1e-3;
   constexpr long kStepsPerFactorisation = 10000;  // L is constant: a new gamma is what asks for one
 
-  const Eigen::VectorXd start =
-      folded_gaussian(grid, result.start_displacement, result.start_velocity);
+  const Eigen::VectorXd start = averages_of(gaussian, grid);
   LinearCvode cvode(linear_system(op, preconditioner), start,
                     {.max_order = transient.max_order,
                      .relative_tolerance = transient.relative_tolerance,
@@ -134,7 +190,7 @@ void step_through(const problem::Problem& problem, const Options& options,
       break;
     }
     result.snapshots.push_back(snapshot(problem, options, grid, op, cvode.averages(), time));
-    judge(grid, result.snapshots.back(), result);
+    judge(problem.frame, grid, result.snapshots.back(), result);
     if (transient.progress) transient.progress(static_cast<double>(n) / transient.snapshots);
   }
   result.steps = cvode.steps();
@@ -145,21 +201,26 @@ void step_through(const problem::Problem& problem, const Options& options,
 
 TransientResult integrate_untimed(const problem::Problem& problem, const Options& options,
                                   const TransientOptions& transient) {
-  const Start start = start_of(problem, transient);
+  const problem::Scales scales = problem::scales(problem);
+  const problem::Frame& frame = problem.frame;
+  const Gaussian start = start_of(problem, scales, transient);
   TransientResult result;
-  result.start_displacement = start.displacement;
-  result.start_velocity = start.velocity;
+  result.start_displacement = start.displacement_deviation;
+  result.start_velocity = start.velocity_deviation;
+  result.start_mean_displacement = frame.y(start.mean_displacement);
+  result.start_mean_velocity = frame.v(start.mean_velocity);
 
-  const Options on_grid = resolving(problem, options, start);
-  const Discretisation on = discretise(problem, on_grid, box_of(problem, options, start));
+  const Box box = box_of(problem, scales, options, start);
+  const Options on_grid = resolving(problem, scales, options, box.lengths, start);
+  const Discretisation on = discretise(problem, on_grid, box);
   const Grid& grid = on.grid;
   result.regularisation_length = on.regularisation_length;
   if (!on.refusal.empty()) {
     result.reason = on.refusal;
     return result;
   }
-  result.y_edges = grid.x1.faces();
-  result.v_edges = grid.x2.faces();
+  result.y_edges = transform::y_edges_of(frame, grid.x1.faces());
+  result.v_edges = transform::v_edges_of(frame, grid.x2.faces());
   const auto posed = posedness(problem, on_grid, on);
   if (!posed.objection.empty()) {
     result.status = Status::ill_posed;
@@ -168,7 +229,7 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
   }
   const auto op = fokker_planck_operator(problem, on_grid, on);
   Preconditioner preconditioner(problem, on.excitation, options.impact, grid);
-  step_through(problem, on_grid, transient, grid, op, preconditioner, result);
+  step_through(problem, on_grid, transient, start, grid, op, preconditioner, result);
   return result;
 }
 
@@ -177,13 +238,12 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient) {
   validate(options, transient);
-  if (!problem::of_the_paper(problem)) {
-    throw InputError(
-        "a density over time beyond the paper's class (one wall at the equilibrium, constant damping "
-        "and impulses alone: take the stationary density)");
+  const problem::Problem seen = problem::seen_from(problem::frame_of(problem.system), problem);
+  if (const std::string why = objection_over_time(seen, options); !why.empty()) {
+    throw InputError(fmt::format("no density over time ({})", why));
   }
   const Stopwatch stopwatch;
-  TransientResult result = integrate_untimed(problem, options, transient);
+  TransientResult result = integrate_untimed(seen, options, transient);
   result.seconds = stopwatch.seconds();
   return result;
 }

@@ -10,19 +10,20 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The density at one time.
+/// The density at one time, in physical coordinates.
 struct Snapshot {
   double time = 0;
   transform::Moments moments{};
+  double yv = 0;      ///< E[y y']
   double energy = 0;  ///< E[v^2]/2 + E[U(y)], U the spring's potential
   double power = 0;   ///< input minus dissipation, problem::power: dE/dt if all is right
-  /// What `power` differs by from the dE/dt of dp/dt = L p, relative to lambda E[Y^2]/2: an error
-  /// of the grid alone.
+  /// What `power` differs by from the dE/dt of dp/dt = L p, relative to D + lambda E[Y^2]/2: an
+  /// error of the grid alone.
   double power_residual = 0;
-  double impact_rate = 0;  ///< int_{v<0} |v| p(0, v) dv
+  double impact_rate = 0;  ///< int |v| p dv into the walls
   double mass = 0;
   double min_density = 0;   ///< relative to the largest
-  WallDensity wall{0, 0};   ///< as relative_wall_density
+  WallDensity wall{0, 0};   ///< as relative_wall_density, of the problem in its frame
   std::vector<double> y{};  ///< p(y, t), averages over the cells between TransientResult::y_edges
   std::vector<double> v{};  ///< p(y', t), likewise
 };
@@ -34,6 +35,8 @@ struct TransientResult {
   double seconds = 0;             ///< wall-clock time
   double start_displacement = 0;  ///< deviations as used
   double start_velocity = 0;
+  double start_mean_displacement = 0;  ///< the middle of the start as used
+  double start_mean_velocity = 0;
   std::vector<double> y_edges;  ///< the grid's own
   std::vector<double> v_edges;
   std::vector<Snapshot> snapshots;   ///< as far as it went
@@ -44,9 +47,9 @@ struct TransientResult {
   double regularisation_length = 0;  ///< l of km4, else 0
 };
 
-/// p(y, y', t) by the operator of solve() from a Gaussian in the (z, z') plane, which, as its mean
-/// is zero, is point symmetric: on y >= 0 the density starts as twice it. Time is stepped by CVODE:
-/// BDF of variable step and order, GMRES preconditioned by KLU.
+/// p(y, y', t) by the operator of solve() from a Gaussian that is cut off at the walls and has mass
+/// 1 between them: from one of mean zero in the (z, z') plane, where the wall is at y = 0. Time is
+/// stepped by CVODE: BDF of variable step and order, GMRES preconditioned by KLU.
 ///
 /// What the options leave free of box and grid is made to hold and to resolve both the stationary
 /// density and the start with all that its energy can turn into. Options::stepper,
@@ -56,8 +59,8 @@ struct TransientResult {
 /// Status: `ok`; `ill_posed` as solve(); `not_converged` when CVODE stopped on the way;
 /// `inadmissible` when the density at some snapshot exceeds kBarsOverTime; `failed` when the box is
 /// too small or the grid would be too large.
-/// @throws InputError when the options cannot be used, and beyond the paper's class
-///         (problem::Features::original)
+/// @param problem in any coordinates: it is solved in its frame, and what comes out is physical
+/// @throws InputError when the options cannot be used, and as objection_over_time says
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient);
 

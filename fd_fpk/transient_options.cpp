@@ -34,13 +34,21 @@ Description<TransientOptions> make_transient_description() {
       .add("snapshots", &T::snapshots,
            {"N", fmt::format("with --until: T/N apart (default {})", defaults.snapshots)},
            between(1, kMostSnapshots))
-      .add("start_y", &T::start_displacement,
-           {"S",
-            "with --until: deviation of y = |z| in the start (default: half the stationary one "
-            "of equivalent linearisation)"},
-           positive())
+      .add(
+          "start_y", &T::start_displacement,
+          {"S",
+           "with --until: deviation of y in the Gaussian start (default: about half the stationary "
+           "one)"},
+          positive())
       .add("start_v", &T::start_velocity,
            {"S", "with --until: deviation of y' in the start (default: likewise)"}, positive())
+      .add("start_mean_y", &T::start_mean_displacement,
+           {"M",
+            "with --until: middle of the start, of which walls cut off what is beyond (default: "
+            "about E[y]; the wall, where there is one at the equilibrium alone)"},
+           any_number())
+      .add("start_mean_v", &T::start_mean_velocity,
+           {"M", "with --until: its velocity (default: 0)"}, any_number())
       .add("relative_tolerance", &T::relative_tolerance,
            {"R", fmt::format("with --until: local error of a time step relative to the largest "
                              "density (default {:g})",

@@ -11,10 +11,14 @@ namespace fpkcheck::fd_fpk {
 struct TransientOptions {
   double until = 0;    ///< T > 0
   int snapshots = 50;  ///< N: densities are kept at t = 0, T/N, .. T
-  /// Deviations of z and z' in the Gaussian to start from, of mean zero; automatic: half of those
-  /// of equivalent linearisation.
+  /// Deviations of y and y' in the Gaussian to start from; automatic: half of those of
+  /// problem::Scales.
   std::optional<double> start_displacement{};
   std::optional<double> start_velocity{};
+  /// Its middle; automatic: in the paper's class the wall (the Gaussian is that of z and z'), else
+  /// the centre of problem::Scales, and no velocity.
+  std::optional<double> start_mean_displacement{};
+  std::optional<double> start_mean_velocity{};
   /// Local error of a step, relative to the largest density.
   double relative_tolerance = 1e-6;
   /// Highest order of BDF, 1 .. 5. Only up to 2 is it stable on the whole imaginary axis, close to

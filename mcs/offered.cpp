@@ -8,10 +8,23 @@ namespace fpkcheck::mcs {
 std::string objection(const problem::Problem& problem, const Options& options) {
   if (problem::of_the_paper(problem)) return "";
   if (options.tails) {
-    return "splitting for the tails takes one wall at the equilibrium, constant damping and impulses "
-           "alone";
+    std::string why = splitting_objection(problem, options);
+    if (!why.empty()) return why;
   }
   return problem::collapse_objection(problem, options.equation);
+}
+
+std::string splitting_objection(const problem::Problem& problem, const Options& options) {
+  const auto features = problem::features(problem);
+  if (features.noise || !features.impulses || options.equation == Equation::white) {
+    return "splitting for the tails takes the energy to rise at impulses only, and noise raises it "
+           "at all times";
+  }
+  if (features.negative_damping) {
+    return "splitting for the tails takes the energy to rise at impulses only, and this damping "
+           "gives energy to the motion";
+  }
+  return "";
 }
 
 }  // namespace fpkcheck::mcs

@@ -364,7 +364,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
     if (options.warn) options.warn(warning);
   });
   std::optional<Splitting> splitting;
-  if (options.tails && !plan.general) splitting = plan_splitting(problem, plan);
+  if (options.tails) splitting = plan_splitting(problem, plan);
   const Splitting* splits = splitting ? &*splitting : nullptr;
   Simulation simulation(problem, plan, splits);
   simulation.share(options.team.part, options.team.parts);

@@ -28,6 +28,7 @@ examples:
   fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)
   fpkcheck fd case4 --stepper direct --order 7 --refinement 1.5
   fpkcheck fd case1 --until 20 --snapshots 80 --out transient    (the density over time)
+  fpkcheck fd bistable --until 40 --start-mean-y 1               (of any oscillator, from one well)
 )";
 
 }  // namespace

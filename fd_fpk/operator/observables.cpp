@@ -37,23 +37,13 @@ double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int ord
   return v * p * x.transpose();
 }
 
-Eigen::VectorXd bell(const Line& line, double deviation, double centre = 0) {
+Eigen::VectorXd bell(const Line& line, double deviation, double centre) {
   const auto cdf = [&](double x) {
     return 0.5 * std::erfc(-(x - centre) / (deviation * std::sqrt(2.0)));
   };
   Eigen::VectorXd averages(line.cells());
   for (int i = 0; i < line.cells(); ++i) averages(i) = cdf(line.face(i + 1)) - cdf(line.face(i));
   return averages.cwiseQuotient(line.widths());
-}
-
-// Of mass 1 on the grid.
-Eigen::VectorXd gaussian(const Grid& grid, double centre, double displacement_deviation,
-                         double velocity_deviation) {
-  const Eigen::VectorXd y = bell(grid.x1, displacement_deviation, centre);
-  const Eigen::VectorXd v = bell(grid.x2, velocity_deviation);
-  Eigen::VectorXd averages(grid.size());
-  Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
-  return averages / grid.areas().dot(averages);
 }
 
 }  // namespace
@@ -87,6 +77,12 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
   result.y4 = of_y(y4);
   result.v1 *= frame.sign();
   return result;
+}
+
+double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
+                   int order) {
+  const problem::Polynomial y = problem::Polynomial({0, 1}).of_shifted(frame.origin, frame.sign());
+  return frame.sign() * joint_integral(grid, averages, order, y, monomial(1));
 }
 
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
@@ -194,9 +190,18 @@ WallDensity relative_wall_density(const problem::Scales& scales, const Grid& gri
   return wall_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
 }
 
+Eigen::VectorXd averages_of(const Gaussian& gaussian, const Grid& grid) {
+  const Eigen::VectorXd y =
+      bell(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
+  const Eigen::VectorXd v = bell(grid.x2, gaussian.velocity_deviation, gaussian.mean_velocity);
+  Eigen::VectorXd averages(grid.size());
+  Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
+  return averages / grid.areas().dot(averages);
+}
+
 Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
                                 double velocity_deviation) {
-  return gaussian(grid, 0, displacement_deviation, velocity_deviation);
+  return averages_of({displacement_deviation, velocity_deviation}, grid);
 }
 
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem) {
@@ -208,7 +213,8 @@ Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem
   if (problem::of_the_paper(problem)) {
     return folded_gaussian(grid, scales.displacement_deviation, scales.velocity_deviation);
   }
-  return gaussian(grid, scales.centre, scales.displacement_deviation, scales.velocity_deviation);
+  return averages_of({scales.displacement_deviation, scales.velocity_deviation, scales.centre},
+                     grid);
 }
 
 }  // namespace fpkcheck::fd_fpk

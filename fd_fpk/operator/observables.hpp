@@ -26,6 +26,10 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, in
 transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
                                     const Eigen::VectorXd& averages, int order);
 
+/// E[y y'] likewise, which is 0 of what is stationary.
+double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
+                   int order);
+
 /// E[v^2]/2 + E[U(y)], U the potential of the spring: averaged over the cells as the operator
 /// averages the force. Linear in the averages, so that the rate of a density gives the energy's.
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
@@ -73,6 +77,14 @@ WallDensity relative_wall_density(const problem::Problem& problem, const Grid& g
                                   const Eigen::VectorXd& averages);
 WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages);
+
+/// Independent Gaussians of x and x'.
+struct Gaussian {
+  double displacement_deviation, velocity_deviation;
+  double mean_displacement = 0, mean_velocity = 0;
+};
+/// Cell averages of it between the ends of the grid, cut off there, with mass 1.
+Eigen::VectorXd averages_of(const Gaussian& gaussian, const Grid& grid);
 
 /// Cell averages, with mass 1, of the Gaussian of (z, z') with mean zero and these deviations,
 /// folded to the half-plane: twice its density on y >= 0.

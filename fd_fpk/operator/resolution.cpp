@@ -3,22 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fpkcheck::fd_fpk {
+namespace {
 
-std::string box_objection(const Grid& grid, const WallDensity& wall, const std::string& when) {
-  if (wall.x1 <= kMostOnWall && wall.x2 <= kMostOnWall && wall.x1_low <= kMostOnWall) return "";
-  if (grid.x1.left() == Beyond::vacuum) {
-    return fmt::format(
-        "the box {:.3g} <= y <= {:.3g}, |y'| <= {:.3g} is too small: {}the density on its wall is "
-        "{:.1e} of the peak (widen it with y-max and v-max)",
-        grid.x1_min(), grid.x1_max(), grid.x2_max(), when,
-        std::max({wall.x1, wall.x2, wall.x1_low}));
+// The sides that are no impact walls: "-2 <= y <= 3, ", "y <= 3, ", "y >= -2, ", or nothing.
+std::string free_sides(const problem::Frame& frame, const Line& x1) {
+  bool low = x1.left() == Beyond::vacuum, high = x1.right() == Beyond::vacuum;
+  double from = frame.y(x1.faces().front()), to = frame.y(x1.faces().back());
+  if (frame.mirrored) {
+    std::swap(low, high);
+    std::swap(from, to);
   }
+  if (low && high) return fmt::format("{:.3g} <= y <= {:.3g}, ", from, to);
+  if (high) return fmt::format("y <= {:.3g}, ", to);
+  return low ? fmt::format("y >= {:.3g}, ", from) : "";
+}
+
+}  // namespace
+
+std::string box_objection(const problem::Frame& frame, const Grid& grid, const WallDensity& wall,
+                          const std::string& when) {
+  if (wall.x1 <= kMostOnWall && wall.x2 <= kMostOnWall && wall.x1_low <= kMostOnWall) return "";
   return fmt::format(
-      "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {}the density on its wall is {:.1e} of the "
-      "peak (widen it with y-max and v-max)",
-      grid.x1_max(), grid.x2_max(), when, std::max(wall.x1, wall.x2));
+      "the box {}|y'| <= {:.3g} is too small: {}the density on its wall is {:.1e} of the peak (widen "
+      "it with y-max and v-max)",
+      free_sides(frame, grid.x1), grid.x2_max(), when, std::max({wall.x1, wall.x2, wall.x1_low}));
 }
 
 }  // namespace fpkcheck::fd_fpk

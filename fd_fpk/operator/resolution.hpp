@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fd_fpk/operator/grid.hpp"
+#include "problem/frame.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -34,7 +35,9 @@ inline constexpr ResolutionBars kBarsOverTime{.least_density = -1e-3, .power = 1
 inline constexpr double kMostOnWall = 1e-3;
 
 /// Why the box does not hold a density with so much on its walls; empty when it does.
+/// @param frame in which the grid stands: the box is named in physical coordinates
 /// @param when "at t = 1 ", or nothing
-std::string box_objection(const Grid& grid, const WallDensity& wall, const std::string& when = "");
+std::string box_objection(const problem::Frame& frame, const Grid& grid, const WallDensity& wall,
+                          const std::string& when = "");
 
 }  // namespace fpkcheck::fd_fpk

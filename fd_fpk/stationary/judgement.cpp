@@ -11,10 +11,10 @@
 namespace fpkcheck::fd_fpk {
 using transform::Status;
 
-void judge_box(const Grid& grid, Result& result) {
+void judge_box(const problem::Frame& frame, const Grid& grid, Result& result) {
   auto& [solution, summary] = result;
   if (solution.status != Status::ok) return;
-  solution.reason = box_objection(grid, summary.wall);
+  solution.reason = box_objection(frame, grid, summary.wall);
   if (!solution.reason.empty()) solution.status = Status::failed;
 }
 

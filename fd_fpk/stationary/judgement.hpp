@@ -7,7 +7,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// Takes the `ok` from a solution whose density fills its box to the walls, and says why.
-void judge_box(const Grid& grid, Result& result);
+void judge_box(const problem::Frame& frame, const Grid& grid, Result& result);
 
 /// The same of one whose density is negative or misses the balance of power by more than
 /// kStationaryBars (of power: or the accuracy asked for) allow.

@@ -156,7 +156,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
     if (problem::of_the_paper(problem)) {
       summary.wider = wider_extent(problem, options, grid, summary.wall);
     }
-    judge_box(grid, result);
+    judge_box(problem.frame, grid, result);
     judge_resolution(options, result);
     if (!problem::of_the_paper(problem)) judge_balances(result);
   }

@@ -7,13 +7,18 @@
 namespace fpkcheck::mcs {
 namespace {
 
+/// What the stream's branch counts.
+inline double weight_of(const GeneralMotion& motion, const Stream& stream) {
+  return motion.splitting ? motion.splitting->weight(stream.branch.level) : 1.0;
+}
+
 /// A change of the velocity from without: what it does to the maxima and minima of y.
 inline void note_turn(const GeneralMotion& motion, Stream& stream, double before, double after) {
   if (!motion.records) return;
-  const double y = stream.branch.y;
-  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += 1;
+  const double y = stream.branch.y, counted = weight_of(motion, stream);
+  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += counted;
   const bool at_wall = motion.oscillator.left.stands && !(y > 0);
-  if (before < 0 && after > 0 && !at_wall) stream.record.troughs[(*motion.y_bins)(y)] += 1;
+  if (before < 0 && after > 0 && !at_wall) stream.record.troughs[(*motion.y_bins)(y)] += counted;
 }
 
 /// Paper (3): one impulse, and the next one drawn.
@@ -24,12 +29,14 @@ inline void receive_general_impulse(const GeneralMotion& motion, Stream& stream)
   stream.general.bouncing = -1;
   note_turn(motion, stream, before, b.v);
   if (motion.records) {
-    ++stream.record.impulses;
-    stream.record.work += b.amplitude * before + b.amplitude * b.amplitude / 2;
+    if (stream.whole()) ++stream.record.impulses;
+    stream.record.work +=
+        weight_of(motion, stream) * (b.amplitude * before + b.amplitude * b.amplitude / 2);
   }
   const Impulse next = stream.source.next();
   b.until_impulse = next.waiting;
   b.amplitude = next.amplitude;
+  if (motion.records && motion.splitting) motion.splitting->after_impulse(stream);
 }
 
 /// The Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for the latter half of the interval before

@@ -21,6 +21,7 @@ struct GeneralLanes {
   Stream* const* streams;
   double* cells[W];  // of the streams' histograms
   Real y{}, v{}, until_impulse{}, until_kick{}, until_sample{}, remaining{}, bouncing{};
+  Real weight{};  // of the splitting
   Real powers[kPowers.size()]{};
   Real y5{}, y6{};
   Real samples{}, impacts{}, flights{};
@@ -32,7 +33,7 @@ struct GeneralLanes {
   }
 
   FPKCHECK_INLINE void load_branches() {
-    Array<double> a[7];
+    Array<double> a[8];
     for (int i = 0; i < W; ++i) {
       const Branch& b = streams[i]->branch;
       const GeneralBranch& g = streams[i]->general;
@@ -43,6 +44,7 @@ struct GeneralLanes {
       a[4].at[i] = b.remaining;
       a[5].at[i] = g.until_kick;
       a[6].at[i] = g.bouncing;
+      a[7].at[i] = weight_of(motion, *streams[i]);
     }
     y = load<Real>(a[0].at);
     v = load<Real>(a[1].at);
@@ -51,6 +53,7 @@ struct GeneralLanes {
     remaining = load<Real>(a[4].at);
     until_kick = load<Real>(a[5].at);
     bouncing = load<Real>(a[6].at);
+    weight = load<Real>(a[7].at);
   }
   FPKCHECK_INLINE void store_branches() const {
     for (int i = 0; i < W; ++i) {
@@ -95,9 +98,10 @@ struct GeneralLanes {
     impact = impact & (wall.pressing > 0 ? speed >= 0.0 : speed > 0.0);
     if (!any(impact)) return;
     if (motion.records) {
-      impacts = impacts + where(impact, all_lanes<Real>(1.0));
-      speed_sum = speed_sum + where(impact, speed);
-      energy_sum = energy_sum + where(impact, speed * speed);
+      const Real counted = where(impact, weight);
+      impacts = impacts + counted;
+      speed_sum = speed_sum + counted * speed;
+      energy_sum = energy_sum + counted * (speed * speed);
     }
     Real after = -r * v;
     if (wall.pressing > 0) {
@@ -110,8 +114,9 @@ struct GeneralLanes {
         bouncing = select(stays, time, bouncing);
         after = select(stays, Real{}, after);
         if (motion.records && r < 1) {
-          speed_sum = speed_sum + where(stays, speed * (r / (1 - r)));
-          energy_sum = energy_sum + where(stays, speed * speed * (r * r / (1 - r * r)));
+          const Real counted = where(stays, weight);
+          speed_sum = speed_sum + counted * (speed * (r / (1 - r)));
+          energy_sum = energy_sum + counted * (speed * speed * (r * r / (1 - r * r)));
         }
       }
     }
@@ -133,8 +138,7 @@ struct GeneralLanes {
   // A lane with nothing to count counts it with the weight 0.
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Mask& due, const Mask& at_rest,
                              bool rests) {
-    const Real one = all_lanes<Real>(1.0);
-    const Real counted = where(due, one);
+    const Real counted = where(due, weight);
     add_powers(at, counted, powers);
     const Real x = at.y, xx = x * x;
     y5 = y5 + counted * (xx * xx * x);
@@ -144,7 +148,7 @@ struct GeneralLanes {
     if (rests && any(at_rest)) {
       into_bins = select(at_rest, Real{}, counted);
       const GeneralWall& right = motion.oscillator.right;
-      const Real resting = where(at_rest, one);
+      const Real resting = where(at_rest, weight);
       if (right.stands) {
         const Real there = select(x > right.position / 2, resting, Real{});
         rest_right = rest_right + there;
@@ -168,13 +172,13 @@ struct GeneralLanes {
     return between;
   }
 
-  /// Adds 1 to the bin of y in the lanes of the mask.
+  /// Adds what each lane counts to the bin of y in the lanes of the mask.
   FPKCHECK_INLINE void note(std::vector<double> StreamRecord::*of, const Real& at,
                             const Mask& there) {
     if (!any(there)) return;
     for (int i = 0; i < W; ++i) {
       if (lane(there, i) == 0) continue;
-      (streams[i]->record.*of)[(*motion.y_bins)(lane(at, i))] += 1;
+      (streams[i]->record.*of)[(*motion.y_bins)(lane(at, i))] += lane(weight, i);
     }
   }
 
@@ -231,9 +235,20 @@ struct GeneralLanes {
     }
   }
 
-  /// Impulses and kicks: lane by lane.
+  /// Impulses, kicks and the ends of branches: lane by lane.
   FPKCHECK_INLINE void single_events(const Mask& active) {
     const Mask impulse_now = active & (until_impulse <= 0.0);
+    if (motion.records && motion.splitting) {  // there are no kicks then
+      if (!any(impulse_now) && !any(active & (remaining <= 0.0))) return;
+      store_branches();
+      for (int i = 0; i < W; ++i) {
+        Stream& stream = *streams[i];
+        if (lane(impulse_now, i) != 0) receive_general_impulse(motion, stream);
+        while (stream.branch.remaining <= 0 && !stream.whole()) follow_next(stream);
+      }
+      load_branches();
+      return;
+    }
     const Mask kick_now = active & (until_kick <= 0.0);
     const Mask now = impulse_now | kick_now;
     if (!any(now)) return;

@@ -25,7 +25,10 @@ double kick_interval(const GeneralMotion& motion, double y, double v) {
 
 void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
              const LaneSet& lanes) {
-  for (Stream* stream : streams) stream->branch.remaining = time;
+  for (Stream* stream : streams) {
+    stream->branch.remaining = time;
+    if (motion.splitting && motion.records) motion.splitting->begin(*stream);
+  }
   move_side_by_side<GeneralMotion>(motion, streams, lanes, baseline::move_general,
                                    avx2::move_general, avx512::move_general);
 }

@@ -4,6 +4,7 @@
 
 #include "mcs/lanes/instruction_set.hpp"
 #include "mcs/motion/general_oscillator.hpp"
+#include "mcs/streams/splitting.hpp"
 #include "mcs/streams/stream.hpp"
 
 namespace fpkcheck::mcs {
@@ -16,7 +17,8 @@ struct GeneralMotion {
   double sampling_interval;  ///< time between samples
   const BinFinder* y_bins;
   const BinFinder* v_bins;
-  bool records = true;  ///< false: for the burn-in
+  bool records = true;                   ///< false: for the burn-in
+  const Splitting* splitting = nullptr;  ///< none: every stream is one branch
 };
 
 /// Moves streams on by a time, event by event, as advance() of the paper's oscillator does. Where the

@@ -1,5 +1,10 @@
 #include "mcs/simulation/general_plan.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
+
+#include "mcs/offered.hpp"
 #include "parameters/input_error.hpp"
 #include "problem/features.hpp"
 
@@ -26,9 +31,9 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
     throw InputError("mcs.deposit with an oscillator that is not the paper's (leave it)");
   }
   if (options.tails) {
-    throw InputError(
-        "mcs.tails with an oscillator that is not the paper's (splitting takes the energy to rise at "
-        "impulses only, above one well) leave it");
+    if (const std::string why = splitting_objection(problem, options); !why.empty()) {
+      throw InputError(fmt::format("mcs.tails ({}) leave it", why));
+    }
   }
   const bool white = options.equation == Equation::white;
   const double diffusion =

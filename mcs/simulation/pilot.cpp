@@ -6,6 +6,7 @@
 
 #include "mcs/simulation/simulation.hpp"
 #include "problem/problem.hpp"
+#include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -17,10 +18,21 @@ constexpr double kPilotTime = 0.5;                    // burn-ins, at least
 constexpr double kPilotImpulses = 8 * kFewestVisits;  // in all streams, at least
 constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
 
+// That of the energy by which is split: of the spring's, and of the mean of the impulses where the
+// oscillator is not the paper's, whose potential may hold without.
+problem::Polynomial potential_of(const problem::Problem& problem, const Plan& plan) {
+  if (!plan.general) return problem.system.potential();
+  const problem::UndampedOrbits orbits(problem);
+  auto coefficients = orbits.potential().coefficients();
+  coefficients[0] -= orbits.lowest_potential();
+  return problem::Polynomial(coefficients);
+}
+
 }  // namespace
 
 Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
+  const problem::Polynomial potential = potential_of(problem, plan);
   Plan pilot = plan;
   pilot.seed = ~plan.seed;  // numbers that no simulation of this seed uses
   pilot.samples_per_round =
@@ -30,7 +42,7 @@ Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
       1;
   std::vector<double> thresholds;
   for (int n = 0; n < kMostPilots; ++n) {
-    const Splitting splitting(problem.system, thresholds, largest);
+    const Splitting splitting(potential, thresholds, largest);
     Simulation simulation(problem, pilot, &splitting);
     simulation.burn_in();
     simulation.round();
@@ -44,7 +56,7 @@ Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
     if (further || n == 0) thresholds = std::move(next);
     if (!further) break;
   }
-  return {problem.system, thresholds, largest};
+  return {potential, thresholds, largest};
 }
 
 }  // namespace fpkcheck::mcs

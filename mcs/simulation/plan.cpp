@@ -91,7 +91,8 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
   // Wells that are hardly ever left would take forever: their masses are those of the start then, if
   // not of the burn-in.
   const double automatic =
-      std::min(kAutomaticTime / s.slowest_decay, kMostAutomaticEvents / events);
+      std::min(kAutomaticTime / s.slowest_decay, kMostAutomaticEvents / events) *
+      (options.tails ? kTailsShare : 1);
   const bool open_ended = options.samples || options.target_error;
   const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
   constexpr double kLongestBurnIn = 1.0 / 8;  // of the automatic time

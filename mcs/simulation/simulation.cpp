@@ -83,7 +83,7 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
                        const Splitting* splitting)
     : plan_(&plan) {
   if (plan.general) {
-    begin_any(problem);
+    begin_any(problem, splitting);
     return;
   }
   motion_ = Motion{.oscillator = Oscillator(problem.system),
@@ -103,7 +103,7 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
   }
 }
 
-void Simulation::begin_any(const problem::Problem& problem) {
+void Simulation::begin_any(const problem::Problem& problem, const Splitting* splitting) {
   const Plan& plan = *plan_;
   const GeneralPlan& general = *plan.general;
   // Of the flights between kicks there are fewer coefficients.
@@ -113,7 +113,9 @@ void Simulation::begin_any(const problem::Problem& problem) {
                            .step = plan.step * (general.kicks.present() ? kShorter : 1),
                            .sampling_interval = plan.sampling_interval,
                            .y_bins = &plan.y_bins,
-                           .v_bins = &plan.v_bins};
+                           .v_bins = &plan.v_bins,
+                           .records = true,
+                           .splitting = splitting};
   const GeneralStart start_of(problem);
   for (int s = 0; s < plan.streams; ++s) {
     const auto stream = static_cast<std::uint32_t>(s);
@@ -191,8 +193,8 @@ void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
 void Simulation::load_stream(std::istream& in, Stream& stream) const {
   std::uint64_t number = 0;
   get(in, stream.branch);
-  const bool splits = motion_ && motion_->splitting != nullptr;
-  const int levels = splits ? motion_->splitting->levels() : 0;
+  const Splitting* splitting = general_ ? general_->splitting : motion_->splitting;
+  const int levels = splitting ? splitting->levels() : 0;
   require_possible(is_possible(stream.branch, *plan_) && stream.branch.level >= 0 &&
                    stream.branch.level <= levels && stream.branch.floor >= 0 &&
                    stream.branch.floor <= levels);

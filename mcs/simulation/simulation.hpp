@@ -53,7 +53,7 @@ class Simulation {
   void load_part(std::istream& in, int part);
 
  private:
-  void begin_any(const problem::Problem& problem);
+  void begin_any(const problem::Problem& problem, const Splitting* splitting);
   /// @param move what moves some streams
   void move(const std::function<void(std::span<Stream* const>)>& move);
   void move(bool recorded, double time);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "problem/system.hpp"
-
 namespace fpkcheck::mcs {
 namespace {
 
@@ -19,9 +17,9 @@ std::vector<double> energy_edges(double largest) {
 
 }  // namespace
 
-Splitting::Splitting(const problem::System& system, std::vector<double> thresholds,
+Splitting::Splitting(const problem::Polynomial& potential, std::vector<double> thresholds,
                      double largest_energy)
-    : potential_(system.potential()),
+    : potential_(potential),
       thresholds_(std::move(thresholds)),
       energy_bins_(energy_edges(largest_energy)) {
   for (std::size_t i = 0; i <= thresholds_.size(); ++i) {
@@ -37,7 +35,8 @@ int Splitting::level(double energy) const {
 
 void Splitting::split(Stream& stream, int from, bool at_impulse) const {
   const Branch origin = stream.branch;
-  stream.waiting.push_back(origin);
+  const GeneralBranch general = stream.general;
+  stream.waiting.push_back({origin, general});
   // Above threshold i + 1 each of the branches made so far becomes kCopies.
   std::size_t branches = 1;
   for (int i = from; i < origin.level; ++i) {
@@ -48,7 +47,7 @@ void Splitting::split(Stream& stream, int from, bool at_impulse) const {
         copy.until_impulse = next.waiting;  // else they share the time, not what comes
       copy.amplitude = next.amplitude;
       copy.floor = i + 1;
-      stream.waiting.push_back(copy);
+      stream.waiting.push_back({copy, general});
     }
     branches *= kCopies;
   }
@@ -76,7 +75,8 @@ void Splitting::begin(Stream& stream) const {
 }
 
 void follow_next(Stream& stream) {
-  stream.branch = stream.waiting.back();
+  stream.branch = stream.waiting.back().branch;
+  stream.general = stream.waiting.back().general;
   stream.waiting.pop_back();
 }
 

@@ -5,16 +5,13 @@
 #include "mcs/streams/stream.hpp"
 #include "problem/polynomial.hpp"
 
-namespace fpkcheck::problem {
-class System;
-}
-
 namespace fpkcheck::mcs {
 
 /// Importance splitting by RESTART (Villen-Altamirano, ITC 13, 1991) on the chain of states right
-/// after impulses, where alone the energy rises.
+/// after impulses, where alone the energy rises. (Where something else raised it too there would be
+/// no bias, but the tails would not be visited more often for it.)
 ///
-/// A branch whose energy E = v^2/2 + U(y) rises above a threshold becomes `kCopies`
+/// A branch whose energy E = v^2/2 + V(y) rises above a threshold becomes `kCopies`
 /// branches, which go on with random numbers of their own. All but one end when they fall below the
 /// threshold that made them. On level i, between the thresholds i and i + 1, there are kCopies^i
 /// branches for one, and what they see counts kCopies^-i: an unbiased estimate of the same time
@@ -23,9 +20,11 @@ class Splitting {
  public:
   static constexpr int kCopies = 4;
 
+  /// @param potential V, 0 at the least
   /// @param thresholds increasing energies; may be empty
   /// @param largest_energy of the bins in which energies are counted
-  Splitting(const problem::System& system, std::vector<double> thresholds, double largest_energy);
+  Splitting(const problem::Polynomial& potential, std::vector<double> thresholds,
+            double largest_energy);
 
   double weight(int level) const { return weights_[static_cast<std::size_t>(level)]; }
   int levels() const { return static_cast<int>(thresholds_.size()); }

@@ -109,12 +109,18 @@ struct GeneralBranch {
   double bouncing = -1;
 };
 
+/// A branch of a stream that is to be followed.
+struct WaitingBranch {
+  Branch branch;
+  GeneralBranch general;
+};
+
 /// One realisation with its random numbers and what it has seen.
 struct Stream {
   Branch branch;
   ImpulseSource source;
   StreamRecord record;
-  std::vector<Branch> waiting{};  ///< branches to be followed, the stream itself first
+  std::vector<WaitingBranch> waiting{};  ///< branches to be followed, the stream itself first
   GeneralBranch general{};
   NoiseSource noise{0, 0};  ///< for Gaussian noise
 

@@ -52,10 +52,13 @@ void write_series(results::NetCdfWriter& file, const TransientRun& run, int time
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     series(name, symbol, [of = moment](const Snapshot& s) { return s.moments.*of; });
   }
+  series("yv", "E[y y']", &Snapshot::yv);
   series("energy", "mean energy E[y'^2]/2 + E[U(y)], U the potential of the spring",
          &Snapshot::energy);
-  series("power", "power of the impulses less that lost by damping and impacts", &Snapshot::power);
-  series("power_residual", "power less the rate of the mean energy, relative to lambda E[Y^2]/2",
+  series("power", "power of the excitation less that lost by damping and impacts",
+         &Snapshot::power);
+  series("power_residual",
+         "power less the rate of the mean energy, relative to D + lambda E[Y^2]/2",
          &Snapshot::power_residual);
   series("impact_rate", "impacts per unit time", &Snapshot::impact_rate);
   series("mass", "integral of the density", &Snapshot::mass);
@@ -65,9 +68,7 @@ void write_series(results::NetCdfWriter& file, const TransientRun& run, int time
 
 void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
   file.attribute("Conventions", "CF-1.8");
-  file.attribute("title",
-                 "marginal densities over time of a vibro-impact Duffing oscillator under "
-                 "Poisson impulses");
+  file.attribute("title", "marginal densities over time of a randomly excited oscillator");
   const auto program = results::this_program(run.command);
   file.attribute("source", fmt::format("{} {}", program.name, program.version));
   file.attribute("command", program.command);
@@ -78,6 +79,8 @@ void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
   file.attribute("order", run.options.order);
   file.attribute("start_displacement_deviation", run.result.start_displacement);
   file.attribute("start_velocity_deviation", run.result.start_velocity);
+  file.attribute("start_mean_displacement", run.result.start_mean_displacement);
+  file.attribute("start_mean_velocity", run.result.start_mean_velocity);
   file.attribute("time_tolerance", run.transient.relative_tolerance);
   file.attribute("status", std::string(transform::name(run.result.status)));
   file.attribute("reason", run.result.reason);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "report/figure/drawing.hpp"
 #include "report/table.hpp"
 #include "report/text/wrapped.hpp"
@@ -16,10 +18,17 @@ using report::wrapped;
 
 constexpr const char* kFile = "transient.nc";
 
+// Without the sign of what is 0 in five digits.
+double in_five_digits(double value) {
+  constexpr double kHalfADigit = 5e-6;
+  return std::abs(value) < kHalfADigit ? 0 : value;
+}
+
 std::string row(const Snapshot& s) {
   const auto& m = s.moments;
   return fmt::format("{:>8.4g} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.1e} {:>8.1e}\n",
-                     s.time, m.y1, m.y2, m.v1, m.v2, s.energy, s.mass - 1, s.power_residual);
+                     s.time, in_five_digits(m.y1), m.y2, in_five_digits(m.v1), m.v2,
+                     in_five_digits(s.energy), s.mass - 1, s.power_residual);
 }
 
 }  // namespace
@@ -28,11 +37,13 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
   constexpr std::size_t kMostRows = 24;
   const auto& result = run.result;
   std::string text = wrapped(report::case_title(run.problem), width);
-  text +=
-      wrapped(fmt::format("{}/{} from a Gaussian of deviations {:.4g} (y) and {:.4g} (y')",
-                          problem::name(run.options.equation), problem::name(run.options.impact),
-                          result.start_displacement, result.start_velocity),
-              width);
+  text += wrapped(
+      fmt::format("{}/{} from a Gaussian about ({:.4g}, {:.4g}) of deviations {:.4g} (y) and "
+                  "{:.4g} (y')",
+                  problem::name(run.options.equation), problem::name(run.options.impact),
+                  result.start_mean_displacement, result.start_mean_velocity,
+                  result.start_displacement, result.start_velocity),
+      width);
   const std::size_t last = result.snapshots.empty() ? 0 : result.snapshots.size() - 1;
   const std::size_t every = last / kMostRows + 1;
   if (!result.snapshots.empty()) {
@@ -47,11 +58,12 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
   }
   if (!result.snapshots.empty()) {
     text += wrapped(
-        fmt::format("power: residual of the balance of power, relative to lambda E[Y^2]/2. {} x {} "
-                    "cells, {} steps, {} factorisations{}.",
-                    result.y_edges.size() - 1, result.v_edges.size() - 1, result.steps,
-                    result.factorisations,
-                    every == 1 ? "" : fmt::format("; each {}. snapshot is shown", every)),
+        fmt::format(
+            "power: residual of the balance of power, relative to D + lambda E[Y^2]/2. {} x {} "
+            "cells, {} steps, {} factorisations{}.",
+            result.y_edges.size() - 1, result.v_edges.size() - 1, result.steps,
+            result.factorisations,
+            every == 1 ? "" : fmt::format("; each {}. snapshot is shown", every)),
         width);
   }
   return text;

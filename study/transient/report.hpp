@@ -44,8 +44,8 @@ std::string transient_figure(const TransientRun& run, const std::string& file_st
 ///     coordinates  time(time), y(y), ydot(ydot): centres of cells; their edges are in
 ///                  y_bounds(y, bounds), ydot_bounds(ydot, bounds)
 ///     marginals    p_y(time, y), p_ydot(time, ydot): averages over cells
-///     over time    y1, y2, y4, v1, v2, v4 (moments as in summary.json), energy, power,
-///                  power_residual, impact_rate, mass, min_density
+///     over time    y1, y2, y4, v1, v2, v4 (moments as in summary.json), yv = E[y y'], energy,
+///                  power, power_residual, impact_rate, mass, min_density
 ///
 /// The global attributes hold the command, the case, the options, the start and the status. All is
 /// non-dimensional. The file is either whole or as it was.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -13,13 +14,14 @@ using results::Json;
 Json snapshot_json(const fd_fpk::Snapshot& s) {
   return {{"time", s.time},
           {"moments", results::moments_json(s.moments)},
+          {"yv", s.yv},
           {"energy", s.energy},
           {"power", s.power},
           {"power_residual", s.power_residual},
           {"impact_rate", s.impact_rate},
           {"mass", s.mass},
           {"min_density", s.min_density},
-          {"wall_density", {{"y", s.wall.x1}, {"ydot", s.wall.x2}}}};
+          {"wall_density", {{"y", std::max(s.wall.x1, s.wall.x1_low)}, {"ydot", s.wall.x2}}}};
 }
 
 Json options_json(const TransientRun& run) {
@@ -45,7 +47,11 @@ std::string transient_json(const TransientRun& run) {
                   {"status", transform::name(result.status)},
                   {"reason", result.reason},
                   {"seconds", result.seconds},
-                  {"start", {{"y", result.start_displacement}, {"ydot", result.start_velocity}}},
+                  {"start",
+                   {{"y", result.start_displacement},
+                    {"ydot", result.start_velocity},
+                    {"mean_y", result.start_mean_displacement},
+                    {"mean_ydot", result.start_mean_velocity}}},
                   {"nx", result.y_edges.empty() ? 0 : result.y_edges.size() - 1},
                   {"nv", result.v_edges.empty() ? 0 : result.v_edges.size() - 1},
                   {"steps", result.steps},

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "exact/closed_forms.hpp"
-#include "fd_fpk/operator/turning_point.hpp"
 #include "fd_fpk/options.hpp"
+#include "problem/undamped_orbits.hpp"
 #include "transform/solution.hpp"
 
 /// White noise and an elastic impact, where the density is known: for a test and a benchmark.
@@ -22,7 +22,7 @@ inline fd_fpk::Options elastic_white_noise(const problem::Problem& p, int order,
           .order = order,
           .nx = nx,
           .nv = nv,
-          .x1_max = fd_fpk::turning_point(p.system, v2 / 2),
+          .x1_max = problem::UndampedOrbits(p).swings(v2 / 2).back().right,
           .x2_max = std::sqrt(v2),
           .error_estimate = false};
 }

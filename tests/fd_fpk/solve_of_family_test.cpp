@@ -10,8 +10,6 @@
 #include "family.hpp"
 #include "fd_fpk/offered.hpp"
 #include "fd_fpk/solve.hpp"
-#include "fd_fpk/transient.hpp"
-#include "parameters/input_error.hpp"
 #include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -245,12 +243,6 @@ TEST(OfferedOfFiniteDifferences, RefusesWhatHasNoDensityOrIsThePapersAlone) {
   EXPECT_EQ(objection(tests::in_frame(pressed), kf), "");
   EXPECT_NE(objection(tests::in_frame(pressed), {.equation = Equation::km4_pade}), "");
   EXPECT_EQ(objection(tests::in_frame(pressed), white), "");
-}
-
-TEST(TransientOfFamily, IsRefused) {
-  const Problem p =
-      tests::with_noise(System({.damping = 0.2, .stiffness = 1}, {.none = true}), 0.4);
-  EXPECT_THROW(integrate(p, {}, {.until = 1}), InputError);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ TEST(TransientOptions, ComeBackFromTheirValues) {
                                           .snapshots = 11,
                                           .start_displacement = 0.3,
                                           .start_velocity = 0.4,
+                                          .start_mean_displacement = -0.2,
+                                          .start_mean_velocity = 0.1,
                                           .relative_tolerance = 1e-4,
                                           .max_order = 3});
   EXPECT_EQ(description.values(description.read(values, "options")), values);
@@ -25,8 +27,9 @@ TEST(TransientOptions, ComeBackFromTheirValues) {
 TEST(TransientOptions, HaveTheFlagsOfTheCommandLine) {
   std::vector<std::string> flags;
   for (const auto& parameter : transient_description().all()) flags.push_back(parameter.flag);
-  EXPECT_EQ(flags, (std::vector<std::string>{"until", "snapshots", "start-y", "start-v",
-                                             "time-tolerance", ""}));
+  EXPECT_EQ(flags,
+            (std::vector<std::string>{"until", "snapshots", "start-y", "start-v", "start-mean-y",
+                                      "start-mean-v", "time-tolerance", ""}));
 }
 
 TEST(TransientOptions, ThatCannotBeUsedAreRefused) {
@@ -40,6 +43,7 @@ TEST(TransientOptions, ThatCannotBeUsedAreRefused) {
   refused({.until = 1, .snapshots = 0});
   refused({.until = 1, .start_displacement = 0.0});
   refused({.until = 1, .start_velocity = -1.0});
+  refused({.until = 1, .start_mean_displacement = HUGE_VAL});
   refused({.until = 1, .relative_tolerance = 0});
   refused({.until = 1, .max_order = 6});
   refused({.until = 1}, {.tolerance = 1e-4});

@@ -322,17 +322,15 @@ TEST(AnyOscillator, WithWellsThatAreHardlyLeftSaysThatItsStartIsNotForgotten) {
   EXPECT_GT(solution.standard_errors->moments.y1, 0.02);
 }
 
-TEST(AnyOscillator, IsNotOfferedWithTailsNorWhereImpactsAccumulateUnderNoise) {
+TEST(AnyOscillator, IsNotOfferedWhereImpactsAccumulateUnderNoise) {
   const Problem gap = tests::in_frame(with_impulses(
       System({.damping = 0.1, .stiffness = 1}, left_wall(-0.5, 0.1)), gaussian_impulses(1, 0.1)));
   EXPECT_EQ(objection(gap, {}), "");
-  EXPECT_NE(objection(gap, {.tails = true}), "");
   EXPECT_NE(objection(gap, {.equation = Equation::white}).find("accumulate"), std::string::npos);
   Problem noisy = gap;
   noisy.noise.intensity = 0.1;
   EXPECT_NE(objection(noisy, {}).find("accumulate"), std::string::npos);
   EXPECT_EQ(solve(noisy, {.time = 1e3}).solution.status, transform::Status::failed);
-  EXPECT_THROW(solve(gap, {.time = 1e3, .tails = true}), InputError);
 }
 
 TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {

@@ -24,7 +24,7 @@ TEST(Splitting, MakesFourBranchesForOneAboveEachEnergy) {
   const std::vector<std::size_t> copies{1, 4, 16};
   const std::vector<std::vector<double>> thresholds{{2.1}, {1.9, 2.1}, {1.5, 1.9, 2.1}};
   for (std::size_t levels = 0; levels < copies.size(); ++levels) {
-    const Splitting splitting(problem.system, thresholds[levels], 100);
+    const Splitting splitting(problem.system.potential(), thresholds[levels], 100);
     Stream stream = stream_at(problem, 1, 1);
     splitting.begin(stream);
     EXPECT_EQ(stream.waiting.size() + 1, copies[levels]);
@@ -35,7 +35,7 @@ TEST(Splitting, MakesFourBranchesForOneAboveEachEnergy) {
 
 TEST(Splitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   const auto problem = tests::make_problem({.cubic = 4});
-  const Splitting splitting(problem.system, {1.9}, 100);
+  const Splitting splitting(problem.system.potential(), {1.9}, 100);
   Stream stream = stream_at(problem, 1, 1);
   splitting.begin(stream);
   ASSERT_EQ(stream.waiting.size(), 3u);
@@ -43,6 +43,22 @@ TEST(Splitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   splitting.after_impulse(stream);
   EXPECT_EQ(stream.waiting.size(), 2u);
   EXPECT_EQ(stream.branch.level, 1);  // the next one
+}
+
+// Where the oscillator is not the paper's.
+TEST(Splitting, BranchesGoOnBouncingWhereTheyBegan) {
+  const auto problem = tests::make_problem({.cubic = 4});
+  const Splitting splitting(problem.system.potential(), {1.9}, 100);
+  Stream stream = stream_at(problem, 1, 1);
+  stream.general.bouncing = 0.25;
+  splitting.begin(stream);
+  ASSERT_EQ(stream.waiting.size(), 3u);
+  while (!stream.whole()) {
+    EXPECT_EQ(stream.general.bouncing, 0.25);
+    stream.general.bouncing = -1;
+    follow_next(stream);
+  }
+  EXPECT_EQ(stream.general.bouncing, 0.25);
 }
 
 // Energies with P(E > e) = exp(-e): a quarter of them passes from one threshold to the next.
