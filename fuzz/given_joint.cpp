@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "epc/density.hpp"
+#include "methods/given/between_walls.hpp"
 #include "methods/given/form_file.hpp"
 #include "methods/given/joint_table.hpp"
 #include "one_input.hpp"
@@ -11,7 +12,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
   static const problem::Problem problem = problem::load_case("case1");
-  static const methods::DensityPoints points(compare::comparison_axes(problem));
+  static const methods::DensityPoints points(compare::comparison_axes(problem),
+                                             methods::walls_of(problem.system));
   return fuzz::only_input_errors([&] {
     const std::string text(fuzz::text_of(data, size));
     if (text.starts_with('{')) {

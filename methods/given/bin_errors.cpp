@@ -27,7 +27,7 @@ BinError trapezoids(std::span<const double> knots, double lower, double upper) {
 }
 
 // The value at the first knot is v[1] - (v[2] - v[1]) * ratio.
-void continue_straight(BinError& bin, double ratio) {
+void continue_to_first(BinError& bin, double ratio) {
   if (bin.first > 0) {
     --bin.first;
     return;
@@ -40,6 +40,19 @@ void continue_straight(BinError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
+// That at the last one, after so many points, likewise.
+void continue_to_last(BinError& bin, std::size_t points, double ratio) {
+  if (bin.first + bin.factors.size() <= points) return;
+  const double at_last = bin.factors.back();
+  bin.factors.pop_back();
+  while (bin.factors.size() < 2) {
+    bin.factors.insert(bin.factors.begin(), 0);
+    --bin.first;
+  }
+  bin.factors.end()[-1] += at_last * (1 + ratio);
+  bin.factors.end()[-2] -= at_last * ratio;
+}
+
 }  // namespace
 
 double BinError::standard() const {
@@ -47,12 +60,17 @@ double BinError::standard() const {
 }
 
 std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const double> errors,
-                                 std::span<const double> edges) {
+                                 std::span<const double> edges, const Reached& continued) {
+  const std::size_t last = knots.size() - 1;
   std::vector<BinError> bins;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     BinError bin = trapezoids(knots, edges[b], edges[b + 1]);
-    if (knots.size() > errors.size()) {
-      continue_straight(bin, (knots[1] - knots[0]) / (knots[2] - knots[1]));
+    if (continued.left) {
+      continue_to_first(bin, (knots[1] - knots[0]) / (knots[2] - knots[1]));
+    }
+    if (continued.right) {
+      continue_to_last(bin, errors.size(),
+                       (knots[last] - knots[last - 1]) / (knots[last - 1] - knots[last - 2]));
     }
     for (std::size_t k = 0; k < bin.factors.size(); ++k) {
       bin.factors[k] *= errors[bin.first + k] / bin.width;

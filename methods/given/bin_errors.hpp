@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "methods/given/between_walls.hpp"
+
 namespace fpkcheck::methods {
 
 /// The error of a density's average over a bin: the sum of factors[k] * z[first + k], with the
@@ -18,10 +20,11 @@ struct BinError {
 
 /// Errors of averages over bins of a density given at points with independent errors, straight
 /// between them.
-/// @param knots abscissae of the points; where there is one more than `errors`, the density at the
-///        first one continues the straight line through the two after it
+/// @param knots abscissae of the points, and before or after them those to which it is continued
+/// @param continued where the density at the first or last knot, which is no point then, continues
+///        the straight line through the next two
 std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const double> errors,
-                                 std::span<const double> edges);
+                                 std::span<const double> edges, const Reached& continued);
 
 /// How far from the truth chance takes the density, in L1 over the bins.
 struct BinSamplingL1 {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "epc/density.hpp"
+#include "methods/given/between_walls.hpp"
 #include "methods/given/column_meaning.hpp"
 #include "methods/given/form_file.hpp"
 #include "methods/given/joint_table.hpp"
@@ -34,8 +35,9 @@ GivenJoint joint_of_points(JointTable table, const std::string& path) {
     joint.notes.push_back(fmt::format(
         "its p(y, y') ends with {:.2g} of its peak, and beyond it counts as 0", end / peak));
   }
-  joint.values = [table = std::make_shared<const JointTable>(std::move(table))](
+  joint.values = [path, table = std::make_shared<const JointTable>(std::move(table))](
                      const problem::Problem&, const DensityPoints& points) {
+    require_between(points.walls(), table->y.front(), table->y.back(), path);
     return values_at(*table, points);
   };
   return joint;
@@ -61,8 +63,8 @@ GivenJoint joint_of_run(const GivenArgument& argument, const std::string& where,
   const auto& cells = *densities[place];
   GivenJoint joint{.path = where, .form = "joint cells", .numbers = cells.averages.size()};
   const auto finite = [](double p) { return std::isfinite(p); };
-  if (!std::ranges::all_of(cells.averages, finite) || cells.y_edges.front() != 0) {
-    throw InputError(fmt::format("{}: {} is no density on y >= 0", where,
+  if (!std::ranges::all_of(cells.averages, finite)) {
+    throw InputError(fmt::format("{}: {} has values that are not finite", where,
                                  parameters::in_quotes(solutions[place])));
   }
   if (const auto method = registry.by_id(solutions[place])) {
@@ -70,8 +72,9 @@ GivenJoint joint_of_run(const GivenArgument& argument, const std::string& where,
     joint.impact = method->identity.impact;
     joint.order = method->identity.order;
   }
-  joint.values = [own = std::make_shared<const transform::GridDensity>(cells)](
+  joint.values = [where, own = std::make_shared<const transform::GridDensity>(cells)](
                      const problem::Problem&, const DensityPoints& points) {
+    require_between(points.walls(), own->y_edges.front(), own->y_edges.back(), where);
     return values_at(*own, points);
   };
   return joint;
@@ -164,11 +167,11 @@ GivenJoint joint_of_json(const GivenArgument& argument, const std::string& text,
 
 Method method_of(const OwnDensity& own, const GivenJoint& joint) {
   const auto check = [own, joint](const problem::Problem& problem) {
-    const DensityPoints points(compare::comparison_axes(problem));
+    const DensityPoints points(compare::comparison_axes(problem), walls_of(problem.system));
     return require_density(own, points, joint.values(problem, points));
   };
   const auto solve = [own, joint](const problem::Problem& problem, const Setting& setting) {
-    const DensityPoints points(setting.axes);
+    const DensityPoints points(setting.axes, walls_of(problem.system));
     auto values = joint.values(problem, points);
     const double mass = require_density(own, points, values);
     auto solution = solution_of(problem, setting, own,

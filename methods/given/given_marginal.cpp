@@ -21,7 +21,18 @@ namespace {
 
 using transform::Variable;
 
-void require_rows(const NumberTable& table, Variable variable) {
+void require_between(const NumberTable& table, std::size_t row, double y,
+                     const problem::Walls& walls) {
+  if (is_between(walls, y)) return;
+  // Only names can have said so, or the file is of another case.
+  table.fail(row,
+             fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' if the "
+                         "density is that of y')",
+                         y, parameters::in_quotes(fmt::format("{}", fmt::join(table.names, ","))),
+                         between(walls)));
+}
+
+void require_rows(const NumberTable& table, const problem::Walls& walls) {
   constexpr std::size_t kFewest = 4;  // of the interpolants
   const std::size_t last = table.rows.size() - 1;
   if (table.rows.size() < kFewest) {
@@ -33,13 +44,7 @@ void require_rows(const NumberTable& table, Variable variable) {
       table.fail(k, fmt::format("{} after {} (must increase{})", x, table.rows[k - 1][0],
                                 table.columns() == 3 ? "; of a joint density, name y,v,p" : ""));
     }
-    if (variable == Variable::y && x < 0) {
-      // Only names can have said so.
-      table.fail(
-          k, fmt::format("y = {:g} under the names {} (must not be negative; name the "
-                         "abscissa 'v' if the density is that of y')",
-                         x, parameters::in_quotes(fmt::format("{}", fmt::join(table.names, ",")))));
-    }
+    require_between(table, k, x, walls);
   }
 }
 
@@ -61,8 +66,9 @@ double integral(const Function& f, double a, double b) {
 
 }  // namespace
 
-GivenMarginal::GivenMarginal(const NumberTable& table) : variable_(variable_of(table)) {
-  require_rows(table, variable_);
+GivenMarginal::GivenMarginal(const NumberTable& table, const problem::Walls& walls)
+    : variable_(variable_of(table)), walls_(variable_ == Variable::y ? walls : problem::Walls{}) {
+  require_rows(table, walls_);
   const bool histogram = is_histogram(table);
   file_.path = table.source;
   file_.form = histogram ? "histogram" : "points";
@@ -82,6 +88,7 @@ void GivenMarginal::read_histogram(const NumberTable& table) {
       table.fail(k, fmt::format("a bin from {:g} after one to {:g} (bins must join)", lower,
                                 knots_.back()));
     }
+    require_between(table, k, upper, walls_);
     knots_.push_back(upper);
   }
   const BinValue value = bin_value(table);
@@ -107,11 +114,21 @@ void GivenMarginal::read_points(const NumberTable& table) {
     require_not_negative(table, 2, "standard error");
     errors_ = table.column(2);
   }
-  const double first = knots_[0], spacing = knots_[1] - knots_[0];
-  if (variable_ == Variable::y && first > 0 && first <= spacing) {
-    const double at_wall = values[0] - (values[1] - values[0]) / spacing * first;
-    knots_.insert(knots_.begin(), 0);
-    values.insert(values.begin(), std::max(at_wall, 0.0));
+  continued_ = reached_from(walls_, knots_);
+  const auto on = [&](std::size_t first, double at) {  // the line through two points
+    const double slope = (values[first + 1] - values[first]) / (knots_[first + 1] - knots_[first]);
+    return std::max(values[first] + slope * (at - knots_[first]), 0.0);
+  };
+  const std::size_t before_last = knots_.size() - 2;
+  if (continued_.right) {
+    const double wall = walls_.right->position;
+    values.push_back(on(before_last, wall));
+    knots_.push_back(wall);
+  }
+  if (continued_.left) {
+    const double wall = walls_.left->position;
+    values.insert(values.begin(), on(0, wall));
+    knots_.insert(knots_.begin(), wall);
   }
   using Akima = boost::math::interpolators::makima<std::vector<double>>;
   auto x = knots_;
@@ -171,8 +188,8 @@ void GivenMarginal::note_cut_ends() {
         fmt::format("its {} ends at {:.4g} with {:.2g} of its peak, and beyond it counts as 0",
                     variable_ == Variable::y ? "p(y)" : "p(y')", end, share));
   };
-  if (variable_ == Variable::ydot || knots_.front() > 0) note(knots_.front());
-  note(knots_.back());
+  if (!is_at(walls_.left, knots_.front())) note(knots_.front());
+  if (!is_at(walls_.right, knots_.back())) note(knots_.back());
 }
 
 double GivenMarginal::cumulative(double x) const {
@@ -193,7 +210,7 @@ transform::Marginal GivenMarginal::on(std::span<const double> edges) const {
   }
   if (!has_errors()) return result;
   constexpr double kTwoSided95 = 1.959964;
-  const auto errors = bin_errors(knots_, errors_, edges);
+  const auto errors = bin_errors(knots_, errors_, edges, continued_);
   for (std::size_t b = 0; b < result.size(); ++b) {
     const double half = kTwoSided95 * scale_ * errors[b].standard();
     result.lower.push_back(std::max(result.density[b] - half, 0.0));
@@ -216,7 +233,8 @@ double GivenMarginal::moment(int power) const {
 }
 
 BinSamplingL1 GivenMarginal::sampling_l1(std::span<const double> edges) const {
-  const auto [expected, in_99] = methods::sampling_l1(bin_errors(knots_, errors_, edges));
+  const auto [expected, in_99] =
+      methods::sampling_l1(bin_errors(knots_, errors_, edges, continued_));
   return {scale_ * expected, scale_ * in_99};
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/given/between_walls.hpp"
 #include "methods/given/bin_errors.hpp"
 #include "methods/given/column_meaning.hpp"
 #include "methods/given/number_table.hpp"
@@ -30,13 +31,14 @@ struct GivenFile {
 /// Two columns are abscissa and density; three are those of a histogram (is_histogram), else
 /// abscissa, density and standard error. Between points the density is Akima's modified
 /// interpolant; within the bins of a histogram it is the slope of the cumulative's monotone cubic.
-/// From a first point of y that is no farther from the wall than from the second, it is continued
-/// to the wall by a straight line. Elsewhere outside the file's range it is 0.
+/// From a first or last point of y that is no farther from the wall than from its neighbour, it is
+/// continued to the wall by a straight line. Elsewhere outside the file's range it is 0.
 class GivenMarginal {
  public:
   /// @param table of the columns above
+  /// @param walls between which y lies
   /// @throws InputError SOURCE:LINE: what is wrong and what is allowed
-  explicit GivenMarginal(const NumberTable& table);
+  GivenMarginal(const NumberTable& table, const problem::Walls& walls);
 
   transform::Variable variable() const { return variable_; }
 
@@ -65,11 +67,13 @@ class GivenMarginal {
   double cumulative(double x) const;
 
   transform::Variable variable_;
+  problem::Walls walls_;            // of y
+  Reached continued_;               // to which of them
   std::vector<double> knots_;       // edges or points
   std::vector<double> cumulative_;  // at the knots
   std::function<double(double)> density_;
   double scale_ = 1;            // of density_, to have mass 1
-  std::vector<double> errors_;  // standard errors of the file's points (the last knots), or empty
+  std::vector<double> errors_;  // standard errors of the file's points, or empty
   GivenFile file_;
 };
 

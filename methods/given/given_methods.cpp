@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "methods/given/argument.hpp"
+#include "methods/given/between_walls.hpp"
 #include "methods/given/file_content.hpp"
 #include "methods/given/given_joint.hpp"
 #include "methods/given/given_marginal.hpp"
@@ -74,7 +75,8 @@ void add_sampling(const GivenMarginal& marginal, const std::vector<double>& bins
   (of_y ? sampling.y_99 : sampling.ydot_99) = in_99;
 }
 
-// Of one with both marginals: what arrives at the wall is in neither.
+// Of one with both marginals: what arrives at walls is in neither, nor are joint moments. It is
+// stated in the frame.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const std::vector<GivenMarginal>& marginals) {
   const auto of = [&](Variable variable) {
@@ -82,15 +84,23 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   };
   const auto y = of(Variable::y), ydot = of(Variable::ydot);
   if (y == marginals.end() || ydot == marginals.end()) return {};
-  const auto virial = problem.system.force().times_argument();
-  double mean_virial = 0;
+  const problem::System& system = problem.system;
+  if ((system.left() && system.right()) || system.rayleigh() != 0) return {};
+  const problem::Frame frame = problem::frame_of(system);
+  const problem::Problem seen = problem::seen_from(frame, problem);
+  // As polynomials of y.
+  const auto in_y = [&](const problem::Polynomial& of_x) {
+    return of_x.of_shifted(frame.inverse().origin, frame.sign());
+  };
+  const auto virial = in_y(seen.system.force().times_argument());
+  double mean_virial = virial.coefficient(0) * y->moment(0);
   for (std::size_t n = 1; n <= virial.degree(); ++n) {
     if (virial.coefficient(n) == 0) continue;
     mean_virial += virial.coefficient(n) * y->moment(static_cast<int>(n));
   }
-  return {.virial = problem::virial_balance(problem, {.mean_displacement = y->moment(1),
-                                                      .mean_square_velocity = ydot->moment(2),
-                                                      .mean_virial = mean_virial})
+  return {.virial = problem::virial_balance(seen, {.mean_displacement = frame.x(y->moment(1)),
+                                                   .mean_square_velocity = ydot->moment(2),
+                                                   .mean_virial = mean_virial})
                         .residual()};
 }
 
@@ -122,14 +132,28 @@ transform::Solution solution_of(const problem::Problem& problem,
     solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
   }
   observe(observer, balance_residuals(problem, marginals));
+  note_rest(problem, observer);
   solution.observations = observer.take();
   return solution;
+}
+
+// A marginal that has its walls only with a case.
+struct MarginalFile {
+  NumberTable table;
+  Variable variable;
+};
+
+std::vector<GivenMarginal> between_walls_of(const problem::Problem& problem,
+                                            const std::vector<MarginalFile>& files) {
+  std::vector<GivenMarginal> marginals;
+  for (const auto& file : files) marginals.emplace_back(file.table, walls_of(problem.system));
+  return marginals;
 }
 
 // What the arguments of one label say.
 struct Given {
   OwnDensity own;
-  std::vector<GivenMarginal> marginals;
+  std::vector<MarginalFile> marginals;
   std::optional<GivenJoint> joint;
 };
 
@@ -162,14 +186,15 @@ void state(const GivenArgument& argument, const GivenJoint* joint, OwnDensity& o
   }
 }
 
-void add_marginal(GivenMarginal marginal, Given& given) {
-  if (std::ranges::find(given.marginals, marginal.variable(), &GivenMarginal::variable) !=
+void add_marginal(NumberTable table, Given& given) {
+  const Variable variable = GivenMarginal(table, {}).variable();
+  if (std::ranges::find(given.marginals, variable, &MarginalFile::variable) !=
       given.marginals.end()) {
     throw InputError(
         fmt::format("two files of '{}' are densities of {} (give one of them another label)",
-                    given.own.label, marginal.variable() == Variable::y ? "y" : "y'"));
+                    given.own.label, variable == Variable::y ? "y" : "y'"));
   }
-  given.marginals.push_back(std::move(marginal));
+  given.marginals.push_back({std::move(table), variable});
 }
 
 void read_into(const GivenArgument& argument, const std::string& case_name,
@@ -187,11 +212,11 @@ void read_into(const GivenArgument& argument, const std::string& case_name,
                                    argument.solution ? "solution" : "case"));
     }
     std::istringstream in(std::move(bytes));
-    const auto table = read_number_table(in, argument.file.string());
+    auto table = read_number_table(in, argument.file.string());
     if (is_joint(table)) {
       joint = joint_of_table(table);
     } else {
-      add_marginal(GivenMarginal(table), given);
+      add_marginal(std::move(table), given);
     }
   }
   if (given.joint || (joint && !given.marginals.empty())) {
@@ -203,11 +228,13 @@ void read_into(const GivenArgument& argument, const std::string& case_name,
   given.joint = std::move(joint);
 }
 
-Method method_of_marginals(const OwnDensity& own, const std::vector<GivenMarginal>& marginals) {
+Method method_of_marginals(const OwnDensity& own, const std::vector<MarginalFile>& files) {
   return {.identity = identity_of(own, transform::kGivenInFile, "from a file"),
-          .solve = [marginals](const problem::Problem& problem, const Setting& setting) {
-            return solution_of(problem, marginals, setting.axes);
-          }};
+          .solve =
+              [files](const problem::Problem& problem, const Setting& setting) {
+                return solution_of(problem, between_walls_of(problem, files), setting.axes);
+              },
+          .check = [files](const problem::Problem& problem) { between_walls_of(problem, files); }};
 }
 
 }  // namespace

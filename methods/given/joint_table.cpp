@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/given/between_walls.hpp"
 #include "methods/given/column_meaning.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
@@ -61,11 +62,6 @@ class Line {
   boost::math::interpolators::makima<std::vector<double>> cubic_;
 };
 
-// Where the first y is about half a cell from the wall.
-bool reaches_the_wall(const std::vector<double>& y) {
-  return y.front() > 0 && y.front() <= y[1] - y[0];
-}
-
 }  // namespace
 
 bool is_joint(const NumberTable& table) {
@@ -106,14 +102,19 @@ JointTable joint_table_of(const NumberTable& table) {
 void require_usable(const JointTable& table, const std::string& source) {
   require_axis(table.y, "y", source);
   require_axis(table.v, "y'", source);
-  if (table.y.front() < 0) {
-    throw InputError(fmt::format("{}: y = {:g} (must not be negative)", source, table.y.front()));
-  }
   for (std::size_t k = 0; k < table.p.size(); ++k) {
     if (std::abs(table.p[k]) < kLargestOfATable) continue;
     throw InputError(fmt::format("{}: p({:g}, {:g}) = {:g} (must be finite, and below {:g})",
                                  source, table.y[k / table.v.size()], table.v[k % table.v.size()],
                                  table.p[k], kLargestOfATable));
+  }
+}
+
+void require_between(const problem::Walls& walls, double from, double to,
+                     const std::string& source) {
+  for (const double y : {from, to}) {
+    if (is_between(walls, y)) continue;
+    throw InputError(fmt::format("{}: y = {:g} (must be {})", source, y, between(walls)));
   }
 }
 
@@ -127,15 +128,20 @@ std::vector<double> values_at(const JointTable& table, const DensityPoints& poin
     for (std::size_t j = 0; j < columns.size(); ++j) columns[j].push_back(along_v(points.v()[j]));
   }
   auto y = table.y;
-  const bool to_the_wall = reaches_the_wall(y);
-  if (to_the_wall) y.insert(y.begin(), 0);
+  const auto to_walls = reached_from(points.walls(), y);
+  if (to_walls.left) y.insert(y.begin(), points.walls().left->position);
+  if (to_walls.right) y.push_back(points.walls().right->position);
   std::vector<double> values(points.y().size() * columns.size());
   for (std::size_t j = 0; j < columns.size(); ++j) {
     auto& column = columns[j];
-    if (to_the_wall) {
-      const double slope = (column[1] - column[0]) / (table.y[1] - table.y[0]);
-      column.insert(column.begin(), std::max(column[0] - slope * table.y[0], least));
-    }
+    const auto on = [&](std::size_t first, double at) {  // the line through two values
+      const double slope =
+          (column[first + 1] - column[first]) / (table.y[first + 1] - table.y[first]);
+      return std::max(column[first] + slope * (at - table.y[first]), least);
+    };
+    const double at_left = to_walls.left ? on(0, y.front()) : 0;
+    if (to_walls.right) column.push_back(on(ny - 2, y.back()));
+    if (to_walls.left) column.insert(column.begin(), at_left);
     const Line along_y(y, std::move(column));
     for (std::size_t i = 0; i < points.y().size(); ++i) {
       values[i * columns.size() + j] = std::max(along_y(points.y()[i]), least);
@@ -150,15 +156,19 @@ std::vector<double> values_at(const transform::GridDensity& cells, const Density
                                          edges_of_parts(points.v_edges()));
   const std::size_t nv = parts.nv();
   std::vector<double> values;
-  values.reserve((parts.ny() + 1) * nv);
-  // At the wall, where no part is: on the line through the first two.
+  values.reserve((parts.ny() + 2) * nv);
+  // At a wall, where no part is: on the line through the next two.
   const auto centre = [&](std::size_t i) { return (parts.y_edges[i] + parts.y_edges[i + 1]) / 2; };
-  const double share = centre(0) / (centre(1) - centre(0));
-  for (std::size_t j = 0; j < nv; ++j) {
-    const double first = parts.average(0, j), second = parts.average(1, j);
-    values.push_back(std::max(first - share * (second - first), least));
-  }
+  const auto add_wall = [&](double wall, std::size_t next, std::size_t after) {
+    const double share = (centre(next) - wall) / (centre(after) - centre(next));
+    for (std::size_t j = 0; j < nv; ++j) {
+      const double first = parts.average(next, j), second = parts.average(after, j);
+      values.push_back(std::max(first - share * (second - first), least));
+    }
+  };
+  if (points.begin_at_wall()) add_wall(parts.y_edges.front(), 0, 1);
   for (const double average : parts.averages) values.push_back(std::max(average, least));
+  if (points.end_at_wall()) add_wall(parts.y_edges.back(), parts.ny() - 1, parts.ny() - 2);
   return values;
 }
 

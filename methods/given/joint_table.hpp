@@ -10,7 +10,7 @@ namespace fpkcheck::methods {
 
 /// A joint density as a file has it, point by point on a rectangular grid.
 struct JointTable {
-  std::vector<double> y, v;  ///< increasing, four at least; y >= 0
+  std::vector<double> y, v;  ///< increasing, four at least
   std::vector<double> p;     ///< row-major, shape (y, v)
 };
 
@@ -22,13 +22,17 @@ bool is_joint(const NumberTable& table);
 /// @throws InputError on one line: a point that is missing or there twice, too few of them
 JointTable joint_table_of(const NumberTable& table);
 
-/// @throws InputError SOURCE: problem, where the axes do not increase, are too short, have y < 0,
-///         or a number is not finite or too large
+/// @throws InputError SOURCE: problem, where the axes do not increase, are too short, or a number
+///         is not finite or too large
 void require_usable(const JointTable& table, const std::string& source);
 
+/// @throws InputError SOURCE: problem, where a first or last y lies behind a wall
+void require_between(const problem::Walls& walls, double from, double to,
+                     const std::string& source);
+
 /// Its values at the points: Akima's modified interpolant along y' and then along y, as of
-/// marginals (GivenMarginal), no lower than the least value of the table. From a first y that
-/// is no farther from the wall than from the second it is continued to the wall by straight
+/// marginals (GivenMarginal), no lower than the least value of the table. From a first or last y
+/// that is no farther from the wall than from its neighbour it is continued to the wall by straight
 /// lines. Elsewhere outside the table it is 0.
 /// @return row-major, shape (points.y(), points.v())
 std::vector<double> values_at(const JointTable& table, const DensityPoints& points);

@@ -47,6 +47,10 @@ struct OwnFunction {
 Method own_function(const OwnDensity& own, const OwnFunction& how, const DensityPoints& points,
                     std::vector<double> values);
 
+/// Says, as notes[0], that the mass which rests in contact (problem::Features) is no part of a
+/// density of one's own.
+void note_rest(const problem::Problem& problem, transform::Observer& observer);
+
 /// The integral of values as own_function takes them.
 /// @throws InputError as own_function
 double require_density(const OwnDensity& own, const DensityPoints& points,

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
+#include "methods/given/between_walls.hpp"
 #include "methods/given/bin_errors.hpp"
 #include "parameters/input_error.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -32,10 +35,23 @@ std::optional<std::size_t> bin_of(const std::vector<double>& edges, double value
   return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin()) - 1;
 }
 
-// Shares of the samples, and their errors.
-void put_marginal(const std::vector<double>& edges, const std::vector<double>& values,
+// Those that do not rest in contact with a wall.
+Samples moving(const Samples& samples, const problem::Problem& problem) {
+  if (!problem::features(problem).rests_in_contact) return samples;
+  const problem::Walls walls = walls_of(problem.system);
+  Samples left{{}, {}, samples.independent};
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double y = samples.y[k];
+    if (samples.v[k] == 0 && (is_at(walls.left, y) || is_at(walls.right, y))) continue;
+    left.y.push_back(y);
+    left.v.push_back(samples.v[k]);
+  }
+  return left;
+}
+
+// Shares of all `n` samples, and their errors.
+void put_marginal(const std::vector<double>& edges, const std::vector<double>& values, double n,
                   double independent, Variable variable, Solution& solution) {
-  const double n = static_cast<double>(values.size());
   std::vector<double> shares(edges.size() - 1);
   for (const double value : values) {
     if (const auto bin = bin_of(edges, value)) shares[*bin] += 1 / n;
@@ -74,29 +90,32 @@ void put_moments(const Samples& samples, Solution& solution) {
   }
 }
 
-Solution solution_of(const Samples& samples, const compare::ComparisonAxes& axes) {
+Solution solution_of(const Samples& samples, const problem::Problem& problem,
+                     const compare::ComparisonAxes& axes) {
   Solution solution;
   solution.status = Status::ok;
   solution.energy_residual = kNotKnown;
   solution.standard_errors.emplace().energy_residual = kNotKnown;
   transform::GridDensity grid{axes.y_edges, axes.v_edges, {}};
   grid.averages.assign(grid.ny() * grid.nv(), 0.0);
-  const double each = 1 / static_cast<double>(samples.size());
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const auto i = bin_of(grid.y_edges, samples.y[k]), j = bin_of(grid.v_edges, samples.v[k]);
+  const double n = static_cast<double>(samples.size()), each = 1 / n;
+  const Samples counted = moving(samples, problem);
+  for (std::size_t k = 0; k < counted.size(); ++k) {
+    const auto i = bin_of(grid.y_edges, counted.y[k]), j = bin_of(grid.v_edges, counted.v[k]);
     if (!i || !j) continue;
     solution.mass += each;
     grid.averages[*i * grid.nv() + *j] += each / ((grid.y_edges[*i + 1] - grid.y_edges[*i]) *
                                                   (grid.v_edges[*j + 1] - grid.v_edges[*j]));
   }
   solution.density = std::move(grid);
-  put_marginal(axes.y_edges, samples.y, samples.independent, Variable::y, solution);
-  put_marginal(axes.v_edges, samples.v, samples.independent, Variable::ydot, solution);
+  put_marginal(axes.y_edges, counted.y, n, samples.independent, Variable::y, solution);
+  put_marginal(axes.v_edges, counted.v, n, samples.independent, Variable::ydot, solution);
   put_moments(samples, solution);
-  solution.observations = transform::Observer()
-                              .work("samples", transform::counted(samples.size()))
-                              .work("independent", samples.independent)
-                              .take();
+  transform::Observer observer;
+  observer.work("samples", transform::counted(samples.size()))
+      .work("independent", samples.independent);
+  note_rest(problem, observer);
+  solution.observations = observer.take();
   return solution;
 }
 
@@ -105,14 +124,14 @@ Solution solution_of(const Samples& samples, const compare::ComparisonAxes& axes
 Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<const double> v,
                    double independent) {
   constexpr std::size_t kFewest = 100;
-  const auto refuse = [&own](const std::string& why) {
-    throw InputError(fmt::format("samples '{}': {}", own.label, why));
+  const auto refuse = [label = own.label](const std::string& why) {
+    throw InputError(fmt::format("samples '{}': {}", label, why));
   };
   if (y.size() != v.size()) refuse(fmt::format("{} of y and {} of y'", y.size(), v.size()));
   if (y.size() < kFewest) refuse(fmt::format("{} (must be {} at least)", y.size(), kFewest));
   for (std::size_t k = 0; k < y.size(); ++k) {
-    if (!std::isfinite(y[k]) || !std::isfinite(v[k]) || y[k] < 0) {
-      refuse(fmt::format("y = {:.4g}, y' = {:.4g} (must be finite, and y >= 0)", y[k], v[k]));
+    if (!std::isfinite(y[k]) || !std::isfinite(v[k])) {
+      refuse(fmt::format("y = {:.4g}, y' = {:.4g} (must be finite)", y[k], v[k]));
     }
   }
   const auto all = static_cast<double>(y.size());
@@ -120,13 +139,22 @@ Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<c
     refuse(
         fmt::format("independent = {:g} (must be 0 .. {}, their number)", independent, y.size()));
   }
+  auto samples = std::make_shared<const Samples>(
+      Samples{{y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});
   return {.identity = identity_of(own, transform::kGivenAsFunction, "given as samples"),
-          .solve = [samples = Samples{{y.begin(), y.end()},
-                                      {v.begin(), v.end()},
-                                      independent > 0 ? independent : all}](
-                       const problem::Problem&, const Setting& setting) {
-            return solution_of(samples, setting.axes);
-          }};
+          .solve =
+              [samples](const problem::Problem& problem, const Setting& setting) {
+                return solution_of(*samples, problem, setting.axes);
+              },
+          .check =
+              [samples, refuse](const problem::Problem& problem) {
+                const problem::Walls walls = walls_of(problem.system);
+                for (std::size_t k = 0; k < samples->size(); ++k) {
+                  if (is_between(walls, samples->y[k])) continue;
+                  refuse(fmt::format("y = {:.4g}, y' = {:.4g} (must be {})", samples->y[k],
+                                     samples->v[k], between(walls)));
+                }
+              }};
 }
 
 }  // namespace fpkcheck::methods

@@ -10,8 +10,9 @@ namespace fpkcheck::methods {
 /// errors by chance that are those of independent ones.
 /// @param y, v of each sample
 /// @param independent how many independent ones they are worth; 0: all of them
-/// @throws InputError when they are fewer than 100, of different numbers, not finite, or behind the
-///         wall; when more are said to be independent than there are
+/// Those at rest in contact with a wall, y' = 0 there, are in moments alone: the law has an atom.
+/// @throws InputError when they are fewer than 100, of different numbers or not finite; when more
+///         are said to be independent than there are. The method's check: when one is behind a wall
 Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<const double> v,
                    double independent = 0);
 

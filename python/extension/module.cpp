@@ -25,6 +25,7 @@
 #include "extension/saving.hpp"
 #include "extension/solving.hpp"
 #include "methods/builtin.hpp"
+#include "methods/given/between_walls.hpp"
 #include "methods/given/given_methods.hpp"
 #include "methods/given/label.hpp"
 #include "methods/given/own_density.hpp"
@@ -163,6 +164,10 @@ methods::OwnDensity own_density(const std::string& label,
   return own;
 }
 
+methods::DensityPoints points_between_walls(const problem::Problem& problem) {
+  return {compare::comparison_axes(problem), methods::walls_of(problem.system)};
+}
+
 methods::Method function_method(const problem::Problem& problem, const Array& values,
                                 const std::string& label, std::optional<std::string> equation,
                                 const std::string& impact, bool normalise, double accuracy,
@@ -173,7 +178,7 @@ methods::Method function_method(const problem::Problem& problem, const Array& va
         fmt::format("density '{}': accuracy = {:g} (must be positive)", label, accuracy));
   }
   return methods::own_function(own, {.normalise = normalise, .accuracy = accuracy},
-                               methods::DensityPoints(compare::comparison_axes(problem)),
+                               points_between_walls(problem),
                                {values.data(), values.data() + values.size()});
 }
 
@@ -204,7 +209,7 @@ void bind_methods(py::module_& module) {
     return all;
   });
   module.def("points_of", [](const problem::Problem& problem) {
-    const methods::DensityPoints points(compare::comparison_axes(problem));
+    const methods::DensityPoints points = points_between_walls(problem);
     return std::make_tuple(array(points.y()), array(points.v()));
   });
   module.def("function_method", function_method, py::arg("problem"), py::arg("values"),

@@ -18,14 +18,16 @@ namespace {
 using tests::contains;
 using transform::Variable;
 
-GivenMarginal read(const std::string& text) {
+const problem::Walls kPaper{.left = problem::Wall{0, 1}, .right = {}};
+
+GivenMarginal read(const std::string& text, const problem::Walls& walls = kPaper) {
   std::istringstream in(text);
-  return GivenMarginal(read_number_table(in, "mine.csv"));
+  return {read_number_table(in, "mine.csv"), walls};
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal(const std::string& text, const problem::Walls& walls = kPaper) {
   try {
-    read(text);
+    read(text, walls);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -117,7 +119,7 @@ TEST(GivenMarginal, SaysItsVariableByItsNamesOrElseByItsSigns) {
   EXPECT_EQ(read("x p(y')\n" + rows).variable(), Variable::y);  // both: by the signs
   EXPECT_EQ(read("-1 1\n" + rows).variable(), Variable::ydot);
   EXPECT_TRUE(contains(refusal("y p\n-1 1\n" + rows),
-                       "mine.csv:2: y = -1 under the names 'y,p' (must not be negative"));
+                       "mine.csv:2: y = -1 under the names 'y,p' (must be y >= 0; name"));
   EXPECT_TRUE(contains(refusal("x p\n-1 1\n" + rows), "name the abscissa 'v' if"));
 }
 

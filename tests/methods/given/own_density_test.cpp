@@ -8,6 +8,7 @@
 
 #include "exact/closed_forms.hpp"
 #include "methods/builtin.hpp"
+#include "methods/given/between_walls.hpp"
 #include "methods/given/label.hpp"
 #include "methods/given/own_samples.hpp"
 #include "methods/run_cases.hpp"
@@ -50,7 +51,7 @@ class OwnDensities : public testing::Test {
 
   problem::Problem problem_ = tests::make_problem({.restitution = 1});
   compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
-  DensityPoints points_{axes_};
+  DensityPoints points_{axes_, walls_of(problem_.system)};
   exact::WhiteNoiseDensity exact_{problem_};
 };
 
@@ -119,11 +120,11 @@ TEST_F(OwnDensities, OfNoUseAreRefused) {
                        "2 values (must be 601 x 600)"));
   const std::vector<double> few(99, 1), many(100, 1), behind(100, -1), other(101, 1);
   const auto samples = [&](const auto& y, const auto& v, double independent = 0) {
-    return refusal([&] { own_samples({.label = "a"}, y, v, independent); });
+    return refusal([&] { own_samples({.label = "a"}, y, v, independent).check(problem_); });
   };
   EXPECT_EQ(samples(few, few), "samples 'a': 99 (must be 100 at least)");
   EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y'");
-  EXPECT_TRUE(contains(samples(behind, many), "y = -1, y' = 1 (must be finite, and y >= 0)"));
+  EXPECT_TRUE(contains(samples(behind, many), "y = -1, y' = 1 (must be y >= 0)"));
   EXPECT_TRUE(contains(samples(many, many, 101), "independent = 101 (must be 0 .. 100"));
   EXPECT_EQ(samples(many, many, 100), "accepted");
   const auto all = builtin();

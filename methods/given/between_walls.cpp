@@ -1,0 +1,40 @@
+#include "methods/given/between_walls.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "problem/system.hpp"
+
+namespace fpkcheck::methods {
+
+problem::Walls walls_of(const problem::System& system) { return {system.left(), system.right()}; }
+
+bool is_at(const std::optional<problem::Wall>& wall, double y) {
+  constexpr double kRounding = 1e-6;
+  return wall && std::abs(y - wall->position) <= kRounding * std::abs(wall->position);
+}
+
+bool is_between(const problem::Walls& walls, double y) {
+  const auto& [left, right] = walls;
+  return (!left || y >= left->position || is_at(left, y)) &&
+         (!right || y <= right->position || is_at(right, y));
+}
+
+Reached reached_from(const problem::Walls& walls, const std::vector<double>& y) {
+  const auto& [left, right] = walls;
+  const std::size_t last = y.size() - 1;
+  return {.left = left && !is_at(left, y[0]) && y[0] > left->position &&
+                  y[0] - left->position <= y[1] - y[0],
+          .right = right && !is_at(right, y[last]) && y[last] < right->position &&
+                   right->position - y[last] <= y[last] - y[last - 1]};
+}
+
+std::string between(const problem::Walls& walls) {
+  const auto& [left, right] = walls;
+  if (left && right) return fmt::format("{:g} <= y <= {:g}", left->position, right->position);
+  if (left) return fmt::format("y >= {:g}", left->position);
+  return right ? fmt::format("y <= {:g}", right->position) : "any y";
+}
+
+}  // namespace fpkcheck::methods
