@@ -79,7 +79,7 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
 }
 
 std::string Characteristics::failure() const {
-  if (out_of_time_) return "max-seconds are over before the characteristics are laid";
+  if (out_of_time_) return "max_seconds are over before the characteristics are laid";
   if (!ended()) return "";
   return fmt::format("characteristics visit cells more than {} times", kMostVisits);
 }
