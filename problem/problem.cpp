@@ -47,7 +47,7 @@ std::vector<Section> sections(const Problem& problem) {
   const WallParameters& walls = problem.system.wall_parameters();
   if (!walls.empty()) all.push_back({"wall", wall_description().named_values(walls)});
   if (problem.impulses.present()) {
-    all.push_back({"impulse", impulse_description().values(problem.impulses.parameters())});
+    all.push_back({"impulse", impulse_description().named_values(problem.impulses.parameters())});
   }
   if (problem.noise.present()) {
     all.push_back({"noise", noise_description().values(problem.noise)});

@@ -17,6 +17,20 @@ static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw:
 
 int place_of(const problem::ImpulseLaw::Kind& law) { return static_cast<int>(law.index()); }
 
+// Of a law of problem:: whose StandardAmplitude is DrawnFromPieces.
+std::shared_ptr<const AmplitudePieces> pieces_of(const problem::ImpulseLaw::Kind& law) {
+  return std::visit(
+      []<class Law>(const Law& kind) -> std::shared_ptr<const AmplitudePieces> {
+        if constexpr (std::is_base_of_v<DrawnFromPieces, StandardAmplitude<Law>>) {
+          return std::make_shared<const AmplitudePieces>(
+              interpolated([&](double p, double q) { return kind.standardised_quantile(p, q); }));
+        } else {
+          return {};
+        }
+      },
+      law);
+}
+
 Excitation even_gaussian(double interval, double mean, double variance, double power) {
   return {.arrivals = Excitation::Arrivals::even,
           .interval = interval,
@@ -39,7 +53,8 @@ Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
           .width = std::visit([](const auto& kind) { return kind.width(); }, law),
           .power = impulses.intensity() / 2,
           .shift = 0,
-          .work = impulses.intensity() / 2};
+          .work = impulses.intensity() / 2,
+          .pieces = pieces_of(law)};
 }
 
 Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval) {

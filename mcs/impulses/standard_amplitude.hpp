@@ -3,6 +3,8 @@
 #include "mcs/lanes/elementary.hpp"
 
 namespace fpkcheck::problem {
+struct ExponentialLaw;
+struct GammaLaw;
 struct GaussianLaw;
 struct LaplaceLaw;
 struct TwoPointLaw;
@@ -13,7 +15,7 @@ namespace fpkcheck::mcs {
 
 /// How an amplitude of the law is drawn that has mean 0 and width() 1: `of` two independent numbers
 /// of (0, 1), u with more digits than w (Uniforms). A further law of problem::ImpulseLaw is drawn
-/// by one more of these, in its place of DrawnLaws. (The laws themselves, with all that they
+/// by one more of these, in its place of DrawnLaws: a formula, or DrawnFromPieces. (The laws themselves, with all that they
 /// include, are kept out of what is compiled for several instructions.)
 template <class Law>
 struct StandardAmplitude;
@@ -52,11 +54,24 @@ struct StandardAmplitude<problem::UniformLaw> {
   }
 };
 
+template <>
+struct StandardAmplitude<problem::ExponentialLaw> {
+  template <class Real>
+  FPKCHECK_INLINE static Real of(const Real& u, const Real&) {
+    return -1.0 - logarithm(u);
+  }
+};
+
+/// Of a law that says its standardised_quantile instead.
+struct DrawnFromPieces {};
+template <>
+struct StandardAmplitude<problem::GammaLaw> : DrawnFromPieces {};
+
 template <class... Laws>
 struct LawList {};
 
 /// The laws in the order of problem::ImpulseLaw::Kind.
-using DrawnLaws =
-    LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw>;
+using DrawnLaws = LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw,
+                          problem::UniformLaw, problem::ExponentialLaw, problem::GammaLaw>;
 
 }  // namespace fpkcheck::mcs

@@ -8,6 +8,7 @@
 #include <complex>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "paper_cases.hpp"
 
@@ -70,6 +71,44 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
                   "E[cos(u Y)]");
       expect_mean([&] { return std::sin(u * source.next().amplitude); }, exact.imag(),
                   "E[sin(u Y)]");
+    }
+  }
+}
+
+// Kolmogorov's statistic sqrt(n) sup |F_n - F|, which exceeds 1.95 once in a thousand.
+TEST(ImpulseSource, DrawsAmplitudesWithTheCumulativeOfLawsOfAnySkewness) {
+  for (const auto& [name, skewness] : {std::pair{"exponential", 2.0},
+                                       {"exponential", -2.0},
+                                       {"gamma", 0.01},
+                                       {"gamma", -0.5},
+                                       {"gamma", 1.6},
+                                       {"gamma", -2.0}}) {
+    SCOPED_TRACE(fmt::format("{} {}", name, skewness));
+    const problem::ImpulseTrain train(
+        {.arrival_rate = 1, .law = name, .intensity = 0.3, .mean = 0.1, .skewness = skewness});
+    ImpulseSource source(train, 5, 0);
+    std::vector<double> drawn(kDraws);
+    for (double& y : drawn) y = source.next().amplitude;
+    std::ranges::sort(drawn);
+    double largest = 0;
+    for (int n = 0; n < kDraws; ++n) {
+      const double exact = train.law().cumulative(drawn[static_cast<std::size_t>(n)]);
+      largest = std::max({largest, exact - n / double{kDraws}, (n + 1) / double{kDraws} - exact});
+    }
+    EXPECT_LT(largest * std::sqrt(kDraws), 1.95);
+    EXPECT_GT(largest * std::sqrt(kDraws), 0.3);
+  }
+}
+
+TEST(ImpulseSource, PiecesAreTheQuantilesToTheirTails) {
+  for (const double skewness : {0.01, 0.7, 1.9, 2.0}) {
+    const problem::GammaLaw law{0, 1, skewness};
+    const AmplitudePieces pieces =
+        interpolated([&](double p, double q) { return law.standardised_quantile(p, q); });
+    for (const double p :
+         {0x1p-44, 1e-12, 1e-5, 0.03, 0.24, 0.5, 0.8, 0.97, 1 - 1e-6, 1 - 0x1p-43, 1 - 0x1p-44}) {
+      const double exact = law.standardised_quantile(p, 1 - p);
+      EXPECT_NEAR(pieces(p), exact, 1e-9 * std::max(1.0, std::abs(exact))) << skewness << ' ' << p;
     }
   }
 }
