@@ -82,6 +82,10 @@ std::vector<std::string> ImpulseLaw::known() {
 
 ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviation,
                              const LawShape& shape) {
+  if (!shape.table.empty() && name != TabulatedLaw::kName) {
+    throw InputError(fmt::format(
+        "impulse.table beside impulse.law = {} (leave it out, or take the law tabulated)", name));
+  }
   std::optional<Kind> kind;
   for_each_law([&]<class Law>(const Law&) {
     if (Law::kName == name) kind = law_with<Law>(mean, deviation, shape);

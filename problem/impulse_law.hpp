@@ -12,6 +12,7 @@
 #include "problem/laws/gaussian.hpp"
 #include "problem/laws/laplace.hpp"
 #include "problem/laws/shape.hpp"
+#include "problem/laws/tabulated.hpp"
 #include "problem/laws/two_point.hpp"
 #include "problem/laws/uniform.hpp"
 
@@ -24,8 +25,8 @@ inline constexpr int kMomentCount = 7;
 /// problem/laws, one more alternative of Kind, and how to draw from it (mcs/impulses).
 class ImpulseLaw {
  public:
-  using Kind =
-      std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw, GammaLaw>;
+  using Kind = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw,
+                            GammaLaw, TabulatedLaw>;
 
   /// @throws InputError when the mean is not finite or the width is not a positive number
   explicit ImpulseLaw(const Kind& kind);

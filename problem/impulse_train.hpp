@@ -16,6 +16,8 @@ struct ImpulseParameters {
   double mean;          ///< E[Y], with E[Y]^2 < intensity / arrival_rate
   /// Of Y about its mean, for laws that are not symmetric; theirs unless given.
   std::optional<double> skewness = {};
+  /// Of a tabulated law: the whole table in a word (problem/amplitude_table.hpp).
+  std::optional<std::string> table = {};
 };
 
 /// The parameters as case files, tables and files name them.

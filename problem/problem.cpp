@@ -75,6 +75,12 @@ Problem problem_from(const std::string& name, const std::vector<Section>& sectio
   return problem;
 }
 
+parameters::Value value_shown(const parameters::Parameter& parameter,
+                              const parameters::Value& value) {
+  const auto* word = std::get_if<std::string>(&value);
+  return word != nullptr && parameter.shown ? parameters::Value(parameter.shown(*word)) : value;
+}
+
 std::vector<ShownParameter> shown_parameters(const Problem& problem) {
   std::vector<ShownParameter> shown;
   for (const Section& section : sections(problem)) {
@@ -83,7 +89,7 @@ std::vector<ShownParameter> shown_parameters(const Problem& problem) {
     for (const auto& [name, value] : section.values) {
       const auto& parameter = *(*description)->find(name);
       shown.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,
-                       value, parameter.fallback == value});
+                       value_shown(parameter, value), parameter.fallback == value});
     }
   }
   return shown;

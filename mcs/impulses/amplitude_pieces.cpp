@@ -41,8 +41,11 @@ double AmplitudePieces::operator()(double u) const {
                                       [](double x, const Piece& p) { return x < p.until; });
   const double from = piece == pieces_.begin() ? 0 : (piece - 1)->until;
   const double t = (u - from) / (piece->until - from);
+  // t (f + g) = 2 f s + (g - f) s^2, f and g the densities, by the root that does not cancel
+  const double f = piece->first_density, g = piece->last_density;
+  const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
   double sum = 0;
-  for (std::size_t n = piece->powers.size(); n-- > 0;) sum = sum * t + piece->powers[n];
+  for (std::size_t n = piece->powers.size(); n-- > 0;) sum = sum * s + piece->powers[n];
   return sum;
 }
 
@@ -52,8 +55,25 @@ std::uint64_t AmplitudePieces::checksum() const {
   for (const Piece& piece : pieces_) {
     add(piece.until);
     for (const double power : piece.powers) add(power);
+    add(piece.first_density);
+    add(piece.last_density);
   }
   return sum;
+}
+
+AmplitudePieces in_ranges(const std::vector<AmplitudeRange>& ranges) {
+  std::vector<Piece> pieces;
+  double below = 0;
+  for (const AmplitudeRange& range : ranges) {
+    below += range.probability;
+    if (below <= (pieces.empty() ? 0 : pieces.back().until)) continue;  // no number falls there
+    pieces.push_back({.until = below,
+                      .powers = {range.from, range.to - range.from},
+                      .first_density = range.first_density,
+                      .last_density = range.last_density});
+  }
+  pieces.back().until = 1;
+  return AmplitudePieces(std::move(pieces));
 }
 
 AmplitudePieces interpolated(const std::function<double(double, double)>& quantile) {

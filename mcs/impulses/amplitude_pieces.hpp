@@ -12,10 +12,12 @@ namespace fpkcheck::mcs {
 /// laws that lanes cannot draw by a formula.
 class AmplitudePieces {
  public:
-  /// A polynomial of t, which goes from 0 to 1 on the piece.
+  /// A polynomial of s. On the piece s goes from 0 to 1 as one drawn with a density that is linear
+  /// between two values: with the number itself, where they are equal.
   struct Piece {
     double until;  ///< the number at its end, where the next one begins
     std::array<double, 8> powers;
+    double first_density = 1, last_density = 1;
   };
 
   explicit AmplitudePieces(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
@@ -27,6 +29,16 @@ class AmplitudePieces {
  private:
   std::vector<Piece> pieces_;
 };
+
+/// A piece of the amplitudes from .. to with its probability, the density there linear from one
+/// value to the other; an atom where they are the same.
+struct AmplitudeRange {
+  double from, to;
+  double probability;
+  double first_density = 1, last_density = 1;
+};
+/// Of increasing ranges with probabilities that sum to 1.
+AmplitudePieces in_ranges(const std::vector<AmplitudeRange>& ranges);
 
 /// Of a quantile function of p and q = 1 - p, of which the smaller one has all its digits, that is
 /// smooth inside (0, 1): on each piece, a quarter of an octave of u or

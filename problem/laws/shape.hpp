@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 namespace fpkcheck::problem {
 
@@ -9,6 +10,8 @@ namespace fpkcheck::problem {
 struct LawShape {
   /// E[(Y - mean)^3] / deviation^3.
   std::optional<double> skewness = {};
+  /// A table of amplitudes (problem/amplitude_table.hpp).
+  std::string table = {};
 };
 
 }  // namespace fpkcheck::problem

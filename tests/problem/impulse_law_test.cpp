@@ -9,20 +9,31 @@
 #include <limits>
 #include <string>
 
+#include "laws.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
 const std::vector<ImpulseLaw> kLaws{
-    ImpulseLaw(GaussianLaw{0, 0.7}),        ImpulseLaw(GaussianLaw{0.3, 0.5}),
-    ImpulseLaw(LaplaceLaw{0, 0.4}),         ImpulseLaw(LaplaceLaw{-0.3, 0.5}),
-    ImpulseLaw(TwoPointLaw{0, 0.6}),        ImpulseLaw(TwoPointLaw{0.2, 0.5}),
-    ImpulseLaw(UniformLaw{0, 0.8}),         ImpulseLaw(UniformLaw{0.9, 0.5}),
-    ImpulseLaw::named("laplace", 0.1, 0.6), ImpulseLaw(ExponentialLaw{0, 0.4}),
-    ImpulseLaw(ExponentialLaw{0.2, -0.6}),  ImpulseLaw(GammaLaw{0, 0.7, 2}),
-    ImpulseLaw(GammaLaw{-0.3, 0.5, -1.3}),  ImpulseLaw(GammaLaw{0.1, 0.4, 0.01}),
-    ImpulseLaw::named("gamma", 0.2, 0.6)};
+    ImpulseLaw(GaussianLaw{0, 0.7}),
+    ImpulseLaw(GaussianLaw{0.3, 0.5}),
+    ImpulseLaw(LaplaceLaw{0, 0.4}),
+    ImpulseLaw(LaplaceLaw{-0.3, 0.5}),
+    ImpulseLaw(TwoPointLaw{0, 0.6}),
+    ImpulseLaw(TwoPointLaw{0.2, 0.5}),
+    ImpulseLaw(UniformLaw{0, 0.8}),
+    ImpulseLaw(UniformLaw{0.9, 0.5}),
+    ImpulseLaw::named("laplace", 0.1, 0.6),
+    ImpulseLaw(ExponentialLaw{0, 0.4}),
+    ImpulseLaw(ExponentialLaw{0.2, -0.6}),
+    ImpulseLaw(GammaLaw{0, 0.7, 2}),
+    ImpulseLaw(GammaLaw{-0.3, 0.5, -1.3}),
+    ImpulseLaw(GammaLaw{0.1, 0.4, 0.01}),
+    ImpulseLaw::named("gamma", 0.2, 0.6),
+    ImpulseLaw::named("tabulated", 0.2, 0.6, {.table = tests::kAtoms}),
+    ImpulseLaw::named("tabulated", -0.1, 0.5, {.table = tests::kDensity}),
+    ImpulseLaw::named("tabulated", -0.1, 0.5, {.table = tests::kDensity}).mirrored()};
 
 std::string label(const ImpulseLaw& law) {
   return std::string(law.name()) + " about " + std::to_string(law.mean());
@@ -86,7 +97,8 @@ TEST(ImpulseLaw, CharacteristicAndGeneratingFunctionsAreThoseOfDensityAndAtoms) 
   EXPECT_EQ(ImpulseLaw(GammaLaw{0, 1, 1}).moment_generating_function(2), infinity);
 }
 
-// P(Y <= y) rises from piece to piece by the integral of the density, and from nearly 0 to nearly 1.
+// P(Y <= y) rises from piece to piece by the integral of the density, and from nearly 0 to nearly
+// 1.
 TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
   for (const auto& law : kLaws) {
     const auto pieces = law.smooth_pieces();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "laws.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
@@ -21,7 +22,7 @@ TEST(ImpulseTrain, IntensityIsRateTimesSecondMomentWhateverTheMean) {
 }
 
 TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
-  for (const std::string& name : ImpulseLaw::known()) {
+  for (const std::string& name : tests::laws_by_name()) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
     const ImpulseTrain impulses(parameters);
@@ -33,7 +34,7 @@ TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
 }
 
 TEST(ImpulseTrain, MirroredTwiceIsItself) {
-  for (const std::string& name : ImpulseLaw::known()) {
+  for (const std::string& name : tests::laws_by_name()) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
     const ImpulseTrain impulses(parameters), mirrored = impulses.mirrored();
