@@ -53,7 +53,9 @@ double linear_cumulant(const problem::Problem& problem, int p, int q) {
   const double c = problem.system.damping();
   const double w2 = problem.system.stiffness() - c * c / 4;
   const bool folded = problem.system.left() || problem.system.right();
-  if (!problem.system.linear() || w2 <= 0 || (folded && problem.impulses.rate_moment(1) != 0)) {
+  const auto& impulses = problem.impulses;
+  const bool symmetric = impulses.rate_moment(1) == 0 && impulses.law().symmetric();
+  if (!problem.system.linear() || w2 <= 0 || (folded && !symmetric)) {
     throw InputError(
         "the exact cumulants hold for a linear, underdamped oscillator, with a wall under a symmetric "
         "law only");

@@ -26,6 +26,7 @@ const problem::Problem& linear_and_symmetric(const problem::Problem& problem) {
   require(system.damping() * system.damping() < 4 * system.stiffness(), "system.damping",
           system.damping(), "less than critical damping, 2 sqrt(stiffness)");
   require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
+  require(impulses.law().symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
   return problem;
 }
 

@@ -30,6 +30,7 @@ LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCo
   require(!system.right(), "wall.right", system.right() ? system.right()->position : 0, "none");
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
+  require(impulses.law().symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
   require(std::isfinite(time) && time >= 0, "time", time, "a time from 0 on");
 
   const double c = system.damping(), k = system.stiffness();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -172,6 +173,11 @@ class Description : public Descriptions {
   }
   Description&& with_choices(std::vector<std::string> choices) && {
     all_.back().choices = std::move(choices);
+    return std::move(*this);
+  }
+  /// Of the one that was added last, a long word: what people are shown in its place.
+  Description&& shown_as(std::function<std::string(const std::string& word)> shown) && {
+    all_.back().shown = std::move(shown);
     return std::move(*this);
   }
   /// Of the one that was added last: what a file that does not name it means.

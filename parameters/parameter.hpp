@@ -30,6 +30,8 @@ struct Parameter {
   std::optional<Range> range = {};
   std::optional<Value> fallback = {};  ///< of a file that does not name it
   bool silent = false;                 ///< not named where it has its fallback
+  /// Of a word that is long: what people are shown in its place.
+  std::function<std::string(const std::string& word)> shown = {};
 
   std::function<Value(const void* owner)> get = {};
   std::function<void(void* owner, const Value& value)> set = {};

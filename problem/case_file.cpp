@@ -17,7 +17,9 @@
 #include "parameters/input_error.hpp"
 #include "parameters/input_file.hpp"
 #include "parameters/shown.hpp"
+#include "problem/amplitude_table.hpp"
 #include "problem/named_cases.hpp"
+#include "problem/table_setting.hpp"
 
 namespace fpkcheck::problem {
 
@@ -74,6 +76,41 @@ void apply(const std::vector<std::string>& overrides, const std::string& where,
     }
     settings[key] = {boost::algorithm::trim_copy(pair.substr(equals + 1)), where};
   }
+}
+
+constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
+                     *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
+
+// Replaces a file of amplitudes by what it holds.
+void read_table(Settings& settings, const std::filesystem::path& folder) {
+  const auto table = settings.find(kTable);
+  if (table == settings.end()) return;
+  try {
+    table->second.text = table_setting(table->second.text, folder);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", table->second.where, error.what()));
+  }
+}
+
+// What a table says of mean and intensity, where nobody else does.
+void complete_from_table(Settings& settings) {
+  const auto number = [&](const char* key) -> std::optional<double> {
+    const auto found = settings.find(key);
+    if (found == settings.end()) return std::nullopt;
+    const auto value = case_parameter(key, key).parsed(found->second.text);
+    const auto* as_number = value ? std::get_if<double>(&*value) : nullptr;
+    return as_number != nullptr ? std::optional(*as_number) : std::nullopt;
+  };
+  const auto law = settings.find(kLaw), said = settings.find(kTable);
+  if (law == settings.end() || said == settings.end() || law->second.text != TabulatedLaw::kName) {
+    return;
+  }
+  const AmplitudeTable table = amplitude_table_of_text(said->second.text);
+  const std::string where = said->second.where;
+  if (!settings.contains(kMean)) settings[kMean] = {fmt::format("{}", table.mean()), where};
+  const auto rate = number(kRate), mean = number(kMean);
+  if (settings.contains(kIntensity) || !rate || !mean) return;
+  settings[kIntensity] = {fmt::format("{}", *rate * (table.variance() + *mean * *mean)), where};
 }
 
 // The section's part of a case file, from the texts of its keys; nothing where it has none.
@@ -141,13 +178,16 @@ std::string changes(const Settings& of_file, const Problem& problem) {
     const std::string key = shown.section + '.' + shown.name;
     const auto& parameter = case_parameter(key, key);
     const auto before = of_file.find(key);
-    const auto value =
+    auto value =
         before == of_file.end() ? parameter.fallback : parameter.parsed(before->second.text);
+    if (value) value = value_shown(parameter, *value);
     if (value == shown.value) continue;
     ++count;
     // All digits: what differs is called differently.
     if (const auto* number = std::get_if<double>(&shown.value)) {
       text += fmt::format(", {} = {}", shown.symbol, *number);
+    } else if (parameter.shown) {
+      text += fmt::format(", another {}", shown.symbol);
     } else if (const auto* law = std::get_if<std::string>(&shown.value)) {
       text += fmt::format(", {} impulses", *law);
     } else {
@@ -163,16 +203,21 @@ std::string changes(const Settings& of_file, const Problem& problem) {
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides, Naming naming) {
   const std::string where = fmt::format("case {}", shown(source));
-  return case_from(parameters::ini_settings(ini, where), name, where, overrides, naming);
+  return case_from(parameters::ini_settings(ini, where), name, where, overrides, naming,
+                   std::filesystem::path(source).parent_path());
 }
 
 Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
                   const std::string& where, const std::vector<std::string>& overrides,
-                  Naming naming) {
+                  Naming naming, const std::filesystem::path& folder) {
   require_presentable(name);
-  const Settings of_file = known_settings(lines);
+  Settings of_file = known_settings(lines);
+  read_table(of_file, folder);
   Settings settings = of_file;
   apply(overrides, where, settings);
+  read_table(settings, {});
+  complete_from_table(of_file);
+  complete_from_table(settings);
   try {
     std::vector<Section> sections;
     for (const parameters::Descriptions* description : case_descriptions()) {

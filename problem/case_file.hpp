@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <iosfwd>
 #include <string>
 #include <string_view>
@@ -31,9 +32,10 @@ Problem read_case(std::istream& ini, const std::string& name, std::string_view s
 
 /// As load_case, from lines that were read already.
 /// @param where how messages name what is set by no line: "case mine.ini"
+/// @param folder where files that a line names are; those of overrides are in the working directory
 Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
                   const std::string& where, const std::vector<std::string>& overrides = {},
-                  Naming naming = Naming::of_file);
+                  Naming naming = Naming::of_file, const std::filesystem::path& folder = {});
 
 /// What the key of a case file, "system.damping", sets.
 /// @param where how the message begins

@@ -15,7 +15,8 @@ namespace {
 
 template <class Law>
 void validate(const Law& law) {
-  if (std::isfinite(law.mean) && std::isfinite(law.width()) && law.width() > 0) return;
+  const double deviation = law.standard_deviation();
+  if (std::isfinite(law.mean) && std::isfinite(deviation) && deviation > 0) return;
   throw InputError(
       fmt::format("{0} impulse law with mean {1} and {2} {3} (the {2} must be positive, and both "
                   "must be finite)",
@@ -36,6 +37,31 @@ double moment_of(const Law& law, int j) {
   return sum;
 }
 
+// A law that is not symmetric about its mean says which is that of -Y.
+template <class Law>
+concept Asymmetric = requires(Law law) {
+  law.mirrored();
+};
+template <class Law>
+concept Shaped = requires(LawShape shape) {
+  Law::with(0, 1, shape);
+};
+
+template <class Law>
+Law law_with(double mean, double deviation, const LawShape& shape) {
+  if constexpr (Shaped<Law>) {
+    return Law::with(mean, deviation, shape);
+  } else {
+    if (shape.skewness.value_or(0) != 0) {
+      throw InputError(
+          fmt::format("impulse.skewness = {} (impulse.law = {} has none: leave it out, or take "
+                      "exponential or gamma)",
+                      *shape.skewness, Law::kName));
+    }
+    return Law::with(mean, deviation);
+  }
+}
+
 template <class Function>
 void for_each_law(const Function& function) {
   boost::mp11::mp_for_each<ImpulseLaw::Kind>(function);  // of each, a value of no meaning
@@ -54,14 +80,32 @@ std::vector<std::string> ImpulseLaw::known() {
   return list;
 }
 
-ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviation) {
+ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviation,
+                             const LawShape& shape) {
+  if (!shape.table.empty() && name != TabulatedLaw::kName) {
+    throw InputError(fmt::format(
+        "impulse.table beside impulse.law = {} (leave it out, or take the law tabulated)", name));
+  }
   std::optional<Kind> kind;
   for_each_law([&]<class Law>(const Law&) {
-    if (Law::kName == name) kind = Law::with(mean, deviation);
+    if (Law::kName == name) kind = law_with<Law>(mean, deviation, shape);
   });
   if (kind) return ImpulseLaw(*kind);
   throw InputError(
       fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(known(), ", ")));
+}
+
+ImpulseLaw ImpulseLaw::mirrored() const {
+  return std::visit(
+      []<class Law>(Law law) {
+        if constexpr (Asymmetric<Law>) {
+          return ImpulseLaw(law.mirrored());
+        } else {
+          law.mean = -law.mean;
+          return ImpulseLaw(law);
+        }
+      },
+      kind_);
 }
 
 std::string_view ImpulseLaw::name() const {
@@ -78,6 +122,14 @@ double ImpulseLaw::mean() const {
 
 double ImpulseLaw::deviation() const {
   return std::visit([](const auto& law) { return law.standard_deviation(); }, kind_);
+}
+
+double ImpulseLaw::skewness() const {
+  return std::visit([](const auto& law) { return law.standardised_moment(3); }, kind_);
+}
+
+bool ImpulseLaw::symmetric() const {
+  return std::visit([]<class Law>(const Law&) { return !Asymmetric<Law>; }, kind_);
 }
 
 double ImpulseLaw::density(double amplitude) const {

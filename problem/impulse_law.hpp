@@ -7,8 +7,12 @@
 #include <variant>
 #include <vector>
 
+#include "problem/laws/exponential.hpp"
+#include "problem/laws/gamma.hpp"
 #include "problem/laws/gaussian.hpp"
 #include "problem/laws/laplace.hpp"
+#include "problem/laws/shape.hpp"
+#include "problem/laws/tabulated.hpp"
 #include "problem/laws/two_point.hpp"
 #include "problem/laws/uniform.hpp"
 
@@ -18,10 +22,11 @@ namespace fpkcheck::problem {
 inline constexpr int kMomentCount = 7;
 
 /// The law of an impulse amplitude Y of the Poisson train, paper (3). A further law is a file in
-/// problem/laws, one more alternative of Kind, and how to draw from it (mcs/lanes).
+/// problem/laws, one more alternative of Kind, and how to draw from it (mcs/impulses).
 class ImpulseLaw {
  public:
-  using Kind = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw>;
+  using Kind = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw,
+                            GammaLaw, TabulatedLaw>;
 
   /// @throws InputError when the mean is not finite or the width is not a positive number
   explicit ImpulseLaw(const Kind& kind);
@@ -29,8 +34,12 @@ class ImpulseLaw {
   /// Names of all laws, as case files have them.
   static std::vector<std::string> known();
   /// The law of a name with a mean and a standard deviation.
-  /// @throws InputError as above, and listing the known names when there is no such law
-  static ImpulseLaw named(std::string_view name, double mean, double deviation);
+  /// @throws InputError as above, where the law has no such shape, and listing the known names when
+  /// there is no such law
+  static ImpulseLaw named(std::string_view name, double mean, double deviation,
+                          const LawShape& shape = {});
+  /// The law of -Y.
+  ImpulseLaw mirrored() const;
 
   /// The law's name in case files.
   std::string_view name() const;
@@ -44,6 +53,10 @@ class ImpulseLaw {
   double mean() const;
   /// Standard deviation of Y.
   double deviation() const;
+  /// E[(Y - E[Y])^3] / deviation^3.
+  double skewness() const;
+  /// Whether Y - E[Y] and E[Y] - Y have one law.
+  bool symmetric() const;
 
   /// The law is a continuous part with this density, and atoms. A law without a continuous part
   /// has the density 0.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "parameters/input_error.hpp"
+#include "problem/amplitude_table.hpp"
 #include "problem/magnitude.hpp"
 
 namespace fpkcheck::problem {
@@ -16,7 +17,7 @@ namespace {
 ImpulseLaw law_of(const ImpulseParameters& parameters) {
   impulse_description().validate(parameters);
   require_magnitudes(impulse_description(), parameters);
-  const auto& [rate, law, intensity, mean] = parameters;
+  const auto& [rate, law, intensity, mean, skewness, table] = parameters;
   const double variance = intensity / rate - mean * mean;
   if (variance <= 0) {
     throw InputError(fmt::format(
@@ -24,13 +25,15 @@ ImpulseLaw law_of(const ImpulseParameters& parameters) {
         "which is E[Y^2])",
         mean, intensity / rate));
   }
-  return ImpulseLaw::named(law, mean, std::sqrt(variance));
+  return ImpulseLaw::named(law, mean, std::sqrt(variance),
+                           {.skewness = skewness, .table = table.value_or("")});
 }
 
 }  // namespace
 
 const Description<ImpulseParameters>& impulse_description() {
   using P = ImpulseParameters;
+  static const Value nothing;
   static const auto description =
       Description<P>("impulse.")
           .add("rate", &P::arrival_rate, {"LAMBDA", "impulses per unit of time"}, positive())
@@ -41,7 +44,16 @@ const Description<ImpulseParameters>& impulse_description() {
           .with_symbol("lambda E[Y^2]", "λ E[Y²]")
           .add("mean", &P::mean, {"M", "mean amplitude"}, any_number())
           .with_symbol("E[Y]", "E[Y]")
-          .with_fallback(0.0);
+          .with_fallback(0.0)
+          .add("skewness", &P::skewness,
+               {"S", "skewness of a gamma law, of the size 2 for an exponential one"}, any_number())
+          .with_symbol("skewness", "γ₁")
+          .without_naming(nothing)
+          .add("table", &P::table,
+               {"FILE", "CSV of a tabulated law: amplitude,probability or amplitude,density"})
+          .with_symbol("table", "table")
+          .shown_as([](const std::string& text) { return summary_of(text); })
+          .without_naming(nothing);
   return description;
 }
 
@@ -55,8 +67,14 @@ ImpulseTrain::ImpulseTrain()
 ImpulseTrain ImpulseTrain::mirrored() const {
   if (!present()) return *this;
   ImpulseParameters parameters = parameters_;
-  parameters.mean = -parameters.mean;  // every law is symmetric about its mean
-  return ImpulseTrain(parameters);
+  parameters.mean = -parameters.mean;
+  const ImpulseLaw law = law_.mirrored();
+  if (parameters.table) {
+    parameters.table = text_of(amplitude_table_of_text(*parameters.table).mirrored());
+  } else if (!law.symmetric()) {
+    parameters.skewness = law.skewness();
+  }
+  return ImpulseTrain(parameters, law);
 }
 
 }  // namespace fpkcheck::problem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "parameters/description.hpp"
@@ -10,9 +11,13 @@ namespace fpkcheck::problem {
 /// Parameters of the Poisson impulse train, as read from a case file.
 struct ImpulseParameters {
   double arrival_rate;  ///< lambda > 0
-  std::string law;      ///< name of the law of Y: gaussian, laplace, two_point or uniform
+  std::string law;      ///< name of the law of Y, one of ImpulseLaw::known()
   double intensity;     ///< lambda E[Y^2] > 0
   double mean;          ///< E[Y], with E[Y]^2 < intensity / arrival_rate
+  /// Of Y about its mean, for laws that are not symmetric; theirs unless given.
+  std::optional<double> skewness = {};
+  /// Of a tabulated law: the whole table in a word (problem/amplitude_table.hpp).
+  std::optional<std::string> table = {};
 };
 
 /// The parameters as case files, tables and files name them.
@@ -41,6 +46,9 @@ class ImpulseTrain {
   ImpulseTrain mirrored() const;
 
  private:
+  ImpulseTrain(const ImpulseParameters& parameters, const ImpulseLaw& law)
+      : parameters_(parameters), law_(law) {}
+
   ImpulseParameters parameters_;
   ImpulseLaw law_;
 };

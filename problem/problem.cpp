@@ -47,7 +47,7 @@ std::vector<Section> sections(const Problem& problem) {
   const WallParameters& walls = problem.system.wall_parameters();
   if (!walls.empty()) all.push_back({"wall", wall_description().named_values(walls)});
   if (problem.impulses.present()) {
-    all.push_back({"impulse", impulse_description().values(problem.impulses.parameters())});
+    all.push_back({"impulse", impulse_description().named_values(problem.impulses.parameters())});
   }
   if (problem.noise.present()) {
     all.push_back({"noise", noise_description().values(problem.noise)});
@@ -75,6 +75,12 @@ Problem problem_from(const std::string& name, const std::vector<Section>& sectio
   return problem;
 }
 
+parameters::Value value_shown(const parameters::Parameter& parameter,
+                              const parameters::Value& value) {
+  const auto* word = std::get_if<std::string>(&value);
+  return word != nullptr && parameter.shown ? parameters::Value(parameter.shown(*word)) : value;
+}
+
 std::vector<ShownParameter> shown_parameters(const Problem& problem) {
   std::vector<ShownParameter> shown;
   for (const Section& section : sections(problem)) {
@@ -83,7 +89,7 @@ std::vector<ShownParameter> shown_parameters(const Problem& problem) {
     for (const auto& [name, value] : section.values) {
       const auto& parameter = *(*description)->find(name);
       shown.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,
-                       value, parameter.fallback == value});
+                       value_shown(parameter, value), parameter.fallback == value});
     }
   }
   return shown;

@@ -51,6 +51,9 @@ struct ShownParameter {
 
 /// All parameters of a problem, in the order of case files.
 std::vector<ShownParameter> shown_parameters(const Problem& problem);
+/// A parameter's value as those have it: a long word by what says which it is.
+parameters::Value value_shown(const parameters::Parameter& parameter,
+                              const parameters::Value& value);
 
 /// A problem in one line: "c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1, ..".
 /// @param typeset with the letters of formulas: "μ = 0.1"

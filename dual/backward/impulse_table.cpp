@@ -1,10 +1,16 @@
 #include "dual/backward/impulse_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
 
 namespace fpkcheck::dual {
 namespace {
 
+using problem::ExponentialLaw;
 using problem::GaussianLaw;
 using problem::LaplaceLaw;
 using problem::TwoPointLaw;
@@ -22,13 +28,16 @@ std::vector<double> kinks_of(const UniformLaw& law) {
   return {law.mean - law.half_width, law.mean + law.half_width};
 }
 
+std::vector<double> kinks_of(const ExponentialLaw& law) { return {law.mean - law.scale}; }
+
 // Pieces are short against the length over which the law's kernel varies.
 double longest_piece(const GaussianLaw& law) { return 0.8 * law.deviation; }
 double longest_piece(const LaplaceLaw& law) { return 0.6 * law.scale; }
+double longest_piece(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
 double longest_piece(const TwoPointLaw& law) { return 2 * law.deviation; }
 double longest_piece(const UniformLaw& law) { return law.half_width; }
 
-// E[(Y - mean)^n], n even.
+// E[(Y - mean)^n]; n even where the law is symmetric.
 Interval central_moment(const GaussianLaw& law, int n) {
   Interval m = power(Interval(law.deviation), n);
   for (int i = n - 1; i > 1; i -= 2) m *= static_cast<double>(i);
@@ -39,19 +48,44 @@ Interval central_moment(const LaplaceLaw& law, int n) {
   for (int i = 2; i <= n; ++i) m *= static_cast<double>(i);
   return m;
 }
+Interval central_moment(const ExponentialLaw& law, int n) {
+  Interval derangements = 1;
+  for (int i = 1; i <= n; ++i) {
+    derangements = static_cast<double>(i) * derangements + (i % 2 == 0 ? 1.0 : -1.0);
+  }
+  return power(Interval(law.scale), n) * derangements;
+}
 Interval central_moment(const TwoPointLaw& law, int n) { return power(Interval(law.deviation), n); }
 Interval central_moment(const UniformLaw& law, int n) {
   return power(Interval(law.half_width), n) / static_cast<double>(n + 1);
 }
 
+template <class Law>
+concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
+  central_moment(law, 0);
+  table_of(law, basis, {});
+};
+
+[[noreturn]] void refuse(std::string_view law) {
+  throw std::logic_error(fmt::format("no enclosures for the law {}: ask has_enclosures", law));
+}
+
 }  // namespace
+
+bool has_enclosures(const problem::ImpulseLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return Enclosed<Law>; }, law.kind());
+}
 
 ImpulseKinks impulse_kinks(const ImpactBasis& basis, const problem::ImpulseLaw& law) {
   ImpulseKinks kinks;
   const auto offsets = std::visit(
-      [&](const auto& kind) {
-        kinks.longest = longest_piece(kind);
-        return kinks_of(kind);
+      [&]<class Law>(const Law& kind) -> std::vector<double> {
+        if constexpr (Enclosed<Law>) {
+          kinks.longest = longest_piece(kind);
+          return kinks_of(kind);
+        } else {
+          refuse(Law::kName);
+        }
       },
       law.kind());
   for (const double offset : offsets) {
@@ -63,17 +97,29 @@ ImpulseKinks impulse_kinks(const ImpactBasis& basis, const problem::ImpulseLaw& 
 
 ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
                            const problem::ImpulseLaw& law) {
-  return std::visit([&](const auto& kind) { return table_of(kind, basis, pieces); }, law.kind());
+  return std::visit(
+      [&]<class Law>(const Law& kind) -> ImpulseTable {
+        if constexpr (Enclosed<Law>) {
+          return table_of(kind, basis, pieces);
+        } else {
+          refuse(Law::kName);
+        }
+      },
+      law.kind());
 }
 
 Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
   return std::visit(
-      [n](const auto& kind) {
-        Interval sum = 0;
-        for (int i = 0; i <= n; i += 2) {
-          sum += binomial(n, i) * power(Interval(kind.mean), n - i) * central_moment(kind, i);
+      [n, symmetric = law.symmetric()]<class Law>(const Law& kind) -> Interval {
+        if constexpr (Enclosed<Law>) {
+          Interval sum = 0;
+          for (int i = 0; i <= n; i += symmetric ? 2 : 1) {
+            sum += binomial(n, i) * power(Interval(kind.mean), n - i) * central_moment(kind, i);
+          }
+          return sum;
+        } else {
+          refuse(Law::kName);
         }
-        return sum;
       },
       law.kind());
 }

@@ -26,6 +26,10 @@ struct ImpulseTable {
   }
 };
 
+/// Whether tables and moments of this law are known with enclosures: of what follows a law for
+/// which they are not is no argument.
+bool has_enclosures(const problem::ImpulseLaw& law);
+
 /// What the pieces must respect for a table of this law.
 struct ImpulseKinks {
   double longest;            ///< no piece may be longer
@@ -40,7 +44,9 @@ ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityP
 /// E[Y^n], from the stored parameters of the law.
 Interval moment_enclosure(const problem::ImpulseLaw& law, int n);
 
-// The laws' own tables; see the sources.
+// The laws' own tables; see the sources. A law that has none has no bounds.
+ImpulseTable table_of(const problem::ExponentialLaw& law, const ImpactBasis& basis,
+                      const std::vector<VelocityPiece>& pieces);
 ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
                       const std::vector<VelocityPiece>& pieces);
 ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,

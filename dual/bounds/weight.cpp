@@ -74,6 +74,9 @@ std::string weight_refused(const problem::Problem& problem) {
   if (problem.noise.present() || !problem.impulses.present()) {
     return "no bounds with white noise: they are those of impulses alone";
   }
+  if (const auto& law = problem.impulses.law(); !has_enclosures(law)) {
+    return fmt::format("no bounds under {} impulses: their means are not enclosed", law.name());
+  }
   if (!system.damping_is_constant() || !(system.damping() > 0)) {
     return "no bounds but for constant damping c > 0: no weight is known";
   }

@@ -27,6 +27,12 @@ Rule rule_of(const problem::LaplaceLaw& law, int points) {
   return rule;
 }
 
+Rule rule_of(const problem::ExponentialLaw& law, int points) {
+  Rule rule = exponential_rule(2 * points - 1);
+  for (double& y : rule.nodes) y = law.mean + law.scale * (y - 1);
+  return rule;
+}
+
 Rule rule_of(const problem::TwoPointLaw& law, int) {
   return {.nodes = {law.mean - law.deviation, law.mean + law.deviation}, .weights = {0.5, 0.5}};
 }

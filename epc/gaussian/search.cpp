@@ -31,8 +31,7 @@ MonomialSet monomials_of(const problem::Problem& problem, const Options& options
   if (problem.system.left()) return options.monomials;
   const problem::Polynomial& force = problem.system.force();
   const bool symmetric = force.coefficient(0) == 0 && force.coefficient(2) == 0 &&
-                         problem.impulses.rate_moment(1) == 0 &&
-                         problem.impulses.rate_moment(3) == 0;
+                         problem.impulses.rate_moment(1) == 0 && problem.impulses.law().symmetric();
   return symmetric ? options.monomials : MonomialSet::general;
 }
 

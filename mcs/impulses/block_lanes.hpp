@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "mcs/impulses/block.hpp"
 #include "mcs/impulses/standard_amplitude.hpp"
 
@@ -13,10 +15,17 @@ using Wide = LanesOf<kWide>::Real;
 template <class Law>
 FPKCHECK_INLINE void make_amplitudes(const Excitation& excitation, const Uniforms& u,
                                      Block& block) {
-  for (int k = 0; k < kBlock; k += kWide) {
-    const Wide standard =
-        StandardAmplitude<Law>::of(load<Wide>(&u.second[k]), load<Wide>(&u.third[k]));
-    store<Wide>(excitation.mean + excitation.width * standard, &block.amplitude[k]);
+  if constexpr (std::is_base_of_v<DrawnFromPieces, StandardAmplitude<Law>>) {
+    for (std::size_t k = 0; k < kBlock; ++k) {
+      block.amplitude[k] = excitation.mean + excitation.width * (*excitation.pieces)(u.second[k]);
+    }
+    return;
+  } else {
+    for (int k = 0; k < kBlock; k += kWide) {
+      const Wide standard =
+          StandardAmplitude<Law>::of(load<Wide>(&u.second[k]), load<Wide>(&u.third[k]));
+      store<Wide>(excitation.mean + excitation.width * standard, &block.amplitude[k]);
+    }
   }
 }
 

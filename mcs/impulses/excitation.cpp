@@ -3,6 +3,7 @@
 #include <cmath>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "mcs/impulses/standard_amplitude.hpp"
 #include "problem/impulse_train.hpp"
@@ -16,6 +17,44 @@ static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw:
               "a law without a StandardAmplitude, or in another order");
 
 int place_of(const problem::ImpulseLaw::Kind& law) { return static_cast<int>(law.index()); }
+
+// The atoms of a law, and the pieces on which its density is linear.
+template <class Law>
+std::vector<AmplitudeRange> ranges_of(const Law& law) {
+  std::vector<AmplitudeRange> ranges;
+  for (const auto& [amplitude, probability] : law.atoms()) {
+    ranges.push_back({.from = amplitude, .to = amplitude, .probability = probability});
+  }
+  const auto ends = law.smooth_pieces();
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double first = law.density(ends[k]), last = law.density(ends[k + 1]);
+    ranges.push_back({.from = ends[k],
+                      .to = ends[k + 1],
+                      .probability = (ends[k + 1] - ends[k]) * (first + last) / 2,
+                      .first_density = first,
+                      .last_density = last});
+  }
+  return ranges;
+}
+
+// Of a law of problem:: whose StandardAmplitude is DrawnFromPieces.
+std::shared_ptr<const AmplitudePieces> pieces_of(const problem::ImpulseLaw::Kind& law) {
+  return std::visit(
+      []<class Law>(const Law& kind) -> std::shared_ptr<const AmplitudePieces> {
+        if constexpr (std::is_base_of_v<DrawnFromPieces, StandardAmplitude<Law>>) {
+          if constexpr (requires { kind.standardised_quantile(0.5, 0.5); }) {
+            return std::make_shared<const AmplitudePieces>(
+                interpolated([&](double p, double q) { return kind.standardised_quantile(p, q); }));
+          } else {
+            return std::make_shared<const AmplitudePieces>(
+                in_ranges(ranges_of(kind.standardised())));
+          }
+        } else {
+          return {};
+        }
+      },
+      law);
+}
 
 Excitation even_gaussian(double interval, double mean, double variance, double power) {
   return {.arrivals = Excitation::Arrivals::even,
@@ -39,7 +78,8 @@ Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
           .width = std::visit([](const auto& kind) { return kind.width(); }, law),
           .power = impulses.intensity() / 2,
           .shift = 0,
-          .work = impulses.intensity() / 2};
+          .work = impulses.intensity() / 2,
+          .pieces = pieces_of(law)};
 }
 
 Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <memory>
+
+#include "mcs/impulses/amplitude_pieces.hpp"
+
 namespace fpkcheck::problem {
 class ImpulseTrain;
 }
@@ -15,9 +19,10 @@ struct Excitation {
 
   Arrivals arrivals;
   double interval;
-  int law;       ///< of the amplitude: its place in DrawnLaws
-  double mean;   ///< of the amplitude
-  double width;  ///< of the amplitude, what its law has as width()
+  int law;      ///< of the amplitude: its place in DrawnLaws
+  double mean;  ///< of the amplitude
+  /// Of the amplitude, what its law has as width(): negative where its mirror image is drawn.
+  double width;
 
   /// What the impulses bring on the average: lambda E[Y^2] / 2, as E[y'] = 0. (With a mean, even
   /// kicks bring it but for terms of first order in the interval.)
@@ -26,6 +31,8 @@ struct Excitation {
   /// Poisson impulses see the stationary v, whose mean is 0 (shift 0), even ones do not (shift
   /// E[Y]).
   double shift, work;
+  /// Of mean 0 and width 1, where the law is drawn from pieces (DrawnFromPieces).
+  std::shared_ptr<const AmplitudePieces> pieces = {};
 };
 
 /// The impulses of the problem, paper (3).

@@ -3,8 +3,11 @@
 #include "mcs/lanes/elementary.hpp"
 
 namespace fpkcheck::problem {
+struct ExponentialLaw;
+struct GammaLaw;
 struct GaussianLaw;
 struct LaplaceLaw;
+struct TabulatedLaw;
 struct TwoPointLaw;
 struct UniformLaw;
 }  // namespace fpkcheck::problem
@@ -13,8 +16,9 @@ namespace fpkcheck::mcs {
 
 /// How an amplitude of the law is drawn that has mean 0 and width() 1: `of` two independent numbers
 /// of (0, 1), u with more digits than w (Uniforms). A further law of problem::ImpulseLaw is drawn
-/// by one more of these, in its place of DrawnLaws. (The laws themselves, with all that they
-/// include, are kept out of what is compiled for several instructions.)
+/// by one more of these, in its place of DrawnLaws: a formula, or DrawnFromPieces. (The laws
+/// themselves, with all that they include, are kept out of what is compiled for several
+/// instructions.)
 template <class Law>
 struct StandardAmplitude;
 
@@ -52,11 +56,28 @@ struct StandardAmplitude<problem::UniformLaw> {
   }
 };
 
+template <>
+struct StandardAmplitude<problem::ExponentialLaw> {
+  template <class Real>
+  FPKCHECK_INLINE static Real of(const Real& u, const Real&) {
+    return -1.0 - logarithm(u);
+  }
+};
+
+/// Of a law that says its standardised_quantile instead, or has atoms or a density linear in
+/// pieces.
+struct DrawnFromPieces {};
+template <>
+struct StandardAmplitude<problem::GammaLaw> : DrawnFromPieces {};
+template <>
+struct StandardAmplitude<problem::TabulatedLaw> : DrawnFromPieces {};
+
 template <class... Laws>
 struct LawList {};
 
 /// The laws in the order of problem::ImpulseLaw::Kind.
 using DrawnLaws =
-    LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw>;
+    LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw,
+            problem::ExponentialLaw, problem::GammaLaw, problem::TabulatedLaw>;
 
 }  // namespace fpkcheck::mcs

@@ -78,6 +78,7 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
       static_cast<int>(e.arrivals), e.interval, e.law, e.mean, e.width, plan.seed, plan.streams,
       plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
       fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
+  if (e.pieces) text += fmt::format("; pieces {:x}", e.pieces->checksum());
   if (plan.deposit) {
     const DepositGrid& g = plan.deposit->grid;
     text += fmt::format("; deposit {:a}; {:a}; {:a} {:a} {}; {:a} {:a} {}; {:a} {:a} {}",

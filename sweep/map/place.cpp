@@ -1,5 +1,7 @@
 #include "sweep/map/place.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -7,9 +9,11 @@ namespace fpkcheck::sweep {
 
 Place place_of(const problem::Problem& problem) {
   const auto& impulses = problem.impulses.parameters();
+  const auto& law = problem.impulses.law();
   return {.groups = groups_of(problem),
           .restitution = problem.system.restitution(),
-          .law = impulses.law,
+          .law = law.symmetric() ? impulses.law
+                                 : fmt::format("{} of skewness {:g}", impulses.law, law.skewness()),
           .mean_share = impulses.mean / std::sqrt(impulses.intensity / impulses.arrival_rate)};
 }
 

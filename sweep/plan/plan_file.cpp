@@ -77,7 +77,8 @@ PlanText read_plan(const std::string& name_or_path, const std::vector<std::strin
                     ? problem::load_case(base_case->second.text, overrides)
                     : problem::case_from(of_case,
                                          std::filesystem::path(name_or_path).stem().string(), where,
-                                         overrides)};
+                                         overrides, problem::Naming::of_file,
+                                         std::filesystem::path(name_or_path).parent_path())};
   for (const auto& line : all) {
     if (line.section == kVary) plan.axes.push_back(axis_from(line.key, line.text, line.where));
   }

@@ -68,6 +68,28 @@ TEST(Exact, LinearCumulantsGiveTheFourthMomentsOfTheTheoryNotes) {
   EXPECT_NEAR(linear_cumulant(p, 0, 4) + 3 * v2 * v2, 0.8063896, 5e-8);
 }
 
+// About a mean, and of a skew law without a wall: the cumulants of each power of the impulse.
+TEST(Exact, LinearCumulantsOfASkewLawHaveItsOddMoments) {
+  const auto solved = [](double skewness) {
+    return Problem{"linear", System({.damping = 0.1, .stiffness = 1}, {.none = true}),
+                   ImpulseTrain({.arrival_rate = 1,
+                                 .law = "exponential",
+                                 .intensity = 0.1,
+                                 .mean = 0,
+                                 .skewness = skewness})};
+  };
+  const Problem p = solved(2), mirrored = solved(-2);
+  const double deviation = std::sqrt(0.1);
+  // int_0^inf exp(-3 c t/2) sin^3(w t)/w^3 dt
+  const double c = 0.1, w2 = 1 - c * c / 4, half = 1.5 * c;
+  const double h3 = 6 / ((half * half + w2) * (half * half + 9 * w2));
+  EXPECT_NEAR(linear_cumulant(p, 3, 0), 2 * std::pow(deviation, 3) * h3, 1e-12);
+  EXPECT_NEAR(linear_cumulant(p, 4, 0) / linear_cumulant(mirrored, 4, 0), 1, 1e-14);
+  for (int q = 0; q <= 3; ++q) {
+    EXPECT_NEAR(linear_cumulant(mirrored, 3 - q, q), -linear_cumulant(p, 3 - q, q), 1e-14);
+  }
+}
+
 TEST(Exact, LinearCumulantsHoldUpToCriticalDamping) {
   const Problem p = tests::make_problem({.damping = 1.9999, .cubic = 0, .restitution = 1});
   EXPECT_NEAR(linear_cumulant(p, 2, 0), 0.1 / (2 * 1.9999), 1e-12);
@@ -86,6 +108,10 @@ TEST(Exact, WhiteNoiseWithAMeanShiftsTheDensityByTheStaticDeflection) {
 TEST(Exact, RefusesProblemsWithoutAnExactSolution) {
   EXPECT_THROW(WhiteNoiseDensity{tests::make_problem()}, InputError);
   EXPECT_THROW(linear_cumulant(tests::make_problem({.restitution = 1}), 2, 0), InputError);
+  // A wall folds the plane: |z| of a skew law is not y.
+  EXPECT_THROW(linear_cumulant(
+                   tests::make_problem({.cubic = 0, .restitution = 1, .law = "exponential"}), 2, 0),
+               InputError);
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ double impact_rate(const transform::GridDensity& grid) {
 
 TEST(SimulationAgainstFiniteDifferences, DensitiesDifferByWhatChanceExplains) {
   for (const auto& problem : {tests::paper_case(4), tests::make_problem({.restitution = 0.7}),
-                              tests::make_problem({.rate = 0.3})}) {
+                              tests::make_problem({.rate = 0.3}),
+                              tests::make_problem({.restitution = 0.9, .law = "exponential"})}) {
     const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct});
     ASSERT_EQ(fd.solution.status, transform::Status::ok) << fd.solution.reason;
     expect_within_chance(mcs::solve(problem, {.time = 4e5}), fd.solution);

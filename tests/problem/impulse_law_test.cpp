@@ -9,17 +9,31 @@
 #include <limits>
 #include <string>
 
+#include "laws.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
 const std::vector<ImpulseLaw> kLaws{
-    ImpulseLaw(GaussianLaw{0, 0.7}),       ImpulseLaw(GaussianLaw{0.3, 0.5}),
-    ImpulseLaw(LaplaceLaw{0, 0.4}),        ImpulseLaw(LaplaceLaw{-0.3, 0.5}),
-    ImpulseLaw(TwoPointLaw{0, 0.6}),       ImpulseLaw(TwoPointLaw{0.2, 0.5}),
-    ImpulseLaw(UniformLaw{0, 0.8}),        ImpulseLaw(UniformLaw{0.9, 0.5}),
-    ImpulseLaw::named("laplace", 0.1, 0.6)};
+    ImpulseLaw(GaussianLaw{0, 0.7}),
+    ImpulseLaw(GaussianLaw{0.3, 0.5}),
+    ImpulseLaw(LaplaceLaw{0, 0.4}),
+    ImpulseLaw(LaplaceLaw{-0.3, 0.5}),
+    ImpulseLaw(TwoPointLaw{0, 0.6}),
+    ImpulseLaw(TwoPointLaw{0.2, 0.5}),
+    ImpulseLaw(UniformLaw{0, 0.8}),
+    ImpulseLaw(UniformLaw{0.9, 0.5}),
+    ImpulseLaw::named("laplace", 0.1, 0.6),
+    ImpulseLaw(ExponentialLaw{0, 0.4}),
+    ImpulseLaw(ExponentialLaw{0.2, -0.6}),
+    ImpulseLaw(GammaLaw{0, 0.7, 2}),
+    ImpulseLaw(GammaLaw{-0.3, 0.5, -1.3}),
+    ImpulseLaw(GammaLaw{0.1, 0.4, 0.01}),
+    ImpulseLaw::named("gamma", 0.2, 0.6),
+    ImpulseLaw::named("tabulated", 0.2, 0.6, {.table = tests::kAtoms}),
+    ImpulseLaw::named("tabulated", -0.1, 0.5, {.table = tests::kDensity}),
+    ImpulseLaw::named("tabulated", -0.1, 0.5, {.table = tests::kDensity}).mirrored()};
 
 std::string label(const ImpulseLaw& law) {
   return std::string(law.name()) + " about " + std::to_string(law.mean());
@@ -77,8 +91,114 @@ TEST(ImpulseLaw, CharacteristicAndGeneratingFunctionsAreThoseOfDensityAndAtoms) 
       EXPECT_NEAR(law.moment_generating_function(u), exact, kCutOff) << label(law) << ", u = " << u;
     }
   }
-  EXPECT_EQ(ImpulseLaw(LaplaceLaw{0, 0.5}).moment_generating_function(-2),
-            std::numeric_limits<double>::infinity());
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(ImpulseLaw(LaplaceLaw{0, 0.5}).moment_generating_function(-2), infinity);
+  EXPECT_EQ(ImpulseLaw(ExponentialLaw{0, -0.5}).moment_generating_function(-2), infinity);
+  EXPECT_EQ(ImpulseLaw(GammaLaw{0, 1, 1}).moment_generating_function(2), infinity);
+}
+
+// P(Y <= y) rises from piece to piece by the integral of the density, and from nearly 0 to nearly
+// 1.
+TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
+  for (const auto& law : kLaws) {
+    const auto pieces = law.smooth_pieces();
+    if (pieces.empty()) continue;
+    EXPECT_NEAR(law.cumulative(pieces.front()), 0, 1e-17) << label(law);
+    EXPECT_NEAR(law.cumulative(pieces.back()), 1, 1e-15) << label(law);
+    for (std::size_t n = 0; n + 1 < pieces.size(); ++n) {
+      double from = pieces[n];
+      for (const double share : {0.02, 0.1, 0.5, 1.0}) {
+        const double to = std::lerp(pieces[n], pieces[n + 1], share);
+        double mass = 0;
+        for (int part = 0; part < 40; ++part) {
+          mass += boost::math::quadrature::gauss<double, 20>::integrate(
+              [&](double y) { return law.density(y); }, std::lerp(from, to, part / 40.0),
+              std::lerp(from, to, (part + 1) / 40.0));
+        }
+        EXPECT_NEAR(law.cumulative(to) - law.cumulative(from), mass, 1e-13)
+            << label(law) << " to " << to;
+        from = to;
+      }
+    }
+  }
+}
+
+TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
+  for (const auto& law : kLaws) {
+    const ImpulseLaw mirrored = law.mirrored();
+    EXPECT_EQ(mirrored.name(), law.name());
+    EXPECT_EQ(mirrored.deviation(), law.deviation()) << label(law);
+    EXPECT_EQ(mirrored.symmetric(), law.symmetric());
+    for (int j = 0; j < kMomentCount; ++j) {
+      EXPECT_EQ(mirrored.moment(j), (j % 2 == 0 ? 1 : -1) * law.moment(j)) << label(law);
+    }
+    for (const double y : {-1.0, -0.2, 0.0, 0.123, 0.7}) {
+      EXPECT_NEAR(mirrored.density(y), law.density(-y), 1e-14) << label(law);
+      if (law.atoms().empty()) {
+        EXPECT_NEAR(mirrored.cumulative(y), 1 - law.cumulative(-y), 1e-14) << label(law);
+      }
+      EXPECT_EQ(mirrored.mirrored().density(y), law.density(y)) << label(law);
+      EXPECT_EQ(mirrored.mirrored().cumulative(y), law.cumulative(y)) << label(law);
+    }
+    EXPECT_LT(std::abs(mirrored.characteristic_function(1.7) -
+                       std::conj(law.characteristic_function(1.7))),
+              1e-15);
+    EXPECT_EQ(mirrored.mirrored().smooth_pieces(), law.smooth_pieces());
+  }
+}
+
+TEST(ImpulseLaw, SymmetricLawsAloneHaveNoSkewness) {
+  for (const auto& law : kLaws) {
+    EXPECT_EQ(law.symmetric(), law.skewness() == 0) << label(law);
+    const double m = law.mean(), s = law.deviation();
+    const double third = law.moment(3) - 3 * m * law.moment(2) + 2 * m * m * m;
+    EXPECT_NEAR(law.skewness(), third / (s * s * s), 1e-13) << label(law);
+  }
+  EXPECT_EQ(ImpulseLaw(ExponentialLaw{0.3, -0.5}).skewness(), -2);
+  EXPECT_EQ(ImpulseLaw(GammaLaw{0.3, 0.5, -0.7}).skewness(), -0.7);
+}
+
+TEST(ImpulseLaw, GammaOfTheSkewnessTwoIsExponential) {
+  for (const double sign : {-1.0, 1.0}) {
+    const ImpulseLaw gamma(GammaLaw{0.3, 0.5, 2 * sign}), one(ExponentialLaw{0.3, 0.5 * sign});
+    for (int j = 0; j < kMomentCount; ++j) EXPECT_NEAR(gamma.moment(j), one.moment(j), 1e-14);
+    for (const double y : {-1.3, -0.21, 0.1, 0.79, 1.5}) {
+      EXPECT_NEAR(gamma.density(y), one.density(y), 1e-14) << y;
+      EXPECT_NEAR(gamma.cumulative(y), one.cumulative(y), 1e-15) << y;
+    }
+  }
+}
+
+TEST(ImpulseLaw, QuantilesOfTheGammaLawInvertItsCumulative) {
+  for (const double skewness : {0.01, 0.6, 1.0, 1.7, 2.0}) {
+    const GammaLaw law{0, 1, skewness};
+    for (const double p : {1e-6, 1e-4, 0.3, 0.5, 0.9}) {
+      EXPECT_NEAR(law.cumulative(law.standardised_quantile(p, 1 - p)) / p, 1, 1e-9)
+          << skewness << ' ' << p;
+    }
+    const double far = law.standardised_quantile(1 - 0x1p-40, 0x1p-40);
+    EXPECT_NEAR((1 - law.cumulative(far)) * 0x1p40, 1, 1e-3) << skewness;
+  }
+}
+
+TEST(ImpulseLaw, TakesASkewnessWhereItHasOne) {
+  EXPECT_EQ(ImpulseLaw::named("gamma", 0, 1).skewness(), 1);
+  EXPECT_EQ(ImpulseLaw::named("gamma", 0, 1, {.skewness = -0.3}).skewness(), -0.3);
+  EXPECT_EQ(ImpulseLaw::named("exponential", 0, 1).skewness(), 2);
+  EXPECT_EQ(ImpulseLaw::named("exponential", 0, 1, {.skewness = -2}).skewness(), -2);
+  EXPECT_EQ(ImpulseLaw::named("laplace", 0, 1, {.skewness = 0}).skewness(), 0);
+  for (const auto& [name, skewness] : {std::pair{"laplace", 1.0},
+                                       {"exponential", 1.9},
+                                       {"gamma", 0.0},
+                                       {"gamma", 2.1},
+                                       {"gamma", -0.001}}) {
+    try {
+      ImpulseLaw::named(name, 0, 1, {.skewness = skewness});
+      ADD_FAILURE() << name << ' ' << skewness;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("impulse.skewness = ")) << error.what();
+    }
+  }
 }
 
 TEST(ImpulseLaw, HasClosedFormMoments) {
@@ -88,6 +208,13 @@ TEST(ImpulseLaw, HasClosedFormMoments) {
   EXPECT_NEAR(ImpulseLaw(LaplaceLaw{0, 0.5}).moment(6), 720 / 64.0, 1e-13);  // 6! b^6
   EXPECT_NEAR(ImpulseLaw(UniformLaw{1, 1}).moment(5), 32 / 6.0, 1e-13);      // on (0, 2)
   EXPECT_NEAR(ImpulseLaw(GaussianLaw{1, 1}).moment(4), 10, 1e-13);
+  const ImpulseLaw exponential(ExponentialLaw{1, 1});  // E
+  for (int j = 0; j < kMomentCount; ++j)
+    EXPECT_NEAR(exponential.moment(j), std::tgamma(j + 1), 1e-12);
+  const ImpulseLaw gamma(GammaLaw{4, 2, 1});  // G of the shape 4
+  for (int j = 0; j < kMomentCount; ++j) {
+    EXPECT_NEAR(gamma.moment(j) / (std::tgamma(4 + j) / 6), 1, 1e-14);
+  }
 }
 
 TEST(ImpulseLaw, DensityIsNegligibleOutsideItsSmoothPieces) {

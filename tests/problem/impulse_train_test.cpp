@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "laws.hpp"
 #include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
@@ -21,7 +22,7 @@ TEST(ImpulseTrain, IntensityIsRateTimesSecondMomentWhateverTheMean) {
 }
 
 TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
-  for (const char* name : {"gaussian", "laplace", "two_point", "uniform"}) {
+  for (const std::string& name : tests::laws_by_name()) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
     const ImpulseTrain impulses(parameters);
@@ -29,6 +30,21 @@ TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
     EXPECT_NEAR(impulses.intensity(), 0.6, 1e-15) << name;
     EXPECT_NEAR(impulses.rate_moment(1), 0.6, 1e-15) << name;
     EXPECT_NEAR(impulses.law().deviation(), std::sqrt(0.3 - 0.09), 1e-15) << name;
+  }
+}
+
+TEST(ImpulseTrain, MirroredTwiceIsItself) {
+  for (const std::string& name : tests::laws_by_name()) {
+    ImpulseParameters parameters = train(2.0, 0.6, 0.3);
+    parameters.law = name;
+    const ImpulseTrain impulses(parameters), mirrored = impulses.mirrored();
+    for (int j = 0; j < kMomentCount; ++j) {
+      EXPECT_EQ(mirrored.rate_moment(j), (j % 2 == 0 ? 1 : -1) * impulses.rate_moment(j)) << name;
+      EXPECT_EQ(mirrored.mirrored().rate_moment(j), impulses.rate_moment(j)) << name;
+    }
+    // Its parameters are those of the law that it has.
+    const ImpulseTrain again(mirrored.parameters());
+    EXPECT_NEAR(again.rate_moment(3), mirrored.rate_moment(3), 1e-15) << name;
   }
 }
 

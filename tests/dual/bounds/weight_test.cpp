@@ -75,6 +75,12 @@ TEST(Weight, HasTheMeanThatItsScaleIsChosenFor) {
   EXPECT_NEAR(tau(0, std::sqrt(2 * tau.scale)), 2, 1e-12);
 }
 
+TEST(Weight, IsRefusedForALawWithoutEnclosures) {
+  EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=exponential"})), "");
+  EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=gamma"})),
+            "no bounds under gamma impulses: their means are not enclosed");
+}
+
 TEST(Weight, IsRefusedForOverdampedMotionInOneLine) {
   EXPECT_EQ(weight_refused(problem::load_case("case1")), "");
   EXPECT_EQ(weight_refused(problem::load_case("case1", {"system.damping=1.999"})), "");

@@ -67,7 +67,7 @@ System van_der_pol(double epsilon) {
 // are those of its cumulants, under any law, a mean and noise beside.
 TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
   const System linear({.damping = 0.2, .stiffness = 1.3}, {.none = true});
-  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform", "exponential", "gamma"}) {
     problem::Problem p = with_impulses(
         linear,
         problem::ImpulseTrain({.arrival_rate = 1.5, .law = law, .intensity = 0.2, .mean = 0.08}));

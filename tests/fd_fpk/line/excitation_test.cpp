@@ -31,12 +31,15 @@ double moment_rate(const Line& line, const Excitation& excitation, int power) {
 const Line kLong = Line::uniform(-10.05, 0.1, 201);
 
 TEST(Excitation, TruncatedSeriesHasTheFirstFourMoments) {
-  const auto p = tests::make_problem({.rate = 2.0, .intensity = 0.5, .mean = 0.15});
-  const double l = 0.6;
-  const Excitation e = kramers_moyal(p.impulses, kLong, l);
-  EXPECT_NEAR(moment_rate(kLong, e, 0), 0.0, 1e-9);
-  for (int j = 1; j <= 4; ++j) {
-    EXPECT_NEAR(moment_rate(kLong, e, j), p.impulses.rate_moment(j), 1e-8) << j;
+  for (const auto& p :
+       {tests::make_problem({.rate = 2.0, .intensity = 0.5, .mean = 0.15}),
+        tests::make_problem({.rate = 2.0, .intensity = 0.5, .law = "exponential"})}) {
+    const double l = 0.6;
+    const Excitation e = kramers_moyal(p.impulses, kLong, l);
+    EXPECT_NEAR(moment_rate(kLong, e, 0), 0.0, 1e-9);
+    for (int j = 1; j <= 4; ++j) {
+      EXPECT_NEAR(moment_rate(kLong, e, j), p.impulses.rate_moment(j), 1e-8) << j;
+    }
   }
 }
 

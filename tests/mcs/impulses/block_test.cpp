@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "laws.hpp"
 #include "mcs/lanes/instruction_set.hpp"
 #include "paper_cases.hpp"
 
@@ -11,7 +12,7 @@ namespace fpkcheck::mcs {
 namespace {
 
 TEST(Block, HasTheSameBitsForAnyInstructions) {
-  for (const std::string& law : problem::ImpulseLaw::known()) {
+  for (const std::string& law : tests::laws_by_name()) {
     const auto problem = tests::make_problem({.mean = 0.1, .law = law});
     for (const auto& excitation :
          {poisson_excitation(problem.impulses), white_excitation(problem.impulses, 0.05)}) {

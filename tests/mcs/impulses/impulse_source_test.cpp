@@ -7,8 +7,11 @@
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "laws.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::mcs {
@@ -43,7 +46,7 @@ TEST(ImpulseSource, DrawsWaitingTimesOfThePoissonProcess) {
 }
 
 TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
-  for (const std::string& law : problem::ImpulseLaw::known()) {
+  for (const std::string& law : tests::laws_by_name()) {
     for (const double mean : {0.0, 0.2, -0.2}) {
       SCOPED_TRACE(fmt::format("{} about {}", law, mean));
       const auto problem = tests::make_problem({.mean = mean, .law = law});
@@ -58,7 +61,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
 
 // Where the moments say little: near the middle of the law, and where it ends.
 TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
-  for (const std::string& name : problem::ImpulseLaw::known()) {
+  for (const std::string& name : tests::laws_by_name()) {
     SCOPED_TRACE(name);
     const auto problem = tests::make_problem({.mean = 0.1, .law = name});
     const auto& law = problem.impulses.law();
@@ -70,6 +73,73 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
                   "E[cos(u Y)]");
       expect_mean([&] { return std::sin(u * source.next().amplitude); }, exact.imag(),
                   "E[sin(u Y)]");
+    }
+  }
+}
+
+// Each atom as often as its probability says, in deviations of the binomial law.
+TEST(ImpulseSource, DrawsTheAtomsOfATable) {
+  const problem::ImpulseTrain train({.arrival_rate = 1,
+                                     .law = "tabulated",
+                                     .intensity = 0.3,
+                                     .mean = 0.1,
+                                     .table = tests::kAtoms});
+  ImpulseSource source(train, 6, 0), mirrored(train.mirrored(), 6, 0);
+  const auto atoms = train.law().atoms();
+  std::vector<int> count(atoms.size());
+  for (int n = 0; n < kDraws; ++n) {
+    const double y = source.next().amplitude;
+    ASSERT_EQ(mirrored.next().amplitude, -y);
+    const auto atom = std::ranges::find_if(
+        atoms, [&](const problem::Atom& a) { return std::abs(a.amplitude - y) < 1e-14; });
+    ASSERT_NE(atom, atoms.end()) << y;
+    ++count[static_cast<std::size_t>(atom - atoms.begin())];
+  }
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    const double p = atoms[k].probability;
+    EXPECT_NEAR(count[k], p * kDraws, 4 * std::sqrt(kDraws * p * (1 - p))) << k;
+  }
+}
+
+// Kolmogorov's statistic sqrt(n) sup |F_n - F|, which exceeds 1.95 once in a thousand.
+TEST(ImpulseSource, DrawsAmplitudesWithTheCumulativeOfLawsOfAnySkewness) {
+  const auto train_of = [](const char* law, std::optional<double> skewness) {
+    const auto table = skewness ? std::nullopt : std::optional<std::string>(tests::kDensity);
+    return problem::ImpulseTrain({.arrival_rate = 1,
+                                  .law = law,
+                                  .intensity = 0.3,
+                                  .mean = 0.1,
+                                  .skewness = skewness,
+                                  .table = table});
+  };
+  for (const auto& train :
+       {train_of("exponential", 2), train_of("exponential", -2), train_of("gamma", 0.01),
+        train_of("gamma", -0.5), train_of("gamma", 1.6), train_of("gamma", -2),
+        train_of("tabulated", {}), train_of("tabulated", {}).mirrored()}) {
+    SCOPED_TRACE(fmt::format("{} {}", train.law().name(), train.law().skewness()));
+    ImpulseSource source(train, 5, 0);
+    std::vector<double> drawn(kDraws);
+    for (double& y : drawn) y = source.next().amplitude;
+    std::ranges::sort(drawn);
+    double largest = 0;
+    for (int n = 0; n < kDraws; ++n) {
+      const double exact = train.law().cumulative(drawn[static_cast<std::size_t>(n)]);
+      largest = std::max({largest, exact - n / double{kDraws}, (n + 1) / double{kDraws} - exact});
+    }
+    EXPECT_LT(largest * std::sqrt(kDraws), 1.95);
+    EXPECT_GT(largest * std::sqrt(kDraws), 0.3);
+  }
+}
+
+TEST(ImpulseSource, PiecesAreTheQuantilesToTheirTails) {
+  for (const double skewness : {0.01, 0.7, 1.9, 2.0}) {
+    const problem::GammaLaw law{0, 1, skewness};
+    const AmplitudePieces pieces =
+        interpolated([&](double p, double q) { return law.standardised_quantile(p, q); });
+    for (const double p :
+         {0x1p-44, 1e-12, 1e-5, 0.03, 0.24, 0.5, 0.8, 0.97, 1 - 1e-6, 1 - 0x1p-43, 1 - 0x1p-44}) {
+      const double exact = law.standardised_quantile(p, 1 - p);
+      EXPECT_NEAR(pieces(p), exact, 1e-9 * std::max(1.0, std::abs(exact))) << skewness << ' ' << p;
     }
   }
 }

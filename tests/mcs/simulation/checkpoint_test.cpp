@@ -107,6 +107,22 @@ TEST_F(Checkpoint, OfAnotherSimulationIsRefused) {
   refused([](auto&) {});
 }
 
+// Of the same rate, mean and intensity: what is drawn differs in its skewness alone.
+TEST_F(Checkpoint, OfAnotherSkewnessIsRefused) {
+  const auto under = [](double skewness) {
+    return problem::ImpulseTrain(
+        {.arrival_rate = 1, .law = "gamma", .intensity = 0.1, .mean = 0, .skewness = skewness});
+  };
+  problem_.impulses = under(0.8);
+  Options options = brief(false);
+  interrupted(options);
+  options.resume = file_;
+  problem_.impulses = under(0.9);
+  expect_refused(options, "another simulation");
+  problem_.impulses = under(0.8);
+  EXPECT_EQ(solve(problem_, options).solution.status, transform::Status::ok);
+}
+
 TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
   interrupted(brief(false));
   Options options = brief(false);

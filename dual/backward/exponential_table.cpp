@@ -1,12 +1,14 @@
-// Density exp(-|y - m|/s) / (2s) (s the scale). K B(v) = L(v + m) + R(v + m) with
+// Laplace's law: density exp(-|y - m|/s) / (2s) (s the scale). K B(v) = L(v + m) + R(v + m) with
 //
 //     L(z) = int_{-inf}^z B(x) exp(-(z - x)/s) dx/(2s),   s L' = -L + B/2,
 //
-// and R the same from above. Along the axis L is carried from piece to piece. Within a piece of
-// length e, theta = (z - begin)/e, it is L(begin) exp(-e theta/s) and a solution that starts at 0,
-// each as a power series,
+// and R the same from above. The exponential law has one of them alone, with the weight w = 1 in
+// place of 1/2, at v + m - scale: R where its tail is above, L where it is below.
 //
-//     q_{n+1} = (e/s) (-q_n + b_n/2) / (n + 1),
+// Along the axis L is carried from piece to piece. Within a piece of length e, theta = (z -
+// begin)/e, it is L(begin) exp(-e theta/s) and a solution that starts at 0, each as a power series,
+//
+//     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1),
 //
 // which for n > p are the terms of an exponential: what follows the last term kept, n = N - 1, is
 // at most |q_N| exp(e/s).
@@ -18,7 +20,7 @@
 namespace fpkcheck::dual {
 namespace {
 
-constexpr int kLaplaceOrder = 16;  // N
+constexpr int kOneSidedOrder = 16;  // N
 
 // Bernstein coefficients of the two solutions on a piece, t in [0, 1].
 struct OneSided {
@@ -35,17 +37,18 @@ Coefficients enclosed_series(Coefficients powers, const Interval& next, const In
   return b;
 }
 
-OneSided one_sided(const std::vector<Coefficients>& functions, const Interval& length, double s) {
+OneSided one_sided(const std::vector<Coefficients>& functions, const Interval& length, double s,
+                   double weight) {
   const Interval ratio = length / s;
   OneSided solution;
   solution.final_decay = exponential(-ratio);
   const auto series = [&](const Coefficients& forcing, const Interval& start) {
-    Coefficients q(kLaplaceOrder);
+    Coefficients q(kOneSidedOrder);
     Interval next = start;
-    for (int n = 0; n < kLaplaceOrder; ++n) {
+    for (int n = 0; n < kOneSidedOrder; ++n) {
       q[n] = next;
       const Interval b = n < static_cast<int>(forcing.size()) ? forcing[n] : Interval(0);
-      next = ratio * (b / 2.0 - q[n]) / static_cast<double>(n + 1);
+      next = ratio * (weight * b - q[n]) / static_cast<double>(n + 1);
     }
     return enclosed_series(std::move(q), next, ratio);
   };
@@ -62,8 +65,8 @@ struct Axis {
   std::size_t first = 0;  ///< image of the first piece
 };
 
-Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces, double shift,
-                  double longest) {
+Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
+                  const Interval& shift, double longest) {
   Axis axis;
   const Interval begin = pieces.front().from + shift, end = pieces.back().to + shift;
   const auto add_between = [&](const Interval& from, const Interval& to) {
@@ -74,30 +77,34 @@ Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pi
       axis.pieces.push_back(located(basis, a, b));
     }
   };
-  if (shift > 0) add_between(pieces.front().from, begin);
+  if (shift.lower() > 0) add_between(pieces.front().from, begin);
   axis.first = axis.pieces.size();
   for (const VelocityPiece& p : pieces) {
     axis.pieces.push_back(located(basis, p.from + shift, p.to + shift));
   }
-  if (shift < 0) add_between(end, pieces.back().to);
+  if (shift.upper() < 0) add_between(end, pieces.back().to);
   return axis;
 }
 
-}  // namespace
+// w, of L and of R.
+struct Weights {
+  double below, above;
+};
 
-ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces) {
-  const double s = law.scale;
-  ImpulseTable table = empty_table(basis, pieces, kLaplaceOrder);
+ImpulseTable table_of_sides(const Interval& shift, double s, const Weights& weights,
+                            const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces) {
+  ImpulseTable table = empty_table(basis, pieces, kOneSidedOrder);
   double longest = 0, overhang = 0;
   for (const VelocityPiece& piece : pieces) longest = std::max(longest, piece.length().upper());
-  const Axis axis = shifted_axis(basis, pieces, law.mean, longest);
+  const Axis axis = shifted_axis(basis, pieces, shift, longest);
   const int count = static_cast<int>(axis.pieces.size());
 
   for (const bool forward : {true, false}) {
-    // L or R of all functions at the end of the axis: half of the constant beyond it.
+    const double weight = forward ? weights.below : weights.above;
+    if (weight == 0) continue;
+    // L or R of all functions at the end of the axis: its part of the constant beyond it.
     std::vector<Interval> carried(basis.size(), Interval(0));
-    carried[forward ? 0 : basis.size() - 1] = 0.5;
+    carried[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {
       const int i = forward ? step : count - 1 - step;
       const VelocityPiece& piece = axis.pieces[i];
@@ -106,13 +113,13 @@ ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
       if (!forward) {
         for (Coefficients& b : functions.value) std::reverse(b.begin(), b.end());
       }
-      const OneSided solution = one_sided(functions.value, piece.length(), s);
+      const OneSided solution = one_sided(functions.value, piece.length(), s, weight);
       const int target = i - static_cast<int>(axis.first);
       if (target >= 0 && target < static_cast<int>(pieces.size())) {
         const auto add = [&](int b, const Interval& factor, const Coefficients& c) {
           const std::span<Interval> out = table.of(target, b);
-          for (int j = 0; j < kLaplaceOrder; ++j) {
-            out[j] += factor * c[forward ? j : kLaplaceOrder - 1 - j];
+          for (int j = 0; j < kOneSidedOrder; ++j) {
+            out[j] += factor * c[forward ? j : kOneSidedOrder - 1 - j];
           }
         };
         for (int b = 0; b < basis.size(); ++b) add(b, carried[b], solution.decay);
@@ -130,8 +137,22 @@ ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * Interval(overhang)).upper();
   // An image that lies beyond the basis altogether leaves a stretch between that is not there.
   const double reach = (pieces.back().to - pieces.front().from).lower();
-  if (!(std::abs(law.mean) < reach)) table.remainder = HUGE_VAL;
+  if (!(magnitude(shift) < reach)) table.remainder = HUGE_VAL;
   return table;
+}
+
+}  // namespace
+
+ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
+                      const std::vector<VelocityPiece>& pieces) {
+  return table_of_sides(law.mean, law.scale, {0.5, 0.5}, basis, pieces);
+}
+
+ImpulseTable table_of(const problem::ExponentialLaw& law, const ImpactBasis& basis,
+                      const std::vector<VelocityPiece>& pieces) {
+  const Interval start = Interval(law.mean) - law.scale;
+  return table_of_sides(start, std::abs(law.scale), law.scale > 0 ? Weights{0, 1} : Weights{1, 0},
+                        basis, pieces);
 }
 
 }  // namespace fpkcheck::dual

@@ -1,0 +1,223 @@
+#include "problem/amplitude_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "parameters/input_error.hpp"
+#include "parameters/shown.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+using Kind = AmplitudeTable::Kind;
+using parameters::in_quotes;
+
+constexpr std::string_view kProbability = "probability", kDensity = "density";
+// As of a case file's own numbers: powers of them must be numbers too.
+constexpr double kLargest = 1e30;
+
+std::string_view name_of(Kind kind) { return kind == Kind::probability ? kProbability : kDensity; }
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::optional<double> number_of(std::string_view text) {
+  text = trimmed(text);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && std::abs(number) <= kLargest ? std::optional(number) : std::nullopt;
+}
+
+/// A table from its rows, each of which is looked at where it stands.
+class Rows {
+ public:
+  explicit Rows(Kind kind) { table_.kind = kind; }
+
+  /// @throws InputError AT: ..
+  void add(std::string_view row, char separator, const std::string& at) {
+    const auto cut = row.find(separator);
+    const auto amplitude = number_of(row.substr(0, cut));
+    const auto weight =
+        cut == std::string_view::npos ? std::nullopt : number_of(row.substr(cut + 1));
+    if (!amplitude || !weight) {
+      fail(at, fmt::format("{} (a row is two finite numbers, amplitude{}{})", in_quotes(row),
+                           separator, name_of(table_.kind)));
+    }
+    if (!table_.amplitude.empty() && !(*amplitude > table_.amplitude.back())) {
+      fail(at, fmt::format("amplitude {} after {} (amplitudes must increase)", *amplitude,
+                           table_.amplitude.back()));
+    }
+    const bool positive = table_.kind == Kind::density ? *weight >= 0 : *weight > 0;
+    if (!positive) {
+      fail(at, fmt::format("{} = {} (must be {})", name_of(table_.kind), *weight,
+                           table_.kind == Kind::density ? "0 or above" : "above 0"));
+    }
+    if (table_.amplitude.size() == kMostTableRows) {
+      fail(at, fmt::format("more than {} rows (a table may have as many)", kMostTableRows));
+    }
+    table_.amplitude.push_back(*amplitude);
+    table_.weight.push_back(*weight);
+  }
+
+  /// @throws InputError AT: ..
+  AmplitudeTable table(const std::string& at) && {
+    if (table_.amplitude.size() < 2) fail(at, "a table of less than two rows (Y must vary)");
+    double sum = 0;
+    for (std::size_t k = 0; k < table_.weight.size(); ++k) {
+      if (table_.kind == Kind::probability) {
+        sum += table_.weight[k];
+      } else if (k > 0) {
+        sum += (table_.amplitude[k] - table_.amplitude[k - 1]) *
+               (table_.weight[k] + table_.weight[k - 1]) / 2;
+      }
+    }
+    if (!(std::abs(sum - 1) <= kTableTolerance)) {
+      fail(at, fmt::format("the table ends here, and its {} {} {:.6g} (must be 1 within {})",
+                           name_of(table_.kind),
+                           table_.kind == Kind::probability ? "sums to" : "integrates to", sum,
+                           kTableTolerance));
+    }
+    // A deviation that rounding leaves, and powers of what lies outside it that are numbers.
+    constexpr double kLeastSpread = 1e-30, kLeastOfSize = 1e-9, kLeastShare = 1e-20;
+    const double first = table_.amplitude.front(), last = table_.amplitude.back();
+    const double spread = last - first, size = std::max(std::abs(first), std::abs(last));
+    if (spread < std::max(kLeastSpread, kLeastOfSize * size) ||
+        table_.variance() < kLeastShare * spread * spread) {
+      fail(at,
+           fmt::format("the table ends here, and its amplitudes, {} .. {}, are as good as one (Y "
+                       "must vary)",
+                       first, last));
+    }
+    // What a sum of rounded numbers is off by stays: a table that was read once reads the same.
+    constexpr double kRounding = 1e-12;
+    if (std::abs(sum - 1) > kRounding) {
+      for (double& weight : table_.weight) weight /= sum;
+    }
+    return std::move(table_);
+  }
+
+ private:
+  [[noreturn]] static void fail(const std::string& at, const std::string& what) {
+    throw InputError(fmt::format("{} {}", at, what));
+  }
+
+  AmplitudeTable table_;
+};
+
+// E[(Y - about)^power], power 1 or 2: Simpson's rule has cubics exactly.
+double moment_about(const AmplitudeTable& table, double about, int power) {
+  const auto value = [&](double y) { return power == 1 ? y - about : (y - about) * (y - about); };
+  double sum = 0;
+  for (std::size_t k = 0; k < table.amplitude.size(); ++k) {
+    if (table.kind == Kind::probability) {
+      sum += table.weight[k] * value(table.amplitude[k]);
+    } else if (k > 0) {
+      const double from = table.amplitude[k - 1], to = table.amplitude[k];
+      const double f = table.weight[k - 1], g = table.weight[k];
+      sum += (to - from) / 6 *
+             (f * value(from) + 2 * (f + g) * value((from + to) / 2) + g * value(to));
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+double AmplitudeTable::mean() const {
+  constexpr double kRounding = 1e-15;  // of the table's width: a mean of 0 is 0
+  const double first = amplitude.front(), last = amplitude.back(), middle = (first + last) / 2;
+  const double mean = middle + moment_about(*this, middle, 1);
+  return std::abs(mean) < kRounding * (last - first) ? 0 : mean;
+}
+
+double AmplitudeTable::variance() const { return moment_about(*this, mean(), 2); }
+
+AmplitudeTable AmplitudeTable::mirrored() const {
+  AmplitudeTable table = *this;
+  for (double& y : table.amplitude) y = 0 - y;  // no -0
+  std::ranges::reverse(table.amplitude);
+  std::ranges::reverse(table.weight);
+  return table;
+}
+
+AmplitudeTable amplitude_table_of_csv(std::string_view csv, const std::string& where) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
+  std::optional<Rows> rows;
+  int number = 0;
+  std::string at = fmt::format("{}:1:", where);
+  while (!csv.empty()) {
+    const auto end = csv.find('\n');
+    const std::string_view line = trimmed(csv.substr(0, end));
+    csv.remove_prefix(end == std::string_view::npos ? csv.size() : end + 1);
+    ++number;
+    if (line.empty() || line.front() == '#') continue;
+    at = fmt::format("{}:{}:", where, number);
+    if (rows) {
+      rows->add(line, ',', at);
+      continue;
+    }
+    const auto comma = line.find(',');
+    const bool named =
+        comma != std::string_view::npos && trimmed(line.substr(0, comma)) == "amplitude";
+    const std::string_view of = named ? trimmed(line.substr(comma + 1)) : std::string_view();
+    if (of != kProbability && of != kDensity) {
+      throw InputError(
+          fmt::format("{} {} (the first line must be amplitude,probability or amplitude,density)",
+                      at, in_quotes(line)));
+    }
+    rows.emplace(of == kProbability ? Kind::probability : Kind::density);
+  }
+  if (!rows) {
+    throw InputError(fmt::format(
+        "{} no line (the first one must be amplitude,probability or amplitude,density)", at));
+  }
+  return std::move(*rows).table(at);
+}
+
+std::string text_of(const AmplitudeTable& table) {
+  std::string text = fmt::format("{}(", name_of(table.kind));
+  for (std::size_t k = 0; k < table.amplitude.size(); ++k) {
+    text += fmt::format("{}{}:{}", k == 0 ? "" : ",", table.amplitude[k], table.weight[k]);
+  }
+  return text + ')';
+}
+
+bool is_amplitude_table(std::string_view text) {
+  return text.starts_with("probability(") || text.starts_with("density(");
+}
+
+AmplitudeTable amplitude_table_of_text(std::string_view text) {
+  const std::string at = fmt::format("impulse.table = {}:", in_quotes(text));
+  if (!is_amplitude_table(text) || text.back() != ')') {
+    throw InputError(
+        fmt::format("{} no table (name a CSV file, or write probability(-1:0.5,1:0.5))", at));
+  }
+  Rows rows(text.front() == 'p' ? Kind::probability : Kind::density);
+  const auto open = text.find('(');
+  std::string_view list = text.substr(open + 1, text.size() - open - 2);
+  while (!list.empty()) {
+    const auto comma = list.find(',');
+    rows.add(list.substr(0, comma), ':', at);
+    list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
+  }
+  return std::move(rows).table(at);
+}
+
+std::string summary_of(std::string_view text) {
+  const AmplitudeTable table = amplitude_table_of_text(text);
+  return fmt::format("{} {} from {:g} to {:g}", table.amplitude.size(),
+                     table.kind == Kind::probability ? "probabilities" : "densities",
+                     table.amplitude.front(), table.amplitude.back());
+}
+
+}  // namespace fpkcheck::problem

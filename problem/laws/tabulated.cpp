@@ -1,0 +1,145 @@
+#include "problem/laws/tabulated.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "parameters/input_error.hpp"
+#include "problem/amplitude_table.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+// Waves are resolved to rounding that turn, or grow, by exp(i 6) or exp(6) over 20 points.
+constexpr double kSmooth = 6;
+
+bool has_atoms(const TabulatedLaw& law) {
+  return law.standard->kind == AmplitudeTable::Kind::probability;
+}
+
+// E[f(Z)] for an f that is smooth over the table's pieces, or over lengths of `smooth`.
+template <class Function>
+auto expectation(const AmplitudeTable& table, const Function& f,
+                 double smooth = std::numeric_limits<double>::infinity()) {
+  using Rule = boost::math::quadrature::gauss<double, 20>;
+  decltype(f(0.0)) sum = 0;
+  const auto& z = table.amplitude;
+  const auto& w = table.weight;
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    if (table.kind == AmplitudeTable::Kind::probability) {
+      sum += w[k] * f(z[k]);
+    } else if (k > 0) {
+      const double length = z[k] - z[k - 1];
+      const int panels = std::max(1, static_cast<int>(std::ceil(length / smooth)));
+      const auto integrand = [&](double part) {  // of the piece
+        return std::lerp(w[k - 1], w[k], part) * length * f(z[k - 1] + part * length);
+      };
+      for (int panel = 0; panel < panels; ++panel) {
+        sum += Rule::integrate(integrand, panel / static_cast<double>(panels),
+                               (panel + 1) / static_cast<double>(panels));
+      }
+    }
+  }
+  return sum;
+}
+
+// P(Z <= z), or P(Z < z).
+double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
+  const auto& z = table.amplitude;
+  const auto& w = table.weight;
+  double sum = 0;
+  if (table.kind == AmplitudeTable::Kind::probability) {
+    for (std::size_t k = 0; k < z.size(); ++k) {
+      if (z[k] < at || (with_equal && z[k] == at)) sum += w[k];
+    }
+    return std::min(sum, 1.0);
+  }
+  for (std::size_t k = 1; k < z.size() && z[k - 1] < at; ++k) {
+    const double to = std::min(at, z[k]), part = (to - z[k - 1]) / (z[k] - z[k - 1]);
+    sum += (to - z[k - 1]) * (w[k - 1] + std::lerp(w[k - 1], w[k], part)) / 2;
+  }
+  return std::min(sum, 1.0);
+}
+
+}  // namespace
+
+TabulatedLaw TabulatedLaw::with(double mean, double deviation, const LawShape& shape) {
+  if (shape.table.empty()) {
+    throw InputError(
+        "impulse.table is missing (impulse.law = tabulated needs one: a CSV file with the columns "
+        "amplitude,probability or amplitude,density)");
+  }
+  if (shape.skewness) {
+    throw InputError(
+        fmt::format("impulse.skewness = {} (a tabulated law has that of its table: leave it out)",
+                    *shape.skewness));
+  }
+  AmplitudeTable table = amplitude_table_of_text(shape.table);
+  const double centre = table.mean(), width = std::sqrt(table.variance());
+  for (double& y : table.amplitude) y = (y - centre) / width;
+  if (table.kind == AmplitudeTable::Kind::density) {
+    for (double& w : table.weight) w *= width;
+  }
+  return {mean, deviation, std::make_shared<const AmplitudeTable>(std::move(table))};
+}
+
+double TabulatedLaw::standard_deviation() const { return std::abs(scale); }
+
+double TabulatedLaw::standardised_moment(int n) const {
+  if (n <= 2) return n == 1 ? 0 : 1;
+  const double sign = scale < 0 && n % 2 != 0 ? -1 : 1;
+  return sign * expectation(*standard, [n](double z) { return std::pow(z, n); });
+}
+
+double TabulatedLaw::density(double y) const {
+  if (has_atoms(*this)) return 0;
+  const auto& z = standard->amplitude;
+  const double at = (y - mean) / scale;
+  if (!(at >= z.front() && at <= z.back())) return 0;
+  const auto next = std::upper_bound(z.begin() + 1, z.end() - 1, at);
+  const auto k = static_cast<std::size_t>(next - z.begin());
+  const double part = (at - z[k - 1]) / (z[k] - z[k - 1]);
+  return std::lerp(standard->weight[k - 1], standard->weight[k], part) / std::abs(scale);
+}
+
+double TabulatedLaw::cumulative(double y) const {
+  const double at = (y - mean) / scale;
+  return scale > 0 ? cumulative_of(*standard, at, true) : 1 - cumulative_of(*standard, at, false);
+}
+
+std::vector<Atom> TabulatedLaw::atoms() const {
+  std::vector<Atom> atoms;
+  if (!has_atoms(*this)) return atoms;
+  for (std::size_t k = 0; k < standard->amplitude.size(); ++k) {
+    atoms.push_back({mean + scale * standard->amplitude[k], standard->weight[k]});
+  }
+  if (scale < 0) std::ranges::reverse(atoms);
+  return atoms;
+}
+
+std::vector<double> TabulatedLaw::smooth_pieces() const {
+  std::vector<double> pieces;
+  if (has_atoms(*this)) return pieces;
+  for (const double z : standard->amplitude) pieces.push_back(mean + scale * z);
+  if (scale < 0) std::ranges::reverse(pieces);
+  return pieces;
+}
+
+std::complex<double> TabulatedLaw::centred_characteristic_function(double u) const {
+  const double x = u * scale;
+  return expectation(
+      *standard, [x](double z) { return std::polar(1.0, x * z); }, kSmooth / std::abs(x));
+}
+
+double TabulatedLaw::centred_moment_generating_function(double u) const {
+  const double x = u * scale;
+  return expectation(
+      *standard, [x](double z) { return std::exp(x * z); }, kSmooth / std::abs(x));
+}
+
+}  // namespace fpkcheck::problem

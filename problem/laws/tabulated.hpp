@@ -1,0 +1,42 @@
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "problem/laws/atom.hpp"
+#include "problem/laws/shape.hpp"
+
+namespace fpkcheck::problem {
+
+struct AmplitudeTable;
+
+/// Y = mean + scale Z, Z of a table shifted and scaled to mean 0 and deviation 1: atoms, or a
+/// density that is linear in pieces. The mirror image has a negative scale.
+struct TabulatedLaw {
+  double mean;
+  double scale;
+  std::shared_ptr<const AmplitudeTable> standard;  ///< of Z
+
+  static constexpr std::string_view kName = "tabulated";
+  static constexpr std::string_view kWidthName = "scale";
+  /// @throws InputError where there is no table, or it is none
+  static TabulatedLaw with(double mean, double deviation, const LawShape& shape);
+  double width() const { return scale; }
+  double standard_deviation() const;
+
+  double standardised_moment(int n) const;
+  double density(double y) const;
+  double cumulative(double y) const;
+  std::vector<Atom> atoms() const;
+  std::vector<double> smooth_pieces() const;
+  std::complex<double> centred_characteristic_function(double u) const;
+  double centred_moment_generating_function(double u) const;
+  /// The law of Z.
+  TabulatedLaw standardised() const { return {0, 1, standard}; }
+  /// The law of -Y.
+  TabulatedLaw mirrored() const { return {-mean, -scale, standard}; }
+};
+
+}  // namespace fpkcheck::problem
