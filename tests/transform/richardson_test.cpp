@@ -96,14 +96,37 @@ TEST(Richardson, ComparesNeighboursOnTheirOwnBins) {
               1e-14);
 }
 
+// Atoms at walls of their own are apart in y, and together at y' = 0.
+TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
+  const auto with_atoms = [](double h) {
+    Level level = at(h, 2);
+    level.at_rest = {0.25 + 0.01 * h * h, 0.125 - 0.004 * h * h};
+    return level;
+  };
+  const Level coarse = with_atoms(1), middle = with_atoms(1 / kLevelRatio), fine = with_atoms(0.5);
+  const Change last = change(middle, fine);
+  const Change plain = change(at(1 / kLevelRatio, 2), at(0.5, 2));
+  ASSERT_EQ(last.at_rest.size(), 2u);
+  EXPECT_NEAR(last.at_rest[0], -0.0025, 1e-15);
+  EXPECT_NEAR(last.at_rest[1], 0.001, 1e-15);
+  EXPECT_NEAR(last.y_l1 - plain.y_l1, 0.0035, 1e-15);
+  EXPECT_NEAR(last.ydot_l1 - plain.ydot_l1, 0.0015, 1e-15);
+  const Richardson known = richardson(change(coarse, middle), last, kLevelRatio, 2);
+  EXPECT_NEAR(known.at_rest[0], 0.0025, 1e-12);  // of the second order: as much again is missing
+  EXPECT_NEAR(known.at_rest[1], 0.001, 1e-12);
+  EXPECT_THROW(change(at(1, 2), fine), std::invalid_argument);
+}
+
 TEST(Richardson, ALevelIsWhatASolutionHasOfIt) {
   Solution solution;
   solution.density = GridDensity{{0, 1, 2}, {-1, 0, 1}, {0.1, 0.2, 0.3, 0.4}};
   solution.moments.y2 = 7;
+  solution.atoms = {{.y = 0, .probability = 0.25}};
   const Level of = level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
   EXPECT_NEAR(of.y.density[1], 0.7, 1e-15);
   EXPECT_NEAR(of.ydot.density[0], 0.4, 1e-15);
   EXPECT_EQ(of.moments.y2, 7);
+  EXPECT_EQ(of.at_rest, std::vector<double>{0.25});
 }
 
 }  // namespace
