@@ -71,7 +71,7 @@ class Chain {
 };
 
 // Of the residual. Without tilts q is only what limits them.
-constexpr double kTolerance = 1e-10, kRoughTolerance = 1e-9;
+constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
 // Improves q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has no mass.
 void improve(const Chain& chain, const Aggregation& aggregation, double tolerance,
@@ -135,11 +135,11 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& 
   start.tail(atoms).setOnes();
   start /= start.sum();
   Eigen::VectorXd after = chain.kicked(start);
-  improve(chain, aggregation, kRoughTolerance, deadline, after, result);
+  improve(chain, aggregation, kRoughChainTolerance, deadline, after, result);
   if (!result.failure.empty()) return result;
   chain.tilt_within(after);
   aggregation.spread_like(after);
-  improve(chain, aggregation, kTolerance, deadline, after, result);
+  improve(chain, aggregation, kChainTolerance, deadline, after, result);
   if (!result.failure.empty()) return result;
   const Eigen::VectorXd before = chain.carried(after, &result.impacts);
   result.residual = (chain.kicked(before) - after).cwiseAbs().sum();

@@ -22,7 +22,7 @@ namespace {
 using transform::Status;
 
 // Of the transport there is no order: what is observed of cell averages takes parabolas.
-constexpr int kOrder = 3;
+constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
 struct Stationary {
@@ -134,7 +134,7 @@ void observe(const problem::Problem& problem, const Stationary& on, const Eigen:
   const double rate = problem.impulses.arrival_rate();
   const auto& [left, right] = on.found.impacts;
   solution.density = grid_density(on.grid, averages);
-  solution.moments = physical_moments(problem.frame, on.grid, averages, kOrder);
+  solution.moments = physical_moments(problem.frame, on.grid, averages, kOrderOfObservables);
   solution.mass = on.grid.areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
   add_atoms(problem, on, solution);
@@ -153,12 +153,12 @@ void observe(const problem::Problem& problem, const Stationary& on, const Eigen:
       summary.impact_rate += mass * place.impact_rate;
     }
   }
-  auto terms =
-      energy_terms(problem.system, moments(on.grid, averages, kOrder), on.grid, averages, kOrder);
+  auto terms = energy_terms(problem.system, moments(on.grid, averages, kOrderOfObservables),
+                            on.grid, averages, kOrderOfObservables);
   terms.impact_energy_flux = rate * left.energy;
   terms.right_energy_flux = rate * right.energy;
   solution.energy_residual = problem::energy_residual(problem, problem::Impact::map, terms);
-  summary.balances = balance_residuals(problem, on.grid, averages, kOrder,
+  summary.balances = balance_residuals(problem, on.grid, averages, kOrderOfObservables,
                                        {.left_momentum = rate * left.momentum,
                                         .right_momentum = rate * right.momentum,
                                         .displacement_at_rest = displacement_at_rest});
