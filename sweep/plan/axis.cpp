@@ -9,7 +9,6 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <charconv>
 #include <cmath>
-#include <set>
 
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
@@ -126,11 +125,11 @@ Axis axis_from(std::string_view key, std::string_view values, const std::string&
   } else {
     for (const auto& item : parts_of(values, ',')) axis.values.push_back(reading.value(item));
   }
-  std::set<Value> seen;
-  for (const auto& value : axis.values) {
-    if (seen.insert(value).second) continue;
+  std::vector<Value> sorted = axis.values;
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
     throw InputError(
-        fmt::format("{} {} is there twice (keep one)", reading.label, parameters::text_of(value)));
+        fmt::format("{} {} is there twice (keep one)", reading.label, parameters::text_of(*twice)));
   }
   return axis;
 }
