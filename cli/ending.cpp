@@ -105,10 +105,10 @@ Rescue::~Rescue() {
 }
 
 OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
-    : rescue_([this] { made_ = {}; }) {
+    : rescue_([this] { directory_ = {}; }) {
   if (!out) return;
   const process::FilesInHand in_hand;
-  made_ = results::make_writable(*out);
+  directory_ = results::make_writable(*out);
 }
 
 void note_kept(const std::string& what) {

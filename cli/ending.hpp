@@ -39,7 +39,7 @@ class OutputDirectory {
   explicit OutputDirectory(const std::optional<std::string>& out);
 
  private:
-  results::MadeDirectories made_;
+  results::PreparedDirectory directory_;
   Rescue rescue_;
 };
 

@@ -26,6 +26,34 @@ std::vector<fs::path> missing_parts(const fs::path& directory) {
   return missing;
 }
 
+void tidy(const fs::path& directory) {
+  files::finish_interrupted(directory);
+  files::remove_abandoned(directory);
+}
+
+// Proves that files can be written. An earlier process may have had our number.
+fs::path written_into(const fs::path& directory) {
+  fs::path file = files::partial_beside(directory / "run");
+  fs::remove(file);
+  files::write_new(file, "");
+  return file;
+}
+
+PreparedDirectory prepared(const fs::path& directory) {
+  const fs::path figures = directory / "figures";
+  std::vector<fs::path> missing = missing_parts(directory);
+  const PreparedDirectory made({}, missing);  // goes, unless the next keeps it from that
+  fs::create_directories(directory);
+  tidy(directory);
+  PreparedDirectory held(written_into(directory), std::move(missing));
+  if (fs::exists(figures)) {
+    fs::create_directories(figures);  // refuses a file
+    tidy(figures);
+    fs::remove(written_into(figures));
+  }
+  return held;
+}
+
 }  // namespace
 
 std::string file_stem(const std::string& case_name) {
@@ -39,27 +67,24 @@ std::string file_stem(const std::string& case_name) {
   return stem;
 }
 
-MadeDirectories::~MadeDirectories() {
+PreparedDirectory::~PreparedDirectory() {
   std::error_code not_empty;
+  if (!hold_.empty()) fs::remove(hold_, not_empty);
   for (auto part = made_.rbegin(); part != made_.rend(); ++part) fs::remove(*part, not_empty);
 }
 
-MadeDirectories make_writable(const fs::path& directory) {
+PreparedDirectory make_writable(const fs::path& directory) {
   if (directory.empty()) throw InputError("--out is empty (name a directory)");
-  const fs::path figures = directory / "figures";
-  MadeDirectories made(missing_parts(figures));
   try {
-    fs::create_directories(figures);
-    for (const auto& place : {directory, figures}) {
-      files::finish_interrupted(place);
-      files::remove_abandoned(place);
-      const fs::path probe = files::partial_beside(place / "probe");
-      files::write_new(probe, "");
-      fs::remove(probe);
+    // Another run that ends may remove what it had made and we found, until we hold it.
+    for (int others = 0; others < 20; ++others) {
+      try {
+        return prepared(directory);
+      } catch (const std::system_error& error) {
+        if (error.code() != std::errc::no_such_file_or_directory) throw;
+      }
     }
-    std::error_code not_empty;
-    fs::remove(figures, not_empty);  // until there is something to put into it
-    return made;
+    return prepared(directory);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {

@@ -12,28 +12,34 @@ namespace fpkcheck::results {
 /// "case1_r_0.9".
 std::string file_stem(const std::string& case_name);
 
-/// Directories that were made for results. Those that nothing was put into go with their owner.
-class MadeDirectories {
+/// A directory that results are to be put into. As long as this lives a hidden file of this process
+/// keeps other runs into the same directory from removing it; then that goes, and so do the
+/// directories that were made for it and that nothing was put into.
+class PreparedDirectory {
  public:
-  MadeDirectories() = default;
-  /// @param made outermost first
-  explicit MadeDirectories(std::vector<std::filesystem::path> made) : made_(std::move(made)) {}
-  MadeDirectories(MadeDirectories&& other) noexcept : made_(std::exchange(other.made_, {})) {}
-  MadeDirectories& operator=(MadeDirectories&& other) noexcept {
+  PreparedDirectory() = default;
+  /// @param hold the hidden file; empty where there is none
+  /// @param made directories, outermost first
+  PreparedDirectory(std::filesystem::path hold, std::vector<std::filesystem::path> made)
+      : hold_(std::move(hold)), made_(std::move(made)) {}
+  PreparedDirectory(PreparedDirectory&& other) noexcept
+      : hold_(std::exchange(other.hold_, {})), made_(std::exchange(other.made_, {})) {}
+  PreparedDirectory& operator=(PreparedDirectory&& other) noexcept {
+    std::swap(hold_, other.hold_);
     std::swap(made_, other.made_);
     return *this;
   }
-  ~MadeDirectories();
+  ~PreparedDirectory();
 
  private:
+  std::filesystem::path hold_;
   std::vector<std::filesystem::path> made_;
 };
 
 /// Creates the directory with its parents, proves that files can be written in it and in figures/
-/// below it, finishes or removes what a stopped run may have left half done there. What it created
-/// it removes again when that fails.
-/// @return what it created
+/// below it if that is there, finishes or removes what a stopped run may have left half done. Other
+/// runs may do the same at the same time. What it created it removes again when it fails.
 /// @throws InputError on one line
-[[nodiscard]] MadeDirectories make_writable(const std::filesystem::path& directory);
+[[nodiscard]] PreparedDirectory make_writable(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::results

@@ -36,7 +36,7 @@ std::vector<std::string> written(const std::filesystem::path& directory, const r
   const std::lock_guard lock(files_mutex());
   let_hdf5_be_silent_here();
   const process::FilesInHand in_hand;
-  const auto made = results::make_writable(directory);
+  const auto prepared = results::make_writable(directory);
   return report::write_report(directory, run);
 }
 

@@ -1,6 +1,8 @@
 #include "results/directory.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -33,7 +35,7 @@ TEST(RunDirectory, IsMadeWithItsParentsAndLeftEmpty) {
   const fs::path directory = parent.path() / "a" / "b";
   const auto made = make_writable(directory);
   EXPECT_TRUE(fs::is_directory(directory));
-  EXPECT_TRUE(fs::is_empty(directory));
+  EXPECT_FALSE(fs::exists(directory / "figures"));
   { const auto none = make_writable(directory); }  // again is fine, and makes nothing
   EXPECT_TRUE(fs::is_directory(directory));
 }
@@ -48,6 +50,59 @@ TEST(RunDirectory, GoesAgainWhenNothingIsPutIntoIt) {
   }
   EXPECT_FALSE(fs::exists(parent.path() / "a" / "b"));
   EXPECT_TRUE(fs::exists(parent.path() / "a" / "f"));
+}
+
+// What a process of its own does, which exits with 0 when `action` returns.
+template <typename Action>
+pid_t elsewhere(const Action& action) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  try {
+    action();
+    _exit(0);
+  } catch (...) {
+    _exit(1);
+  }
+}
+
+bool ended_well(pid_t child) {
+  int status = 1;
+  return waitpid(child, &status, 0) == child && status == 0;
+}
+
+// Of two runs into one directory the first may end, having nothing to write, while the other solves.
+TEST(RunDirectory, StaysAsLongAsAnotherRunNeedsIt) {
+  const tests::TemporaryDirectory parent;
+  const fs::path directory = parent.path() / "a" / "b", holds = parent.path() / "holds",
+                 first_ended = parent.path() / "first-ended";
+  pid_t second = 0;
+  {
+    const auto made = make_writable(directory);
+    second = elsewhere([&] {
+      const auto found = make_writable(directory);
+      files::write_file(holds, "");
+      while (!fs::exists(first_ended)) usleep(1000);
+      files::write_file(directory / "f", "text");
+    });
+    while (!fs::exists(holds)) usleep(1000);
+  }
+  files::write_file(first_ended, "");
+  EXPECT_TRUE(ended_well(second));
+  EXPECT_EQ(tests::contents(directory / "f"), "text");
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory), fs::directory_iterator()), 1);
+}
+
+TEST(RunDirectory, IsMadeByManyRunsAtOnce) {
+  const tests::TemporaryDirectory parent;
+  std::vector<pid_t> runs;
+  for (int n = 0; n < 6; ++n) {
+    runs.push_back(elsewhere([&] {
+      for (int again = 0; again < 200; ++again) {
+        const auto made = make_writable(parent.path() / "a" / "b");
+      }
+    }));
+  }
+  for (const pid_t run : runs) EXPECT_TRUE(ended_well(run));
 }
 
 TEST(RunDirectory, ThatCannotBeIsRefusedInOneLineAndNothingIsLeft) {
