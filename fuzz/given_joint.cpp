@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace fpkcheck;
   static const problem::Problem problem = problem::load_case("case1");
   static const methods::DensityPoints points(compare::comparison_axes(problem),
-                                             methods::walls_of(problem.system));
+                                             problem.system.walls());
   return fuzz::only_input_errors([&] {
     const std::string text(fuzz::text_of(data, size));
     if (text.starts_with('{')) {

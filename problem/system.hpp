@@ -54,6 +54,7 @@ class System {
   /// f = c y'.
   bool damping_is_constant() const { return damping_.degree() == 0 && c_.rayleigh == 0; }
 
+  const Walls& walls() const { return walls_; }
   const std::optional<Wall>& left() const { return walls_.left; }
   const std::optional<Wall>& right() const { return walls_.right; }
   /// Of the wall on the left; 1 where there is none.

@@ -20,7 +20,24 @@ double sign_change(const Function& f, double from, double to) {
   return (left + right) / 2;
 }
 
+struct Ends {
+  double low, high;
+};
+
+// The walls, and at open ends what no root is beyond. Where the polynomial is of a single term its
+// root is 0, which a bound of 1 + 0 holds too.
+Ends ends_of(const Polynomial& polynomial, const System& system) {
+  const double bound = 2 * root_bound(polynomial) + 1;
+  return {.low = system.left() ? system.left()->position : -bound,
+          .high = system.right() ? system.right()->position : bound};
+}
+
 }  // namespace
+
+std::vector<double> sign_changes_between_walls(const Polynomial& polynomial, const System& system) {
+  const auto [low, high] = ends_of(polynomial, system);
+  return low < high ? sign_changes(polynomial, low, high) : std::vector<double>{};
+}
 
 Polynomial effective_potential(const Problem& problem) {
   auto coefficients = problem.system.potential().coefficients();
@@ -31,11 +48,8 @@ Polynomial effective_potential(const Problem& problem) {
 UndampedOrbits::UndampedOrbits(const Problem& problem)
     : system_(problem.system), potential_(effective_potential(problem)) {
   const Polynomial slope = potential_.derivative();
-  // Where the slope is one of a single term its root is 0, which a bound of 1 + 0 holds too.
-  const double bound = 2 * root_bound(slope) + 1;
-  const double low = system_.left() ? system_.left()->position : -bound;
-  const double high = system_.right() ? system_.right()->position : bound;
-  if (low < high) turns_ = sign_changes(slope, low, high);
+  const auto [low, high] = ends_of(slope, system_);
+  turns_ = sign_changes_between_walls(slope, system_);
   // V is monotone between neighbours; what it does after each of them tells which are minima.
   std::vector<double> knots{low};
   knots.insert(knots.end(), turns_.begin(), turns_.end());

@@ -26,6 +26,9 @@ struct Orbit {
 /// V = U - lambda E[Y] y: of the spring and of the mean of the impulses.
 Polynomial effective_potential(const Problem& problem);
 
+/// Where a polynomial changes its sign between the walls, increasing; of V' the turns of V.
+std::vector<double> sign_changes_between_walls(const Polynomial& polynomial, const System& system);
+
 /// The motion without damping and excitation but for the mean of the impulses: in the effective
 /// potential, elastic at the walls.
 class UndampedOrbits {

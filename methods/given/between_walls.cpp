@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "problem/system.hpp"
-
 namespace fpkcheck::methods {
-
-problem::Walls walls_of(const problem::System& system) { return {system.left(), system.right()}; }
 
 bool is_at(const std::optional<problem::Wall>& wall, double y) {
   constexpr double kRounding = 1e-6;
@@ -28,6 +25,12 @@ Reached reached_from(const problem::Walls& walls, const std::vector<double>& y) 
                   y[0] - left->position <= y[1] - y[0],
           .right = right && !is_at(right, y[last]) && y[last] < right->position &&
                    right->position - y[last] <= y[last] - y[last - 1]};
+}
+
+double continued_to(double wall, std::span<const double> y, std::span<const double> values,
+                    std::size_t first, double least) {
+  const double slope = (values[first + 1] - values[first]) / (y[first + 1] - y[first]);
+  return std::max(values[first] + slope * (wall - y[first]), least);
 }
 
 std::string between(const problem::Walls& walls) {

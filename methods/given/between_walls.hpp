@@ -1,20 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "problem/walls.hpp"
 
-namespace fpkcheck::problem {
-class System;
-}
-
 /// Where the mass of a case can be: what others say of y is held to it. On a wall counts, to a
 /// millionth of its position, since files have rounded numbers.
 namespace fpkcheck::methods {
-
-problem::Walls walls_of(const problem::System& system);
 
 bool is_at(const std::optional<problem::Wall>& wall, double y);
 bool is_between(const problem::Walls& walls, double y);
@@ -26,6 +22,10 @@ struct Reached {
 };
 /// @param y increasing, two at least
 Reached reached_from(const problem::Walls& walls, const std::vector<double>& y);
+
+/// The straight line through the points `first` and the next, at the wall; no lower than `least`.
+double continued_to(double wall, std::span<const double> y, std::span<const double> values,
+                    std::size_t first, double least);
 
 /// "y >= 0", "y <= 1", "-0.5 <= y <= 1"; "any y" without walls.
 std::string between(const problem::Walls& walls);

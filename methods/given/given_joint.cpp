@@ -167,11 +167,11 @@ GivenJoint joint_of_json(const GivenArgument& argument, const std::string& text,
 
 Method method_of(const OwnDensity& own, const GivenJoint& joint) {
   const auto check = [own, joint](const problem::Problem& problem) {
-    const DensityPoints points(compare::comparison_axes(problem), walls_of(problem.system));
+    const DensityPoints points(compare::comparison_axes(problem), problem.system.walls());
     return require_density(own, points, joint.values(problem, points));
   };
   const auto solve = [own, joint](const problem::Problem& problem, const Setting& setting) {
-    const DensityPoints points(setting.axes, walls_of(problem.system));
+    const DensityPoints points(setting.axes, problem.system.walls());
     auto values = joint.values(problem, points);
     const double mass = require_density(own, points, values);
     auto solution = solution_of(problem, setting, own,

@@ -115,19 +115,15 @@ void GivenMarginal::read_points(const NumberTable& table) {
     errors_ = table.column(2);
   }
   continued_ = reached_from(walls_, knots_);
-  const auto on = [&](std::size_t first, double at) {  // the line through two points
-    const double slope = (values[first + 1] - values[first]) / (knots_[first + 1] - knots_[first]);
-    return std::max(values[first] + slope * (at - knots_[first]), 0.0);
-  };
   const std::size_t before_last = knots_.size() - 2;
   if (continued_.right) {
     const double wall = walls_.right->position;
-    values.push_back(on(before_last, wall));
+    values.push_back(continued_to(wall, knots_, values, before_last, 0));
     knots_.push_back(wall);
   }
   if (continued_.left) {
     const double wall = walls_.left->position;
-    values.insert(values.begin(), on(0, wall));
+    values.insert(values.begin(), continued_to(wall, knots_, values, 0, 0));
     knots_.insert(knots_.begin(), wall);
   }
   using Akima = boost::math::interpolators::makima<std::vector<double>>;

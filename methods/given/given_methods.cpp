@@ -146,7 +146,7 @@ struct MarginalFile {
 std::vector<GivenMarginal> between_walls_of(const problem::Problem& problem,
                                             const std::vector<MarginalFile>& files) {
   std::vector<GivenMarginal> marginals;
-  for (const auto& file : files) marginals.emplace_back(file.table, walls_of(problem.system));
+  for (const auto& file : files) marginals.emplace_back(file.table, problem.system.walls());
   return marginals;
 }
 

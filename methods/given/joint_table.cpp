@@ -134,13 +134,10 @@ std::vector<double> values_at(const JointTable& table, const DensityPoints& poin
   std::vector<double> values(points.y().size() * columns.size());
   for (std::size_t j = 0; j < columns.size(); ++j) {
     auto& column = columns[j];
-    const auto on = [&](std::size_t first, double at) {  // the line through two values
-      const double slope =
-          (column[first + 1] - column[first]) / (table.y[first + 1] - table.y[first]);
-      return std::max(column[first] + slope * (at - table.y[first]), least);
-    };
-    const double at_left = to_walls.left ? on(0, y.front()) : 0;
-    if (to_walls.right) column.push_back(on(ny - 2, y.back()));
+    const double at_left = to_walls.left ? continued_to(y.front(), table.y, column, 0, least) : 0;
+    if (to_walls.right) {
+      column.push_back(continued_to(y.back(), table.y, column, ny - 2, least));
+    }
     if (to_walls.left) column.insert(column.begin(), at_left);
     const Line along_y(y, std::move(column));
     for (std::size_t i = 0; i < points.y().size(); ++i) {

@@ -38,7 +38,7 @@ std::optional<std::size_t> bin_of(const std::vector<double>& edges, double value
 // Those that do not rest in contact with a wall.
 Samples moving(const Samples& samples, const problem::Problem& problem) {
   if (!problem::features(problem).rests_in_contact) return samples;
-  const problem::Walls walls = walls_of(problem.system);
+  const problem::Walls walls = problem.system.walls();
   Samples left{{}, {}, samples.independent};
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const double y = samples.y[k];
@@ -148,7 +148,7 @@ Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<c
               },
           .check =
               [samples, refuse](const problem::Problem& problem) {
-                const problem::Walls walls = walls_of(problem.system);
+                const problem::Walls walls = problem.system.walls();
                 for (std::size_t k = 0; k < samples->size(); ++k) {
                   if (is_between(walls, samples->y[k])) continue;
                   refuse(fmt::format("y = {:.4g}, y' = {:.4g} (must be {})", samples->y[k],

@@ -165,7 +165,7 @@ methods::OwnDensity own_density(const std::string& label,
 }
 
 methods::DensityPoints points_between_walls(const problem::Problem& problem) {
-  return {compare::comparison_axes(problem), methods::walls_of(problem.system)};
+  return {compare::comparison_axes(problem), problem.system.walls()};
 }
 
 methods::Method function_method(const problem::Problem& problem, const Array& values,

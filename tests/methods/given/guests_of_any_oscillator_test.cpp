@@ -77,7 +77,7 @@ std::vector<NamedProblem> with_exact_laws() {
 }
 
 DensityPoints points_of(const Problem& problem) {
-  return {compare::comparison_axes(problem), walls_of(problem.system)};
+  return {compare::comparison_axes(problem), problem.system.walls()};
 }
 
 Method own_law(const Problem& problem, const OwnDensity& own = {.label = "own"}) {

@@ -67,7 +67,7 @@ class JointTables : public testing::Test {
   static constexpr double kEnd = 6;
   problem::Problem problem_ = tests::make_problem({.restitution = 1});
   compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
-  DensityPoints points_{axes_, walls_of(problem_.system)};
+  DensityPoints points_{axes_, problem_.system.walls()};
   exact::WhiteNoiseDensity exact_{problem_};
 };
 

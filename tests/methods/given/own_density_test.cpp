@@ -51,7 +51,7 @@ class OwnDensities : public testing::Test {
 
   problem::Problem problem_ = tests::make_problem({.restitution = 1});
   compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
-  DensityPoints points_{axes_, walls_of(problem_.system)};
+  DensityPoints points_{axes_, problem_.system.walls()};
   exact::WhiteNoiseDensity exact_{problem_};
 };
 
