@@ -6,7 +6,7 @@ namespace fpkcheck::epc {
 
 namespace {
 
-std::string objection_of_moment(const problem::Features& features) {
+std::string objection_at_walls(const problem::Features& features) {
   if (features.rests_in_contact) {
     return "the mass comes to rest at a wall, with a probability of its own: no exponential "
            "polynomial has that";
@@ -19,14 +19,13 @@ std::string objection_of_moment(const problem::Features& features) {
 }
 
 std::string objection_of_gaussian(const problem::Features& features, const Options& options) {
-  if (!features.no_wall) {
-    return "its plane is folded at one wall at the equilibrium, with constant damping and impulses "
-           "alone, or has no wall at all";
+  if (features.two_walls || (!features.no_wall && !features.constant_damping)) {
+    return "its plane is folded at one wall, with constant damping, or has no wall at all";
   }
-  if (equation_of(options) == Equation::kf) {
+  if (features.no_wall && equation_of(options) == Equation::kf) {
     return "its jump integral is that of the plane folded at a wall";
   }
-  return "";
+  return objection_at_walls(features);
 }
 
 }  // namespace
@@ -38,7 +37,7 @@ std::string objection(const problem::Problem& problem, const Options& options) {
     case Formulation::gaussian:
       return objection_of_gaussian(features, options);
     case Formulation::moment:
-      return objection_of_moment(features);
+      return objection_at_walls(features);
     case Formulation::polar:
       break;
   }

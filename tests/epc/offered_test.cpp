@@ -33,13 +33,21 @@ TEST(Offered, MomentTreatsEveryDomainButAtomsAndCollapse) {
   EXPECT_NE(objection_of(Formulation::moment, tests::with_noise(gap, 0.1)), "");
 }
 
-TEST(Offered, GaussianNeedsAWallAtTheEquilibriumOrNone) {
+TEST(Offered, GaussianNeedsOneWallOrNone) {
   const System well({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true});
   const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9});
   EXPECT_EQ(objection_of(Formulation::gaussian, tests::with_noise(well, 0.1)), "");
-  EXPECT_NE(objection_of(Formulation::gaussian,
-                         tests::with_impulses(gap, tests::gaussian_impulses(1, 0.1))),
-            "");
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  EXPECT_EQ(objection_of(Formulation::gaussian, tests::with_impulses(gap, impulses)), "");
+  // Atoms, another wall, and damping that the fold does not leave as it is.
+  const System preload({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  EXPECT_NE(objection_of(Formulation::gaussian, tests::with_impulses(preload, impulses)), "");
+  const System two({.damping = 0.1, .stiffness = 1},
+                   {.left = -0.5, .left_restitution = 0.9, .right = 1, .right_restitution = 0.9});
+  EXPECT_NE(objection_of(Formulation::gaussian, tests::with_impulses(two, impulses)), "");
+  const System cycle({.damping = 0.1, .van_der_pol = 0.2, .stiffness = 1},
+                     {.left = -0.5, .left_restitution = 0.9});
+  EXPECT_NE(objection_of(Formulation::gaussian, tests::with_impulses(cycle, impulses)), "");
   const auto with_jumps = tests::closure(Formulation::gaussian, 4, Equation::kf);
   EXPECT_NE(objection(tests::with_noise(well, 0.1), with_jumps), "");
 }

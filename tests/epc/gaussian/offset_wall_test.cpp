@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "closures.hpp"
+#include "epc/density.hpp"
+#include "epc/gaussian/residual.hpp"
+#include "epc/solve.hpp"
+#include "exact/energy_law.hpp"
+#include "family.hpp"
+
+// The paper's closure behind a wall that is not at the equilibrium: the plane is folded there, and the
+// force has even powers, the lowest of which is what presses on the wall.
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+using problem::System;
+using problem::WallParameters;
+using transform::Status;
+
+problem::Problem elastic(const WallParameters& walls, double intensity) {
+  return tests::with_noise(System({.damping = 0.2, .stiffness = 1, .cubic = 0.3}, walls),
+                           intensity);
+}
+
+// On either side of the fold, with Q = -(c/D)(x2^2/2 + U(|x1|)).
+TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) {
+  for (const double wall : {-0.5, 0.3}) {
+    const auto p = tests::in_frame(elastic({.left = wall, .left_restitution = 1}, 0.4));
+    const auto f = residual_coefficients(p, problem::Equation::km4);
+    const double beta = 0.2 / 0.2;  // c/D
+    for (const double x1 : {-1.3, -0.2, 0.1, 0.8}) {
+      for (const double x2 : {-0.7, 0.4}) {
+        const double side = x1 > 0 ? 1 : -1, y = std::abs(x1) + wall;
+        const double force = y + 0.3 * y * y * y;
+        const Derivatives q{
+            .q1 = -beta * side * force, .q2 = -beta * x2, .q22 = -beta, .q222 = 0, .q2222 = 0};
+        EXPECT_NEAR(smooth_part(f, x1, x2, q) + side * signed_part(f, x1, q), 0, 1e-13);
+      }
+    }
+    EXPECT_EQ(f.impact_loss, 0);
+  }
+}
+
+// The exponent has a kink at the fold, so that no order is exact.
+TEST(GaussianClosureBehindAnOffsetWall, NearsTheExactElasticLaw) {
+  const auto p = elastic({.left = 0.2, .left_restitution = 1}, 0.4);
+  const exact::EnergyLaw law(p);
+  const auto off = [&](int order) {
+    const auto solution =
+        solve(tests::in_frame(p), tests::closure(Formulation::gaussian, order)).solution;
+    EXPECT_TRUE(solution.density) << solution.reason;
+    EXPECT_NEAR(solution.moments.v2, law.moment(0, 2), 1e-3 * law.moment(0, 2)) << order;
+    return std::abs(solution.moments.y2 / law.moment(2, 0) - 1);
+  };
+  const double second = off(2);
+  EXPECT_LT(off(4), second / 3);
+  EXPECT_LT(off(6), second / 3);
+  EXPECT_LT(off(6), 1e-3);
+}
+
+TEST(GaussianClosureBehindAnOffsetWall, IsTheSameInAMirror) {
+  const auto impulses = tests::gaussian_impulses(2, 0.4, 0.05),
+             turned = tests::gaussian_impulses(2, 0.4, -0.05);
+  const problem::SystemCoefficients spring{.damping = 0.2, .constant = 0.1, .stiffness = 1};
+  problem::SystemCoefficients reflected = spring;
+  reflected.constant = -spring.constant;
+  const auto left = solve(tests::in_frame(tests::with_impulses(
+                              System(spring, {.left = -0.05, .left_restitution = 0.95}), impulses)),
+                          tests::closure(Formulation::gaussian, 6))
+                        .solution;
+  const auto right =
+      solve(tests::in_frame(tests::with_impulses(
+                System(reflected, {.right = 0.05, .right_restitution = 0.95}), turned)),
+            tests::closure(Formulation::gaussian, 6))
+          .solution;
+  ASSERT_TRUE(left.density && right.density) << left.reason << right.reason;
+  EXPECT_NEAR(left.moments.y1, -right.moments.y1, 1e-12);
+  EXPECT_NEAR(left.moments.v2, right.moments.v2, 1e-12);
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::gaussian
