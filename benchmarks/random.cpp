@@ -56,6 +56,9 @@ struct Judge {
   Marginal y, ydot;
   double y_noise, ydot_noise;  // expected L1 by chance
   std::vector<transform::RestAtom> atoms = {};
+  std::string status = {};  // of the simulation: what it did not converge to it cannot judge
+
+  bool knows() const { return status == "ok"; }
 };
 
 // A method's answer beside it.
@@ -97,7 +100,7 @@ Judge judge(const problem::Problem& problem, const compare::ComparisonAxes& axes
   const std::filesystem::path kept = std::filesystem::path(settings.keep) / (problem.name + ".txt");
   if (std::ifstream in(kept); !settings.keep.empty() && in) {
     Judge judge{};
-    in >> judge.y_noise >> judge.ydot_noise;
+    in >> judge.status >> judge.y_noise >> judge.ydot_noise;
     judge.y = read(in, axes.y_edges);
     judge.ydot = read(in, axes.v_edges);
     for (transform::RestAtom atom; in >> atom.y >> atom.probability;) judge.atoms.push_back(atom);
@@ -114,10 +117,11 @@ Judge judge(const problem::Problem& problem, const compare::ComparisonAxes& axes
               .ydot = transform::marginal(solution, Variable::ydot, axes.v_edges),
               .y_noise = solution.sampling->y.value_or(0),
               .ydot_noise = solution.sampling->ydot.value_or(0),
-              .atoms = solution.atoms};
+              .atoms = solution.atoms,
+              .status = std::string(name(solution.status))};
   if (!settings.keep.empty()) {
     std::ofstream out(kept);
-    out << judge.y_noise << ' ' << judge.ydot_noise << '\n';
+    out << judge.status << ' ' << judge.y_noise << ' ' << judge.ydot_noise << '\n';
     write(out, judge.y);
     write(out, judge.ydot);
     for (const auto& atom : judge.atoms) {
@@ -150,7 +154,7 @@ void print_case(const problem::Problem& problem, const Judge& judge,
   fmt::print("{}: {:.3g} impulses per decay time, {}\n", problem.name,
              problem::impulses_per_decay_time(problem, problem::scales(problem)),
              problem::parameters_text(problem));
-  fmt::print("  {:20} {:>13} L1 {:.1e} {:.1e} by chance\n", "mcs", "", judge.y_noise,
+  fmt::print("  {:20} {:>13} L1 {:.1e} {:.1e} by chance\n", "mcs", judge.status, judge.y_noise,
              judge.ydot_noise);
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Answer& a = answers[m];
@@ -182,11 +186,11 @@ double quantile(std::vector<double> values, double q) {
 
 void print_table(const std::vector<methods::Method>& methods, const std::vector<Judge>& judges,
                  const std::vector<std::vector<Answer>>& answers) {
-  fmt::print("\n{:18} {:>7} {:>4} {:>10} {:>10} {:>9} {:>12} {:>12} {:>8} {:>8}\n", "method",
-             "density", "ok", "ok, > 1 %", "ok, > 2 %", "worst ok", "> stated x 2", "no statement",
-             "median s", "longest");
+  fmt::print("\n{:18} {:>7} {:>4} {:>8} {:>10} {:>10} {:>9} {:>12} {:>12} {:>8} {:>8}\n", "method",
+             "density", "ok", "unjudged", "ok, > 1 %", "ok, > 2 %", "worst ok", "> stated x 2",
+             "no statement", "median s", "longest");
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    int density = 0, ok = 0, one = 0, two = 0, beyond = 0, silent = 0;
+    int density = 0, ok = 0, unjudged = 0, one = 0, two = 0, beyond = 0, silent = 0;
     double worst = 0;
     std::vector<double> seconds;
     for (std::size_t p = 0; p < answers.size(); ++p) {
@@ -195,14 +199,18 @@ void print_table(const std::vector<methods::Method>& methods, const std::vector<
       seconds.push_back(a.seconds);
       if (a.status != "ok") continue;
       ++ok;
+      if (!judges[p].knows()) {
+        ++unjudged;
+        continue;
+      }
       one += off_by(a, judges[p], 0.01);
       two += off_by(a, judges[p], 0.02);
       worst = std::max(worst, a.worst());
       silent += !a.stated;
       beyond += a.stated && !within(a, judges[p], 2);
     }
-    fmt::print("{:18} {:>7} {:>4} {:>10} {:>10} {:>9.1e} {:>12} {:>12} {:>8.2f} {:>8.1f}\n",
-               methods[m].id(), density, ok, one, two, worst, beyond, silent,
+    fmt::print("{:18} {:>7} {:>4} {:>8} {:>10} {:>10} {:>9.1e} {:>12} {:>12} {:>8.2f} {:>8.1f}\n",
+               methods[m].id(), density, ok, unjudged, one, two, worst, beyond, silent,
                quantile(seconds, 0.5), quantile(seconds, 1));
   }
 }
