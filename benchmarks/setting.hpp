@@ -37,7 +37,7 @@ struct Setting {
   const fd_fpk::Excitation& excitation() const { return discretisation.excitation; }
   fd_fpk::FokkerPlanckOperator op() const {
     return fd_fpk::fokker_planck_operator(problem.system, excitation(), options.impact, grid(),
-                                          options.order);
+                                          fd_fpk::order_of(options));
   }
   fd_fpk::Preconditioner preconditioner() const {
     return {problem, excitation(), options.impact, grid()};

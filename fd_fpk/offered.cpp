@@ -22,8 +22,10 @@ std::string objection(const problem::Problem& problem, const Options& options) {
     std::string collapse = problem::collapse_objection(problem, Equation::white);
     if (!collapse.empty()) return collapse;
   }
-  if (options.impact != Impact::map) {
-    return "the impact to first order in 1-r is the paper's, at one wall at the equilibrium";
+  if (options.impact != Impact::map &&
+      (features.no_wall || features.two_walls || features.rests_in_contact)) {
+    return "the impact to first order in 1-r is that of the paper's closure: at one wall, where "
+           "nothing comes to rest";
   }
   // White noise lifts the mass off again at once.
   const bool rests = features.rests_in_contact && !noise;
@@ -48,10 +50,9 @@ std::string objection_over_time(const problem::Problem& problem, const Options& 
 }
 
 bool may_follow_characteristics(const Options& options) {
-  const Options usual;
   return options.equation == Equation::kf && options.impact == Impact::map &&
          options.transport != Transport::upwind && !options.nx && !options.nv &&
-         !options.origin_refinement && options.order == usual.order;
+         !options.origin_refinement && order_of(options) == kUsualOrder;
 }
 
 std::string characteristics_objection(const problem::Problem& problem) {

@@ -51,7 +51,10 @@ Description<Options> make_description() {
             "(default: where impulses are rare, losses strong, or the mass rests in contact)"})
       .with_fallback(std::string(name(Transport::upwind)))
       .add("order", &O::order,
-           {"P", "order of the transport terms, 2 .. 8; odd ones are upwind-biased"}, between(2, 8))
+           {"P",
+            "order of the transport terms, 2 .. 8; odd ones are upwind-biased (default: 5; 7 with "
+            "walls elsewhere or none, where no wall takes energy)"},
+           between(2, 8))
       .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"}, positive())
       .add("origin_refinement", &O::origin_refinement,
            {"F",

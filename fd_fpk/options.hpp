@@ -42,8 +42,9 @@ struct Options {
   /// Automatic: characteristics where impulses are rare or losses strong.
   std::optional<Transport> transport{};
   /// Order of the transport terms, 2 .. 8. Odd orders are upwind-biased and keep the tails clean;
-  /// even ones are centred and leave grid-scale ripples of about 1e-4 of the peak.
-  int order = 5;
+  /// even ones are centred and leave grid-scale ripples of about 1e-4 of the peak. Automatic:
+  /// automatic_order() of the stationary density, else kUsualOrder; see order_of().
+  std::optional<int> order{};
   /// Cells per automatic cell in each direction: 2 halves the widths.
   double refinement = 1;
   /// How much narrower cells are at the origin than far from it, 1 for a uniform grid. With losses
@@ -78,6 +79,9 @@ struct Options {
   /// equivalent linearisation, so that the unit of time does not matter.
   double residual_tolerance = 1e-10;
 };
+
+inline constexpr int kUsualOrder = 5;
+inline int order_of(const Options& options) { return options.order.value_or(kUsualOrder); }
 
 /// The options as files and the command line name them.
 const parameters::Description<Options>& description();

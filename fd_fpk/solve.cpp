@@ -31,12 +31,12 @@ bool bounces(const problem::Problem& problem) {
   return pressing(problem) > kPressed && problem.system.restitution() < kLosses;
 }
 
-// Whether they are the first choice: by experience with random problems (docs/limits.md).
-bool prefer_characteristics(const problem::Problem& problem) {
+// Whether they are the first choice at so many impulses per decay time: by experience with random
+// problems (docs/limits.md).
+bool prefer_characteristics(const problem::Problem& problem, double per_decay_time) {
   constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
   constexpr double kStrongLosses = 0.4;
   constexpr double kOffTheWall = 2;  // deviations, of the static deflection
-  const double per_decay_time = problem::impulses_per_decay_time(problem, problem::scales(problem));
   if (!problem::of_the_paper(problem)) return per_decay_time < kRare;
   const auto linear = problem::equivalent_linearisation(problem);
   const bool losses =
@@ -63,15 +63,20 @@ bool grid_is_free(const Options& options) {
 class Solver {
  public:
   Solver(const problem::Problem& problem, const Options& options)
-      : problem_(problem), options_(options), deadline_(options.max_seconds) {}
+      : problem_(problem),
+        scales_(problem::scales(problem)),
+        options_(options),
+        deadline_(options.max_seconds) {}
 
   Result solve() const {
     if (!may_follow_characteristics(options_) || !characteristics_objection(problem_).empty()) {
       return by(Transport::upwind);
     }
-    if (rests_in_contact(problem_, options_)) return by(Transport::characteristics);
-    if (options_.transport == Transport::characteristics) return by(Transport::characteristics);
-    const bool along = prefer_characteristics(problem_);
+    if (rests_in_contact(problem_, options_) || options_.transport == Transport::characteristics) {
+      return by(Transport::characteristics);
+    }
+    const double per_decay_time = problem::impulses_per_decay_time(problem_, scales_);
+    const bool along = prefer_characteristics(problem_, per_decay_time);
     if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
     if (along && need_characteristics(problem_)) return by(Transport::characteristics);
     // The first choice may take half of the time, lest there is none for the other.
@@ -84,7 +89,7 @@ class Solver {
     if (options_.tolerance && first.solution.density) return first;
     // Impulses shorter than cells are lost in them, and a box that was given is the same for both.
     const bool given_box = options_.x1_max || options_.x2_max;
-    if (given_box || (!along && per_decay_time() > kMostFrequent)) return first;
+    if (given_box || (!along && per_decay_time > kMostFrequent)) return first;
     Result second = by(along ? Transport::upwind : Transport::characteristics, deadline_,
                        first.solution.density ? Answer::stands : Answer::none_yet);
     return better(second, first) ? second : first;
@@ -97,27 +102,28 @@ class Solver {
     return error && error->y_l1 <= kGood && error->ydot_l1 <= kGood;
   }
 
-  double per_decay_time() const {
-    return problem::impulses_per_decay_time(problem_, problem::scales(problem_));
-  }
-
   Result by(Transport transport) const { return by(transport, deadline_); }
 
   Result by(Transport transport, const Deadline& deadline, Answer so_far = Answer::none_yet) const {
     Options options = options_;
     options.transport = transport;
+    // Characteristics have no order to choose.
+    if (transport == Transport::upwind) {
+      options.order = options.order.value_or(automatic_order(problem_));
+    }
     const bool family = !problem::of_the_paper(problem_);
-    Surroundings surroundings{.scales = problem::scales(problem_)};
+    Surroundings surroundings{.scales = scales_};
     // All grids share it, and the lengths by which their cells are measured. What a box of the usual
-    // wall density cuts off the tails of impulses is 2e-7 of E[v^2].
+    // wall density cuts off the tails of impulses is 2e-7 of E[v^2], and a hundred times as much of
+    // what the fourth cumulant has beside it.
     if (family && transport == Transport::upwind) {
-      constexpr double kTails = 1e-2;
-      options.wall_density *= kTails;
+      constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
+      options.wall_density *= problem_.impulses.present() ? kTailsOfImpulses : kTails;
       surroundings.box = stationary_box(problem_, surroundings.scales, options, deadline, so_far);
     }
     const auto on_one_grid = [&](const Options& grid, Answer before) {
       return transport == Transport::characteristics
-                 ? solve_along_characteristics(problem_, grid, deadline, before)
+                 ? solve_along_characteristics(problem_, scales_, grid, deadline, before)
                  : solve_on_one_grid(problem_, surroundings, grid, deadline, before);
     };
     if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline, so_far);
@@ -130,6 +136,7 @@ class Solver {
   }
 
   const problem::Problem& problem_;
+  const problem::Scales scales_;
   const Options& options_;
   Deadline deadline_;
 };

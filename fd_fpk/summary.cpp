@@ -63,6 +63,8 @@ transform::Observations observations(const Summary& summary) {
     observer.result("transport", std::string(name(summary.transport)))
         .work("visits", counted(summary.visits))
         .result("rest_mass", summary.rest_mass);
+  } else {
+    observer.result("order", counted(summary.order));
   }
   if (summary.error) observe(observer, *summary.error);
   return std::move(observer).take();

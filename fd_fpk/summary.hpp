@@ -29,6 +29,7 @@ struct ErrorEstimate {
 struct Summary {
   int nx = 0;
   int nv = 0;
+  int order = 0;                 ///< of the differences, as used; 0 along characteristics
   double refinement = 1;         ///< of the automatic cells, as used
   double origin_refinement = 1;  ///< as used
   double x1_max = 0;

@@ -113,17 +113,19 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   const problem::System& system = problem.system;
   const problem::Frame& frame = problem.frame;
   Snapshot s{.time = time,
-             .moments = physical_moments(frame, grid, averages, options.order),
-             .yv = physical_yv(frame, grid, averages, options.order)};
+             .moments = physical_moments(frame, grid, averages, order_of(options)),
+             .yv = physical_yv(frame, grid, averages, order_of(options))};
   // U is 0 at y = 0, wherever that is.
-  s.energy = mean_energy(system, grid, averages, options.order) - system.potential()(frame.x(0));
-  const double energy_rate = mean_energy(system, grid, op * averages, options.order);
-  const auto [input, dissipated] = problem::power(
-      problem, options.impact,
-      energy_terms(system, moments(grid, averages, options.order), grid, averages, options.order));
+  s.energy =
+      mean_energy(system, grid, averages, order_of(options)) - system.potential()(frame.x(0));
+  const double energy_rate = mean_energy(system, grid, op * averages, order_of(options));
+  const auto [input, dissipated] =
+      problem::power(problem, options.impact,
+                     energy_terms(system, moments(grid, averages, order_of(options)), grid,
+                                  averages, order_of(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
-  s.impact_rate = impact_rate(system, grid, averages, options.order);
+  s.impact_rate = impact_rate(system, grid, averages, order_of(options));
   s.mass = op.mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
   s.wall = relative_wall_density(problem, grid, averages);

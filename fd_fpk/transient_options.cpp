@@ -69,7 +69,7 @@ const Description<TransientOptions>& transient_description() {
 
 void validate(const Options& options, const TransientOptions& transient) {
   validate(options);
-  require_stable_order(options.order);
+  require_stable_order(order_of(options));
   if (options.tolerance || options.transport == Transport::characteristics) {
     throw InputError(
         "tolerance or transport characteristics over time (they are for the stationary density: "

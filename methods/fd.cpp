@@ -9,9 +9,9 @@ namespace {
 
 constexpr const char* kFdUsage = R"(usage: fpkcheck fd CASE ... [options]
 
-Finite differences for the stationary density between the walls, of fifth order and conservative,
-stepped to stationarity by CVODE with KLU and checked against the null vector of the same
-operator. The excitation term of the equation:
+Finite differences for the stationary density between the walls, of fifth or seventh order and
+conservative, stepped to stationarity by CVODE with KLU and checked against the null vector of the
+same operator. The excitation term of the equation:
   white     Gaussian white noise of the same intensity
   km4       the series cut after the fourth derivative, with a fixed step l of the fourth
             difference: with l = grid step it is ill-posed, and the solver says so
@@ -19,8 +19,9 @@ operator. The excitation term of the equation:
   kf        the full jump integral (Kolmogorov-Feller equation), for every law of the impulses
 
 Where impulses are rare, losses strong, or the mass comes to rest in contact with a wall, kf is
-solved along the characteristics of the motion instead (--transport). Every solution has an estimate of its error; finer grids follow while it is
-above 1e-4 and may be expected to fall below it in time, and above --accuracy it is not ok.
+solved along the characteristics of the motion instead (--transport). Every solution has an
+estimate of its error; finer grids follow while it is above 1e-4 and may be expected to fall below
+it in time, and above --accuracy it is not ok.
 
 examples:
   fpkcheck fd case1

@@ -120,7 +120,7 @@ void Characteristics::lay_from_box(int per_cell) {
 // wall it is at rest.
 void Characteristics::lay_from_wall(Side side, int per_cell) {
   const int middle = grid_.nv() / 2;
-  const double y = flow_.wall(side)->position, inwards = side == Side::left ? 1 : -1;
+  const double y = flow_.wall(side)->position;
   const bool rests =
       std::ranges::any_of(rest_, [&](const RestPlace& place) { return place.y == y; });
   Fan& fan = this->fan(side);
@@ -130,9 +130,8 @@ void Characteristics::lay_from_wall(Side side, int per_cell) {
       const double speed = grid_.x2.face(j) + (k + 0.5) * width;
       fan.speeds.push_back(speed);
       fan.below.push_back(speed - width / 2);
-      fan.above.push_back(speed + width / 2);
       fan.tracks.push_back(static_cast<int>(from_walls_.size()));
-      from_walls_.push_back(follow({y, inwards * speed}, speed * width));
+      from_walls_.push_back(follow({y, inwards(side) * speed}, speed * width));
     }
   }
 }
@@ -361,7 +360,7 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
     const Fan& fan = this->fan(side);
     Emission emission{.shares = std::vector<double>(from_walls_.size(), 0.0)};
     for (std::size_t k = 0; k < fan.speeds.size(); ++k) {
-      const double above = k == 0 ? std::numeric_limits<double>::infinity() : fan.above[k];
+      const double above = k == 0 ? std::numeric_limits<double>::infinity() : fan.below[k - 1];
       emission.shares[fan.tracks[k]] = slower(above) - slower(fan.below[k]);
     }
     emission.stays = slower(fan.below.back());

@@ -86,10 +86,10 @@ class Characteristics {
 
  private:
   struct Position;  // on the way
-  // Of those that leave a wall: speeds, decreasing, with the characteristics' indices and the ends of
-  // their strips.
+  // Of those that leave a wall: speeds, decreasing, with the characteristics' indices and the lower
+  // ends of their strips, where the next strip begins.
   struct Fan {
-    std::vector<double> speeds, below, above;
+    std::vector<double> speeds, below;
     std::vector<int> tracks;
   };
 

@@ -6,7 +6,6 @@
 
 #include "fd_fpk/characteristics/rest.hpp"
 #include "fd_fpk/line/faces_by_width.hpp"
-#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -36,8 +35,8 @@ struct UsualLengths {
   double widest = 0;                // distance that the usual speed reaches from one of them
 };
 
-UsualLengths usual_lengths(const problem::Problem& problem, const Flow& flow) {
-  const auto scales = problem::scales(problem);
+UsualLengths usual_lengths(const problem::Problem& problem, const problem::Scales& scales,
+                           const Flow& flow) {
   UsualLengths found{.speed = usual_speed_in_contact(problem, scales),
                      .core_v = kContactCore,
                      .places = rest_places(flow)};
@@ -61,9 +60,10 @@ UsualLengths usual_lengths(const problem::Problem& problem, const Flow& flow) {
 
 }  // namespace
 
-Grid contact_grid(const problem::Problem& problem, const Options& options, const Box& box) {
+Grid contact_grid(const problem::Problem& problem, const problem::Scales& scales,
+                  const Options& options, const Box& box) {
   const Flow flow(problem.system);
-  const UsualLengths scale = usual_lengths(problem, flow);
+  const UsualLengths scale = usual_lengths(problem, scales, flow);
   const double part = kCellWidth / options.refinement;
   double least = flow.potential(scale.places.front().y);
   for (const RestPlace& place : scale.places) least = std::min(least, flow.potential(place.y));
@@ -97,10 +97,10 @@ Grid contact_grid(const problem::Problem& problem, const Options& options, const
                         beyond(Side::left), beyond(Side::right));
 }
 
-Box generous_contact_box(const problem::Problem& problem, const Options& options) {
+Box generous_contact_box(const problem::Problem& problem, const problem::Scales& scales,
+                         const Options& options) {
   constexpr double kTimes = 5, kDeviations = 9, kHigher = 1.1;
   const Flow flow(problem.system);
-  const auto scales = problem::scales(problem);
   const auto& law = problem.impulses.law();
   Box box{.x1_max = 0,
           .x2_max = options.x2_max.value_or(kTimes * usual_speed_in_contact(problem, scales) +

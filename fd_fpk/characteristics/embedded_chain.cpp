@@ -5,7 +5,6 @@
 #include "fd_fpk/characteristics/aggregation.hpp"
 #include "fd_fpk/line/cell_jumps.hpp"
 #include "fd_fpk/linear/gmres.hpp"
-#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -95,16 +94,17 @@ void improve(const Chain& chain, const Aggregation& aggregation, double toleranc
 }
 
 // The more impulses it takes to forget, the more of the error is slow.
-int blocks_for(const problem::Problem& problem) {
+int blocks_for(const problem::Problem& problem, const problem::Scales& scales) {
   constexpr double kPerImpulse = 20;
-  const double impulses = problem::impulses_per_decay_time(problem, problem::scales(problem));
+  const double impulses = problem::impulses_per_decay_time(problem, scales);
   return static_cast<int>(std::clamp(kPerImpulse * impulses, 200.0, 1600.0));
 }
 
 }  // namespace
 
-StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
-                                   int characteristics_per_cell, const Deadline& deadline) {
+StationaryMasses stationary_masses(const problem::Problem& problem, const problem::Scales& scales,
+                                   const Grid& grid, int characteristics_per_cell,
+                                   const Deadline& deadline) {
   Chain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
   const auto& places = characteristics.rest_places();
@@ -114,7 +114,7 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& 
             .visits = static_cast<long>(characteristics.visits().size())};
   }
   const auto atoms = static_cast<int>(characteristics.contacts().size());
-  Aggregation aggregation(grid, atoms, blocks_for(problem));
+  Aggregation aggregation(grid, atoms, blocks_for(problem, scales));
   {
     const Chain of_blocks(problem, aggregation.blocks(), characteristics_per_cell, deadline);
     if (const std::string why = of_blocks.characteristics().failure(); !why.empty()) {

@@ -7,6 +7,7 @@
 #include "fd_fpk/characteristics/passage.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/problem.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -27,8 +28,8 @@ struct StationaryMasses {
 /// cell, which keeps it positive, then with tilts limited by that solution. GMRES is preconditioned by
 /// the same chain on blocks of cells.
 /// @param deadline at which characteristics and GMRES give up
-StationaryMasses stationary_masses(const problem::Problem& problem, const Grid& grid,
-                                   int characteristics_per_cell,
+StationaryMasses stationary_masses(const problem::Problem& problem, const problem::Scales& scales,
+                                   const Grid& grid, int characteristics_per_cell,
                                    const Deadline& deadline = Deadline::none());
 
 }  // namespace fpkcheck::fd_fpk

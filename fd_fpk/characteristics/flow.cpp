@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problem/real_roots.hpp"
+#include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -18,14 +18,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // expm1(s t)/s
 double grown(double s, double time) { return s == 0 ? time : std::expm1(s * time) / s; }
 
-std::vector<double> turns_between_walls(const problem::Polynomial& slope,
-                                        const problem::System& system) {
-  const double bound = 2 * problem::root_bound(slope) + 1;
-  const double low = system.left() ? system.left()->position : -bound;
-  const double high = system.right() ? system.right()->position : bound;
-  return low < high ? problem::sign_changes(slope, low, high) : std::vector<double>{};
-}
-
 }  // namespace
 
 Flow::Flow(const problem::System& system)
@@ -36,11 +28,11 @@ Flow::Flow(const problem::System& system)
       damping_(system.damping_polynomial()),
       damping_slope_(system.damping_polynomial().derivative()),
       rayleigh_(system.rayleigh()),
-      turns_(turns_between_walls(force_, system)),
-      bends_(turns_between_walls(tangent_.derivative(), system)) {}
+      turns_(problem::sign_changes_between_walls(force_, system)),
+      bends_(problem::sign_changes_between_walls(tangent_.derivative(), system)) {}
 
 double Flow::distance(double y, Side side) const {
-  return side == Side::left ? y - system_.left()->position : system_.right()->position - y;
+  return inwards(side) * (y - wall(side)->position);
 }
 
 std::optional<Side> Flow::beyond(double y) const {
@@ -114,7 +106,7 @@ double Flow::longest_step(const State& from, const Reach& reach) const {
 
 // Between neighbouring turns U is monotone; beyond the last it grows.
 double Flow::end_of_reach(double y, double energy, Side side) const {
-  const double sign = side == Side::left ? -1 : 1;
+  const double sign = -inwards(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
   const auto between = [&](double within, double beyond) {
     constexpr int kBisections = 30;
@@ -198,7 +190,6 @@ Winding Flow::winding(double speed) const {
 double Flow::impact_time(const State& from, double time, Side side) const {
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
-  const double direction = side == Side::left ? 1 : -1;  // of growing distance
   // Where the chord meets the wall; a flight from the wall itself has none.
   double guess = distance_now > 0
                      ? time * distance_now / (distance_now - distance(after(from, time).y, side))
@@ -207,7 +198,7 @@ double Flow::impact_time(const State& from, double time, Side side) const {
     const State at = after(from, guess);
     const double left = distance(at.y, side);
     (left < 0 ? until : before) = guess;
-    double next = guess - left / (direction * at.v);
+    double next = guess - left / (inwards(side) * at.v);
     if (!(next > before && next < until)) next = (before + until) / 2;
     const bool close = std::abs(next - guess) <= 1e-13 * time;
     guess = next;

@@ -15,6 +15,8 @@ struct State {
 
 /// An end of the motion at which a wall may stand.
 enum class Side { left, right };
+/// The sign of a velocity off the wall on that side.
+constexpr double inwards(Side side) { return side == Side::left ? 1 : -1; }
 
 /// What a motion of an energy may reach, were nothing lost: from turning point, or wall, to turning
 /// point.

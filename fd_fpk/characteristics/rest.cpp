@@ -7,8 +7,6 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-double inwards(Side side) { return side == Side::left ? 1 : -1; }
-
 // The force on the mass towards the wall.
 double pressing(const Flow& flow, Side side) {
   return inwards(side) * flow.force(flow.wall(side)->position);

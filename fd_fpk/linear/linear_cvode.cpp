@@ -141,6 +141,10 @@ LinearCvode::Reached LinearCvode::run(double time, int task) {
   return reached;
 }
 
+void LinearCvode::set_linear_tolerance(double tolerance) {
+  check(CVodeSetEpsLin(handles_->cvode.get(), tolerance), "CVodeSetEpsLin");
+}
+
 LinearCvode::Reached LinearCvode::step() { return run(HUGE_VAL, CV_ONE_STEP); }
 LinearCvode::Reached LinearCvode::advance(double time) { return run(time, CV_NORMAL); }
 

@@ -49,6 +49,8 @@ class LinearCvode {
     int flag;  ///< of CVODE; negative: it stopped, see message()
     double time;
   };
+  /// From the next step on; see BdfControl::linear_tolerance.
+  void set_linear_tolerance(double tolerance);
   /// One internal step.
   /// @throws what the system throws
   Reached step();

@@ -41,7 +41,8 @@ Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation
 
 Preconditioner::Preconditioner(const problem::System& system, double loss,
                                const Excitation& excitation, problem::Impact impact,
-                               const Grid& grid, int order) {
+                               const Grid& grid, int order)
+    : loss_(loss) {
   const bool centred = order % 2 == 0;
   approximation_ = shifted(1,
                            fokker_planck_operator(system, without_exchange(excitation, grid.x2),
@@ -51,19 +52,31 @@ Preconditioner::Preconditioner(const problem::System& system, double loss,
                            -loss);
 }
 
-bool Preconditioner::factor(double gamma) {
+bool Preconditioner::factored_by_klu(const SparseColumns& matrix) {
   const Stopwatch stopwatch;
-  factored_ = shifted(-gamma, approximation_, 1);
-  const bool succeeded = klu_.factor(factored_);
+  const bool succeeded = klu_.factor(matrix);
+  of_stationary_ = &matrix == &approximation_;
+  multiple_ = 1;
+  ++factorisations_;
   factor_seconds_ += stopwatch.seconds();
   return succeeded;
 }
 
-bool Preconditioner::factor_stationary() {
-  const Stopwatch stopwatch;
-  const bool succeeded = klu_.factor(approximation_);
-  factor_seconds_ += stopwatch.seconds();
-  return succeeded;
+bool Preconditioner::factor(double gamma) {
+  constexpr double kLong = 3;  // decay times
+  if (of_stationary_ && gamma * loss_ >= kLong) {
+    multiple_ = -gamma;
+    return true;
+  }
+  factored_ = shifted(-gamma, approximation_, 1);
+  return factored_by_klu(factored_);
+}
+
+bool Preconditioner::factor_stationary() { return factored_by_klu(approximation_); }
+
+void Preconditioner::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
+  klu_.solve_in_place(b);
+  b /= multiple_;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -26,24 +26,33 @@ class Preconditioner {
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order);
 
-  /// Factors I - gamma M. False when it failed; see failure().
+  /// Factors I - gamma M. False when it failed; see failure(). For gamma that is long against the
+  /// slowest decay it is nearly -gamma M: right after factor_stationary() those factors are kept, and
+  /// GMRES corrects for the rest, as it does for the loss.
   bool factor(double gamma);
   /// Factors M.
   bool factor_stationary();
   std::string failure() const { return klu_.failure(); }
 
-  /// Time spent in factorisations so far, in seconds.
+  long factorisations() const { return factorisations_; }  ///< so far
+  /// Time spent in them, in seconds.
   double factor_seconds() const { return factor_seconds_; }
   /// Entries of the factors.
   long entries() const { return klu_.entries(); }
 
   /// Replaces b by the solution.
-  void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const { klu_.solve_in_place(b); }
+  void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
+  bool factored_by_klu(const SparseColumns& matrix);
+
+  double loss_;
   SparseColumns approximation_;  // M, with its diagonal stored
   SparseColumns factored_;
   KluFactorisation klu_;
+  bool of_stationary_ = false;  // the factors are those of M
+  double multiple_ = 1;  // of the factored matrix, which takes the place of the one asked for
+  long factorisations_ = 0;
   double factor_seconds_ = 0;
 };
 

@@ -35,11 +35,16 @@ constexpr double kX2Step = 0.16;
 constexpr double kLongReach = 2;
 constexpr double kReach = 0.75;
 
-// Where the density at the wall goes as u^-beta (exact::wall_exponent) and cells may follow it:
-// centred orders and the seventh ring on cells as uneven as that takes.
+// Whether cells of x1 may shrink as the cube of those of x2: centred orders and the seventh ring on
+// cells as uneven as that takes.
+bool follows_cubes(const Options& options) {
+  return order_of(options) == 3 || order_of(options) == 5;
+}
+
+// Where the density at the wall goes as u^-beta (exact::wall_exponent) and cells may follow it.
 bool follows_singularity(const problem::Problem& problem, const Options& options) {
   return options.equation == Equation::white && options.impact == Impact::map &&
-         problem.system.restitution() < 1 && (options.order == 3 || options.order == 5);
+         problem.system.restitution() < 1 && follows_cubes(options);
 }
 
 // Cells at the origin narrower by this factor than far from it.
@@ -71,7 +76,7 @@ Excitation of_impulses(const problem::ImpulseTrain& impulses, const Options& opt
     case Equation::km4:
       return kramers_moyal(impulses, line, regularisation_length);
     case Equation::km4_pade:
-      return kramers_moyal_pade(impulses, line, centred_points(options.order));
+      return kramers_moyal_pade(impulses, line, centred_points(order_of(options)));
     case Equation::kf:
       return jumps(impulses, line);
   }
@@ -91,7 +96,7 @@ double regularisation_length(const problem::Problem& problem, const Options& opt
                              const Line& line) {
   if (options.equation != Equation::km4 || !problem.impulses.present()) return 0;
   if (!options.regularisation_length) {
-    return default_regularisation_length(problem.impulses, line, centred_points(options.order));
+    return default_regularisation_length(problem.impulses, line, centred_points(order_of(options)));
   }
   const double length = *options.regularisation_length;
   return length > 0 ? length : line.smallest_width();
@@ -190,7 +195,7 @@ GradingsAtWalls gradings_at_walls(const problem::Problem& problem, const Options
   };
   GradingsAtWalls gradings{.x1 = of(lengths.x1), .x2 = of(lengths.x2)};
   const double diffusion = local_diffusion(problem, options.equation);
-  if (diffusion > 0 && (options.order == 3 || options.order == 5)) {
+  if (diffusion > 0 && follows_cubes(options)) {
     gradings.x1.core = std::min(gradings.x1.core, std::pow(gradings.x2.core, 3) / diffusion);
   }
   return gradings;
@@ -224,7 +229,8 @@ Discretisation discretise_family(const problem::Problem& problem, const Options&
   const problem::System& system = problem.system;
   const double at_walls = origin_refinement(problem, options);
   const GradingsAtWalls gradings = gradings_at_walls(problem, options, at_walls, box.lengths);
-  const double width = (at_walls == 1 ? 1 : kGradedWidth) / options.refinement;
+  double width = (at_walls == 1 ? 1 : kGradedWidth) / options.refinement;
+  if (order_of(options) == kHighOrder) width *= kWidthOfHighOrder;
   const double from_end_to_end = box.x1_max - box.x1_min;
   const double about =
       options.nx ? *options.nx : cells_over(from_end_to_end, width * kX1Step * box.lengths.x1, {});
@@ -324,6 +330,11 @@ bool off_the_wall(const problem::Problem& problem) {
          kDeviations * problem::equivalent_linearisation(problem).displacement_deviation;
 }
 
+int automatic_order(const problem::Problem& problem) {
+  const bool smooth = !loses(problem.system.left()) && !loses(problem.system.right());
+  return smooth && !problem::of_the_paper(problem) ? kHighOrder : kUsualOrder;
+}
+
 double origin_refinement(const problem::Problem& problem, const Options& options) {
   if (!problem::of_the_paper(problem)) {
     return options.origin_refinement.value_or(refinement_at_walls(problem, options));
@@ -380,12 +391,12 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on) {
   return fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid,
-                                options.order);
+                                order_of(options));
 }
 
 UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
                                          double step) {
-  const int points = centred_points(options.order);
+  const int points = centred_points(order_of(options));
   const double length = regularisation_length(problem, options, Line::uniform(0, step, 1));
   int reach = cells_of_a_row(length, step, points);
   if (options.equation == Equation::km4_pade) {

@@ -47,6 +47,15 @@ inline constexpr double kRefinedOrigin = 16;
 /// cells of x1 are graded as the cube of those of x2 (orders 3 and 5).
 inline constexpr double kOriginUnderWhiteNoise = 32;
 
+/// Beyond the paper's class, where no wall takes energy and the density has no jump along the orbit that
+/// grazes it, this order is worth more than its price, and so wider automatic cells
+/// (docs/performance.md).
+inline constexpr int kHighOrder = 7;
+inline constexpr double kWidthOfHighOrder = 1.2;
+
+/// Of the transport terms of the stationary density, where the options leave it open.
+int automatic_order(const problem::Problem& problem);
+
 /// options.origin_refinement, or the automatic choice.
 double origin_refinement(const problem::Problem& problem, const Options& options);
 

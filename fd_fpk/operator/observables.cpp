@@ -117,17 +117,20 @@ double impact_rate(const problem::System& system, const Grid& grid, const Eigen:
   return rate;
 }
 
+double mean_damping_power(const problem::System& system, const transform::Moments& moments,
+                          const Grid& grid, const Eigen::VectorXd& averages, int order) {
+  if (system.damping_is_constant()) return system.damping() * moments.v2;
+  return joint_integral(grid, averages, order, system.damping_polynomial(), monomial(2)) +
+         system.rayleigh() * moments.v4;
+}
+
 problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
                                   const Grid& grid, const Eigen::VectorXd& averages, int order) {
   problem::EnergyTerms terms{
       .mean_velocity = moments.v1, .mean_square_velocity = moments.v2, .impact_energy_flux = 0};
   if (system.left()) terms.impact_energy_flux = impact_flux(grid, averages, order, 3);
   if (system.right()) terms.right_energy_flux = impact_flux(grid, averages, order, 3, End::right);
-  if (!system.damping_is_constant()) {
-    terms.mean_damping_power =
-        joint_integral(grid, averages, order, system.damping_polynomial(), monomial(2)) +
-        system.rayleigh() * moments.v4;
-  }
+  terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, order);
   return terms;
 }
 

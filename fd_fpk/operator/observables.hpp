@@ -44,6 +44,10 @@ double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order,
 double impact_rate(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
                    int order);
 
+/// E[v f] of cell averages with these moments (in the grid's coordinates).
+double mean_damping_power(const problem::System& system, const transform::Moments& moments,
+                          const Grid& grid, const Eigen::VectorXd& averages, int order);
+
 /// What the balance of power needs of cell averages with these moments (in the grid's coordinates).
 problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
                                   const Grid& grid, const Eigen::VectorXd& averages, int order);

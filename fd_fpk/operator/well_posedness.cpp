@@ -56,7 +56,7 @@ std::string advice(const problem::ImpulseTrain& impulses, const Line& line, int 
 
 Growth largest_growth(const problem::Problem& problem, const Options& options, double step) {
   const auto [line, excitation] = unbounded_excitation(problem, options, step);
-  return largest_growth(line, excitation, centred_points(options.order));
+  return largest_growth(line, excitation, centred_points(order_of(options)));
 }
 
 Posedness posedness(const problem::Problem& problem, const Options& options,
@@ -70,7 +70,7 @@ Posedness posedness(const problem::Problem& problem, const Options& options,
       "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
       "the fourth difference over {:.3g} ({})",
       result.growth.rate, result.growth.wavenumber, discretisation.regularisation_length,
-      advice(impulses, discretisation.grid.x2, centred_points(options.order)));
+      advice(impulses, discretisation.grid.x2, centred_points(order_of(options))));
   return result;
 }
 

@@ -30,15 +30,12 @@ struct Stationary {
   StationaryMasses found;
 };
 
-Grid grid_for(const problem::Problem& problem, const Options& options, const Box& box) {
-  return problem::of_the_paper(problem) ? characteristic_grid(problem, options, box)
-                                        : contact_grid(problem, options, box);
-}
-
-Stationary stationary_in(const problem::Problem& problem, const Options& options, const Box& box,
-                         const Deadline& given_up) {
-  Grid grid = grid_for(problem, options, box);
-  StationaryMasses found = stationary_masses(problem, grid, kCharacteristicsPerCell, given_up);
+Stationary stationary_in(const problem::Problem& problem, const problem::Scales& scales,
+                         const Options& options, const Box& box, const Deadline& given_up) {
+  Grid grid = problem::of_the_paper(problem) ? characteristic_grid(problem, options, box)
+                                             : contact_grid(problem, scales, options, box);
+  StationaryMasses found =
+      stationary_masses(problem, scales, grid, kCharacteristicsPerCell, given_up);
   return {.grid = std::move(grid), .found = std::move(found)};
 }
 
@@ -76,15 +73,15 @@ double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible
 
 // A box that holds all but a negligible part, found on wide cells; after the deadline one that
 // holds all but kMostAtEnd, without which there would be no answer.
-Box box_of(const problem::Problem& problem, const Options& options, const Deadline& deadline,
-           Answer so_far) {
+Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
+           const Deadline& deadline, Answer so_far) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
   // Where a good part has arrived at the end of the box.
   constexpr double kMuch = 1e-3, kMuchWider = 3;
   constexpr double kSlower = 1.5;  // the wider box, about
   constexpr int kMostTimes = 6;
   Box box = problem::of_the_paper(problem) ? generous_box(problem, options)
-                                           : generous_contact_box(problem, options);
+                                           : generous_contact_box(problem, scales, options);
   const bool given_y = options.x1_max || problem.system.right(),
              given_v = options.x2_max.has_value();
   if (given_y && given_v) return box;
@@ -93,16 +90,17 @@ Box box_of(const problem::Problem& problem, const Options& options, const Deadli
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
     const Stopwatch stopwatch;
-    const Stationary on = stationary_in(problem, coarse, box, giving_up(deadline, so_far));
+    const Stationary on = stationary_in(problem, scales, coarse, box, giving_up(deadline, so_far));
     if (!on.found.masses) return box;
     const Sums masses = sums(on);
     const double y = end_of(on.grid.x1, masses.of_y, kNegligible);
     const double v = end_of(on.grid.speeds(), masses.of_speed, kNegligible);
     const bool wider_y = !given_y && y >= box.x1_max;
     const bool wider_v = !given_v && v >= box.x2_max;
-    const bool will_do = at_end(on, masses) <= kMostAtEnd;
+    const double beyond = at_end(on, masses);
+    const bool will_do = beyond <= kMostAtEnd;
     if (will_do && (wider_y || wider_v) && !deadline.allows(kSlower * stopwatch.seconds())) break;
-    const double wider = at_end(on, masses) > kMuch ? kMuchWider : kWider;
+    const double wider = beyond > kMuch ? kMuchWider : kWider;
     if (!given_y) box.x1_max = wider_y ? wider * box.x1_max : y;
     if (!given_v) box.x2_max = wider_v ? wider * box.x2_max : v;
     if (!wider_y && !wider_v) break;
@@ -128,8 +126,8 @@ void add_atoms(const problem::Problem& problem, const Stationary& on,
   }
 }
 
-void observe(const problem::Problem& problem, const Stationary& on, const Eigen::VectorXd& averages,
-             Result& result) {
+void observe(const problem::Problem& problem, const problem::Scales& scales, const Stationary& on,
+             const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
   const double rate = problem.impulses.arrival_rate();
   const auto& [left, right] = on.found.impacts;
@@ -138,7 +136,7 @@ void observe(const problem::Problem& problem, const Stationary& on, const Eigen:
   solution.mass = on.grid.areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
   add_atoms(problem, on, solution);
-  summary.wall = relative_wall_density(problem, on.grid, averages);
+  summary.wall = relative_wall_density(scales, on.grid, averages);
   summary.impact_rate = rate * (left.number + right.number);
   double displacement_at_rest = 0;
   for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
@@ -153,11 +151,15 @@ void observe(const problem::Problem& problem, const Stationary& on, const Eigen:
       summary.impact_rate += mass * place.impact_rate;
     }
   }
-  auto terms = energy_terms(problem.system, moments(on.grid, averages, kOrderOfObservables),
-                            on.grid, averages, kOrderOfObservables);
-  terms.impact_energy_flux = rate * left.energy;
-  terms.right_energy_flux = rate * right.energy;
-  solution.energy_residual = problem::energy_residual(problem, problem::Impact::map, terms);
+  const auto in_frame = moments(on.grid, averages, kOrderOfObservables);
+  solution.energy_residual = problem::energy_residual(
+      problem, problem::Impact::map,
+      {.mean_velocity = in_frame.v1,
+       .mean_square_velocity = in_frame.v2,
+       .impact_energy_flux = rate * left.energy,
+       .right_energy_flux = rate * right.energy,
+       .mean_damping_power =
+           mean_damping_power(problem.system, in_frame, on.grid, averages, kOrderOfObservables)});
   summary.balances = balance_residuals(problem, on.grid, averages, kOrderOfObservables,
                                        {.left_momentum = rate * left.momentum,
                                         .right_momentum = rate * right.momentum,
@@ -166,13 +168,14 @@ void observe(const problem::Problem& problem, const Stationary& on, const Eigen:
 
 }  // namespace
 
-Result solve_along_characteristics(const problem::Problem& problem, const Options& options,
-                                   const Deadline& deadline, Answer so_far) {
+Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
+                                   const Options& options, const Deadline& deadline,
+                                   Answer so_far) {
   Result result;
   auto& [solution, summary] = result;
-  const Box box = box_of(problem, options, deadline, so_far);
+  const Box box = box_of(problem, scales, options, deadline, so_far);
   const Stopwatch stopwatch;
-  const Stationary on = stationary_in(problem, options, box, giving_up(deadline, so_far));
+  const Stationary on = stationary_in(problem, scales, options, box, giving_up(deadline, so_far));
   summary.nx = on.grid.nx();
   summary.nv = on.grid.nv();
   summary.x1_max = on.grid.x1_max();
@@ -187,9 +190,8 @@ Result solve_along_characteristics(const problem::Problem& problem, const Option
     solution.reason = on.found.failure;
     return result;
   }
-  summary.residual =
-      on.found.residual * problem.impulses.arrival_rate() / problem::scales(problem).frequency;
-  observe(problem, on, on.found.masses->cwiseQuotient(on.grid.areas()), result);
+  summary.residual = on.found.residual * problem.impulses.arrival_rate() / scales.frequency;
+  observe(problem, scales, on, on.found.masses->cwiseQuotient(on.grid.areas()), result);
   solution.status = Status::ok;
   if (const double beyond = at_end(on, sums(on)); beyond > kMostAtEnd) {
     solution.status = Status::failed;

@@ -4,6 +4,7 @@
 #include "fd_fpk/stopwatch.hpp"
 #include "fd_fpk/summary.hpp"
 #include "problem/problem.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -12,7 +13,8 @@ namespace fpkcheck::fd_fpk {
 /// (characteristics/passage.hpp), then by the jump. Where impulses are rare, what is between them
 /// is all there is, and it is exact; the density may be unbounded at the origin. As solve_on_one_grid
 /// otherwise.
-Result solve_along_characteristics(const problem::Problem& problem, const Options& options,
-                                   const Deadline& deadline, Answer so_far = Answer::none_yet);
+Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
+                                   const Options& options, const Deadline& deadline,
+                                   Answer so_far = Answer::none_yet);
 
 }  // namespace fpkcheck::fd_fpk

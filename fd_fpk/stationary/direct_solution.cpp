@@ -26,7 +26,7 @@ DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& 
   const Grid& grid = discretisation.grid;
   FokkerPlanckOperator op = fokker_planck_operator(problem, options, discretisation);
   Preconditioner preconditioner(problem.system, scales.slowest_decay, discretisation.excitation,
-                                options.impact, grid, options.order);
+                                options.impact, grid, order_of(options));
   const Eigen::VectorXd start = gaussian_start(grid, problem, scales);
   auto [averages, iterations, failure, krylov_seconds] =
       null_vector(op, preconditioner, start, given_up);
@@ -107,8 +107,8 @@ void find_box_and_lengths(const problem::Problem& problem, const problem::Scales
 bool resolved(const problem::Problem& problem, const Options& options,
               const DirectSolution& direct) {
   const Eigen::VectorXd& averages = *direct.averages;
-  const double energy =
-      energy_residual(problem, options.impact, direct.discretisation.grid, averages, options.order);
+  const double energy = energy_residual(problem, options.impact, direct.discretisation.grid,
+                                        averages, order_of(options));
   return kAutomaticGridBars.allow_density(averages.minCoeff() / averages.maxCoeff()) &&
          kAutomaticGridBars.allow_imbalance(energy);
 }
@@ -123,14 +123,13 @@ Box stationary_box(const problem::Problem& problem, const Options& options,
 Box stationary_box(const problem::Problem& problem, const problem::Scales& scales,
                    const Options& options, const Deadline& deadline, Answer so_far) {
   constexpr double kCoarse = 0.5;
-  constexpr int kCoarseOrder = 7;  // lower ones smear tails on such a grid
   Box box = initial_box(problem, scales, options);
   const bool look_at_lengths = !problem::of_the_paper(problem);
   if (!options.x1_max || !options.x2_max || look_at_lengths) {
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;
-    coarse.refinement = kCoarse;
-    coarse.order = kCoarseOrder;
+    coarse.refinement = look_at_lengths ? kCoarse * kWidthOfHighOrder : kCoarse;
+    coarse.order = kHighOrder;  // lower ones smear tails on such a grid
     coarse.origin_refinement = 1;
     if (look_at_lengths) {
       find_box_and_lengths(problem, scales, coarse, deadline, so_far, box);

@@ -82,9 +82,10 @@ Options as_used(Options options, const Summary& summary) {
 }
 
 // Of the scheme; the transport along characteristics spreads a cell's mass linearly.
-int order_of(const Options& options) {
+int order_of_convergence(const Options& options) {
   constexpr int kAlongCharacteristics = 2;
-  return options.transport == Transport::characteristics ? kAlongCharacteristics : options.order;
+  return options.transport == Transport::characteristics ? kAlongCharacteristics
+                                                         : order_of(options);
 }
 
 // Relative.
@@ -186,7 +187,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   if (middle.solution.density && coarse.solution.density) {
     add_estimate(fine, middle.solution,
                  with_walls(estimate_error(coarse.solution, middle.solution, fine.solution,
-                                           order_of(options)),
+                                           order_of_convergence(options)),
                             moved_by_walls(solve, coarsest, coarse)));
     judge_error(options, fine);
   }
@@ -217,8 +218,8 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
   while (best.solution.status != Status::failed &&
          (l1(*best.summary.error) > aim.accuracy || (aim.until_ok && !best.solution.is_ok()))) {
     // How many levels are missing, by what the last three have shown.
-    const double order =
-        std::clamp(best.summary.error->observed_order, 0.5, static_cast<double>(order_of(options)));
+    const double order = std::clamp(best.summary.error->observed_order, 0.5,
+                                    static_cast<double>(order_of_convergence(options)));
     const double missing =
         std::max(1.0, std::ceil(std::log(l1(*best.summary.error) / aim.accuracy) /
                                 (order * std::log(kLevelRatio))));
@@ -237,7 +238,7 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
     if (!coarse->solution.density) break;
     add_estimate(fine, middle.solution,
                  with_walls(estimate_error(coarse->solution, middle.solution, fine.solution,
-                                           order_of(options)),
+                                           order_of_convergence(options)),
                             best.summary.error->of_walls));
     judge_error(options, fine);
     coarse = std::exchange(middle, fine);
@@ -292,9 +293,10 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       last[2] = std::move(result);
     }
     if (last[0]) {
-      const auto error = with_walls(
-          estimate_error(last[0]->solution, last[1]->solution, last[2]->solution, options.order),
-          of_walls);
+      const auto error =
+          with_walls(estimate_error(last[0]->solution, last[1]->solution, last[2]->solution,
+                                    order_of_convergence(options)),
+                     of_walls);
       add_estimate(*last[2], last[1]->solution, error);
       if (worst(error, last[2]->solution.moments) <= *options.tolerance) {
         if (options.stepper == Stepper::direct) {
@@ -309,7 +311,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
         return stepped;
       }
       if (options.transport != Transport::characteristics &&
-          error.observed_order < options.order - kOrdersMissing &&
+          error.observed_order < order_of(options) - kOrdersMissing &&
           last[2]->summary.origin_refinement == 1) {
         level.origin_refinement = kRefinedOrigin;
         estimated = std::move(last[2]);

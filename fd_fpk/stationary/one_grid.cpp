@@ -18,11 +18,6 @@ namespace {
 
 using transform::Status;
 
-// First and longest CVODE step, in units of the oscillator's radian and of its slowest decay time.
-// Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the bound.
-constexpr double kFirstStep = 10;
-constexpr double kLongestStep = 500;
-
 // The density by the chosen stepper; empty when there is none. Fills in the status.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
                                                   const problem::Problem& problem,
@@ -40,28 +35,21 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
   std::optional<March> march;
   if (options.stepper == Stepper::cvode && direct.converged &&
       deadline.allows(kStepsInFull * direct.krylov_seconds)) {
-    march =
-        march_to_stationarity(direct.op, *direct.preconditioner,
-                              gaussian_start(direct.discretisation.grid, problem, direct.scales),
-                              options.residual_tolerance * frequency,
-                              {.first_step = kFirstStep / frequency,
-                               .longest_step = kLongestStep / direct.scales.slowest_decay},
-                              deadline);
+    march = march_to_stationarity(
+        direct.op, *direct.preconditioner,
+        gaussian_start(direct.discretisation.grid, problem, direct.scales),
+        options.residual_tolerance * frequency, 1 / direct.scales.slowest_decay, deadline);
   }
   std::optional<Eigen::VectorXd> averages;
   if (!march || march->out_of_time) {
-    summary.factorisations = 1;
     summary.krylov_iterations = direct.krylov_iterations;
-    summary.factor_seconds = direct.preconditioner->factor_seconds();
     summary.krylov_seconds = direct.krylov_seconds;
     summary.residual = direct.op.residual(*direct.averages) / frequency;
     averages = direct.averages;
   } else {
     summary.steps = march->steps;
-    summary.factorisations = march->factorisations;
     summary.rhs_evaluations = march->rhs_evaluations;
     summary.krylov_iterations = march->krylov_iterations;
-    summary.factor_seconds = march->factor_seconds;
     summary.krylov_seconds = march->krylov_seconds;
     summary.residual = march->residual / frequency;
     summary.stepped_against_direct =
@@ -69,6 +57,8 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     solution.reason = march->reason;
     if (march->averages.allFinite()) averages = std::move(march->averages);
   }
+  summary.factorisations = direct.preconditioner->factorisations();
+  summary.factor_seconds = direct.preconditioner->factor_seconds();
   solution.status = Status::ok;
   if (!(summary.residual <= options.residual_tolerance)) {
     solution.status = Status::not_converged;
@@ -84,7 +74,7 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
 void observe(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
              const Grid& grid, const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
-  const int order = options.order;
+  const int order = order_of(options);
   solution.density = grid_density(grid, averages);
   solution.moments = physical_moments(problem.frame, grid, averages, order);
   solution.mass = grid.areas().dot(averages);
@@ -142,6 +132,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
 
   DirectSolution direct = solve_directly(problem, surroundings, options, deadline, so_far);
   describe(direct.discretisation, summary);
+  summary.order = order_of(options);
   summary.refinement = direct.refinement;
   summary.origin_refinement = direct.origin_refinement;
   if (direct.averages) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "fd_fpk/linear/linear_cvode.hpp"
@@ -14,24 +15,35 @@ struct OutOfTime {};
 }  // namespace
 
 March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                            const Eigen::VectorXd& start, double tolerance,
-                            const TimeScales& scales, const Deadline& deadline) {
+                            const Eigen::VectorXd& start, double tolerance, double decay_time,
+                            const Deadline& deadline) {
   constexpr long kMaxSteps = 200;
-  // Local errors are no aim here: a step may change the density by as much as itself.
-  constexpr double kRelativeTolerance = 1;
-  const double absolute_tolerance = start.maxCoeff();
+  // Decay times. Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the bound.
+  constexpr double kFirstStep = 10, kLongestStep = 500;
+  // Local errors are no aim here: a step may change the density by many times itself.
+  constexpr double kRelativeTolerance = 1, kOfThePeak = 1000;
+  const double absolute_tolerance = kOfThePeak * start.maxCoeff();
   // Errors count by their mass. Narrow cells at a singularity hold next to none, and would shorten
   // the steps by what their density does on the way: white noise at r = 0.6 took 860 iterations of
   // GMRES for 372.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
-  // The residual of the last step's linear system is what remains of L P: they are solved far below
-  // the error test.
-  constexpr double kLinearTolerance = 1e-11;
+  // What GMRES leaves of a step's linear system, by the peak, is gamma times what it adds to L P: a
+  // hundredth of what the step leaves of it, about 1/gamma of that before in decay times. What the
+  // last one leaves is in the answer.
+  constexpr double kPart = 1e-2, kOfTheLast = 1e-11;
+  const auto linear_tolerance = [&](double residual) {
+    const bool is_last = residual <= kLongestStep * tolerance;
+    const double part =
+        is_last ? kOfTheLast : std::clamp(kPart * residual * decay_time, kOfTheLast, kPart);
+    return part / kOfThePeak;
+  };
   constexpr double kStepGrowth = 100;
 
   const Stopwatch stopwatch;
   const double factored_before = preconditioner.factor_seconds();
+  March march;
+  march.residual = op.residual(start);
   LinearSystem system = linear_system(op, preconditioner);
   // One step may take as long as many products.
   system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
@@ -42,15 +54,14 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
                     {.max_order = 1,
                      .relative_tolerance = kRelativeTolerance,
                      .absolute_tolerance = absolute_tolerance,
-                     .linear_tolerance = kLinearTolerance,
+                     .linear_tolerance = linear_tolerance(march.residual),
                      .absolute_tolerances = absolute_tolerances,
-                     .first_step = scales.first_step,
-                     .longest_step = scales.longest_step,
+                     .first_step = kFirstStep * decay_time,
+                     .longest_step = kLongestStep * decay_time,
                      .step_growth = kStepGrowth});
-  March march;
-  march.residual = op.residual(start);
   while (march.residual > tolerance && march.steps < kMaxSteps) {
     const Stopwatch of_step;
+    cvode.set_linear_tolerance(linear_tolerance(march.residual));
     int flag = 0;
     try {
       flag = cvode.step().flag;
@@ -70,12 +81,11 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
       break;
     }
   }
-  march.factorisations = cvode.factorisations();
   march.rhs_evaluations = cvode.rhs_evaluations();
   march.krylov_iterations = cvode.krylov_iterations();
-  march.factor_seconds = preconditioner.factor_seconds() - factored_before;
-  march.krylov_seconds = stopwatch.seconds() - march.factor_seconds;
-  march.averages = cvode.averages();
+  march.krylov_seconds = stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
+  // Of mass 1, of which GMRES loses as much as it leaves of a step.
+  march.averages = cvode.averages() / op.mass(cvode.averages());
   return march;
 }
 

@@ -16,30 +16,25 @@ struct March {
   bool out_of_time = false;    ///< the next step would have ended after the deadline
   double residual = 0;         ///< FokkerPlanckOperator::residual of `averages`
   long steps = 0;              ///< CVODE's internal steps
-  long factorisations = 0;     ///< KLU factorisations
   long rhs_evaluations = 0;    ///< products L P asked for by CVODE
   long krylov_iterations = 0;  ///< of GMRES, in all
-  double factor_seconds = 0;   ///< in KLU factorisations
-  double krylov_seconds = 0;   ///< in all else: GMRES, but for a small rest
-};
-
-/// Times that belong to the problem.
-struct TimeScales {
-  double first_step;
-  double longest_step;
+  double krylov_seconds = 0;   ///< but for factorisations: in GMRES, but for a small rest
 };
 
 /// Steps dP/dt = L P from `start` until ||L P||_1 <= tolerance ||P||_1, with SUNDIALS CVODE: BDF of
 /// order 1 (L-stable: the eigenvalues of the turning oscillator lie close to the imaginary axis,
-/// where higher orders creep), loose local errors, steps that grow by up to 100. The linear systems
-/// are solved by GMRES with L itself, preconditioned by one KLU factorisation a step size. Only the
+/// where higher orders creep), steps of 10 to 500 decay times that no local error shortens: each is
+/// one of inverse iteration, and leaves 1/(1 + step/decay time) of the residual. The linear systems
+/// are solved by GMRES with L itself as far as the residual that a step may reach asks for,
+/// preconditioned by KLU: by the factors of the stationary operator where they are at hand. Only the
 /// residual is judged, never CVODE's step size. No step begins that would end after the deadline if
 /// it took as long as the one before; one that does not end by then is given up.
 ///
 /// @param tolerance on the residual, per unit time
+/// @param decay_time the longest of the problem
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
 March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                            const Eigen::VectorXd& start, double tolerance,
-                            const TimeScales& scales, const Deadline& deadline);
+                            const Eigen::VectorXd& start, double tolerance, double decay_time,
+                            const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -76,7 +76,7 @@ void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
   results::write_parameters(file, run.problem);
   file.attribute("equation", std::string(problem::name(run.options.equation)));
   file.attribute("impact", std::string(problem::name(run.options.impact)));
-  file.attribute("order", run.options.order);
+  file.attribute("order", fd_fpk::order_of(run.options));
   file.attribute("start_displacement_deviation", run.result.start_displacement);
   file.attribute("start_velocity_deviation", run.result.start_velocity);
   file.attribute("start_mean_displacement", run.result.start_mean_displacement);

@@ -40,7 +40,8 @@ const std::vector<std::string> kWithoutEstimate{"nx",
                                                 "wall_density.ydot",
                                                 "impact_rate",
                                                 "balances.virial",
-                                                "balances.momentum"};
+                                                "balances.momentum",
+                                                "order"};
 
 TEST(Summary, IsObservedInTheOrderOfSummaryFiles) {
   EXPECT_EQ(paths(observations({})), kWithoutEstimate);

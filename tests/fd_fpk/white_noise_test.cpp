@@ -167,7 +167,7 @@ TEST(WhiteNoise, CellsOfYAreTheCubeOfThoseOfVOnlyWhereTheDensityIsSingular) {
         {0.6, Options{.stepper = Stepper::direct, .error_estimate = false}},
         {0.6, seventh}}) {
     const auto [y_alike, v_alike] = finest(r, options);
-    EXPECT_GT(y_alike, v_alike / 2) << r << " " << options.order;
+    EXPECT_GT(y_alike, v_alike / 2) << r << " " << order_of(options);
   }
 }
 

@@ -155,7 +155,7 @@ TEST(Contact, WithoutContactAgreesWithDifferences) {
 // take (docs/characteristics.md).
 TEST(Contact, PassageKeepsMassAndLosesTheEnergyOfBothWalls) {
   const auto p = tests::in_frame(problem::load_case("stops"));
-  const Grid grid = contact_grid(p, {}, {.x1_max = 1, .x2_max = 3});
+  const Grid grid = contact_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
   ASSERT_EQ(characteristics.contacts().size(), 2u);
   const TiltRule tilts(grid, characteristics.rest_places());

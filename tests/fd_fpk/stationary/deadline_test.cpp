@@ -28,8 +28,9 @@ TEST(DeadlineOfASolution, AnAnswerIsGivenUpAtItWhereOneStands) {
   const auto solved = [&](const Deadline& deadline, Answer so_far) {
     const Surroundings surroundings{.scales = problem::scales(p)};
     const Options direct{.stepper = Stepper::direct};
-    return std::pair(solve_on_one_grid(p, surroundings, direct, deadline, so_far).solution,
-                     solve_along_characteristics(p, {}, deadline, so_far).solution);
+    return std::pair(
+        solve_on_one_grid(p, surroundings, direct, deadline, so_far).solution,
+        solve_along_characteristics(p, surroundings.scales, {}, deadline, so_far).solution);
   };
   const auto [by_differences, along] = solved(Deadline(0), Answer::stands);
   for (const auto& late : {by_differences, along}) {
@@ -49,8 +50,8 @@ TEST(DeadlineOfASolution, AStepIsGivenUpAtIt) {
   const auto op = fokker_planck_operator(p, options, on);
   const auto march = [&](double seconds) {
     Preconditioner preconditioner(p, on.excitation, options.impact, on.grid);
-    return march_to_stationarity(op, preconditioner, gaussian_start(on.grid, p), 1e-10,
-                                 {.first_step = 10, .longest_step = 1e4}, Deadline(seconds));
+    return march_to_stationarity(op, preconditioner, gaussian_start(on.grid, p), 1e-10, 20,
+                                 Deadline(seconds));
   };
   const March late = march(0);
   EXPECT_TRUE(late.out_of_time);

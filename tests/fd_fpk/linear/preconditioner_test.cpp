@@ -1,0 +1,60 @@
+#include "fd_fpk/linear/preconditioner.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/operator.hpp"
+#include "paper_cases.hpp"
+#include "problem/scales.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+class Preconditioners : public testing::Test {
+ protected:
+  Preconditioner made() const {
+    return {problem_.system, loss_, on_.excitation, options_.impact, on_.grid, order_of(options_)};
+  }
+  Eigen::VectorXd solved(const Preconditioner& preconditioner) const {
+    Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(on_.grid.size(), -1, 2);
+    preconditioner.solve_in_place(b);
+    return b;
+  }
+
+  problem::Problem problem_ = tests::paper_case(1);
+  Options options_{.nx = 16, .nv = 32};
+  double loss_ = problem::scales(problem_).slowest_decay;
+  Discretisation on_ = discretise(problem_, options_, initial_box(problem_, options_));
+};
+
+// I - gamma M is -gamma M but for 1/(gamma loss), the most that it makes of any mode.
+TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
+  constexpr double kDecayTimes = 200;
+  Preconditioner kept = made(), fresh = made();
+  ASSERT_TRUE(kept.factor_stationary());
+  ASSERT_TRUE(kept.factor(kDecayTimes / loss_));
+  ASSERT_TRUE(fresh.factor(kDecayTimes / loss_));
+  EXPECT_EQ(kept.factorisations(), 1);
+  const Eigen::VectorXd exact = solved(fresh), near = solved(kept);
+  EXPECT_LT((near - exact).norm(), 3 / kDecayTimes * exact.norm());
+  EXPECT_GT((near - exact).norm(), 0);
+}
+
+TEST_F(Preconditioners, FactorForShortStepsAndForGoodAfterThem) {
+  Preconditioner used = made(), fresh = made();
+  ASSERT_TRUE(used.factor_stationary());
+  const Eigen::VectorXd stationary = solved(used);
+  ASSERT_TRUE(used.factor(100 / loss_));
+  ASSERT_TRUE(used.factor(0.1 / loss_));
+  ASSERT_TRUE(fresh.factor(0.1 / loss_));
+  EXPECT_EQ(used.factorisations(), 2);
+  EXPECT_LT((solved(used) - solved(fresh)).norm(), 1e-10 * solved(fresh).norm());
+  // The stationary factors are gone.
+  ASSERT_TRUE(used.factor(100 / loss_));
+  EXPECT_EQ(used.factorisations(), 3);
+  ASSERT_TRUE(used.factor_stationary());
+  EXPECT_LT((solved(used) - stationary).norm(), 1e-10 * stationary.norm());
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
