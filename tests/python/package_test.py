@@ -160,7 +160,7 @@ class Input(unittest.TestCase):
     def test_is_refused_in_the_programs_line(self):
         solve, case = fpk.solve, fpk.Problem.case
         for got, expected in (
-            (refusal(case, "case1", damping=-1), "case case1: system.damping = -1 (must be"),
+            (refusal(case, "case1", restitution=-1), "case case1: system.restitution = -1 (must be"),
             (refusal(case, "case9"), "no case 'case9'"),
             (refusal(case, "case1", dampin=1), "unknown key 'dampin' (known keys: system.{damping"),
             (refusal(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
