@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "epc/contact/density.hpp"
 #include "epc/gaussian/density.hpp"
 #include "epc/moment/density.hpp"
 #include "epc/polar/density.hpp"
@@ -24,10 +25,11 @@ using transform::SmoothDensity;
 
 const problem::Problem& required(const problem::Problem* problem, const Frame& frame) {
   if (problem != nullptr) return *problem;
-  throw InputError(
-      frame.variables == Variables::polar
-          ? "coordinates \"amplitude,phase\" are those of an oscillator (name its case)"
-          : "\"support.energy\" is the energy of an oscillator (name its case)");
+  if (frame.variables == Variables::polar || frame.variables == Variables::contact) {
+    throw InputError(fmt::format("coordinates \"{}\" are those of an oscillator (name its case)",
+                                 name(frame.variables)));
+  }
+  throw InputError("\"support.energy\" is the energy of an oscillator (name its case)");
 }
 
 SmoothDensity in_plane(const ClosedForm& form) {
@@ -91,6 +93,31 @@ SmoothDensity in_polar_variables(const ClosedForm& form, const problem::Problem*
           .v_max = box.v_max};
 }
 
+contact::Coordinates contact_coordinates(const problem::Problem& problem) {
+  if (contact::applies(problem)) return contact::Coordinates(problem);
+  throw InputError(
+      "coordinates \"amplitude,velocity\" are those of a mass that a force presses on one wall "
+      "(name its case)");
+}
+
+SmoothDensity in_contact_variables(const ClosedForm& form, const problem::Problem* problem) {
+  const auto& [q, frame] = form;
+  const auto coordinates = contact_coordinates(required(problem, frame));
+  const double constant = frame.log_constant.value_or(0);
+  if (std::isfinite(frame.support)) {
+    return contact::density_of(q, coordinates, frame.support, {frame.level}, constant);
+  }
+  const Box box = frame.box.value();
+  const double far = std::numeric_limits<double>::infinity();
+  return {.value =
+              [whole = contact::density_of(q, coordinates, far, {frame.level}, constant), box](
+                  double y, double v) {
+                return y <= box.y_max && std::abs(v) <= box.v_max ? whole.value(y, v) : 0;
+              },
+          .y_max = box.y_max,
+          .v_max = box.v_max};
+}
+
 SmoothDensity as_it_stands(const ClosedForm& form, const problem::Problem* problem) {
   switch (form.frame.variables) {
     case Variables::plane:
@@ -99,6 +126,8 @@ SmoothDensity as_it_stands(const ClosedForm& form, const problem::Problem* probl
       return in_physical_variables(form, problem);
     case Variables::polar:
       return in_polar_variables(form, problem);
+    case Variables::contact:
+      return in_contact_variables(form, problem);
   }
   return {};
 }
@@ -115,6 +144,18 @@ std::optional<problem::Problem> in_coordinates(const problem::Frame& coordinates
       fmt::format("\"frame.origin\" = {:g} is no wall of the oscillator (name the case whose "
                   "solution it is)",
                   coordinates.origin));
+}
+
+// Of a form without a constant, the atom that belongs to it included.
+double mass_of(const ClosedForm& form, const problem::Problem* problem,
+               const SmoothDensity& density) {
+  if (form.frame.variables != Variables::contact) {
+    return transform::panel_marginals(density, density.y_max, density.v_max,
+                                      transform::Panels::graded)
+        .mass;
+  }
+  return transform::mass(contact::on_graded_cells(density)) +
+         contact_coordinates(*problem).atom_weight() * std::exp(form.q(0, 0));
 }
 
 bool has_support(const Frame& frame) {
@@ -145,9 +186,7 @@ SmoothDensity density(const ClosedForm& form, const problem::Problem* problem) {
   if (frame.log_constant || frame.deviations || !bounded) {
     return on_physical_axes(std::move(result));
   }
-  const double mass =
-      transform::panel_marginals(result, result.y_max, result.v_max, transform::Panels::graded)
-          .mass;
+  const double mass = mass_of(whole, there, result);
   if (!(mass > 0) || !std::isfinite(mass)) {
     throw InputError(
         fmt::format("the integral over the support is {:g} (must be positive and finite)", mass));

@@ -1,5 +1,6 @@
 #include "epc/offered.hpp"
 
+#include "epc/contact/coordinates.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::epc {
@@ -8,8 +9,8 @@ namespace {
 
 std::string objection_at_walls(const problem::Features& features) {
   if (features.rests_in_contact) {
-    return "the mass comes to rest at a wall, with a probability of its own: no exponential "
-           "polynomial has that";
+    return "the mass comes to rest at a wall, with a probability of its own, which no exponential "
+           "polynomial of y and y' has";
   }
   if (features.collapse) {
     return "under noise impacts accumulate where a restitution is <= exp(-pi / sqrt 3), and the "
@@ -39,9 +40,13 @@ std::string objection(const problem::Problem& problem, const Options& options) {
     case Formulation::moment:
       return objection_at_walls(features);
     case Formulation::polar:
-      break;
+      if (contact::applies(problem)) return "";
+      return features.rests_in_contact
+                 ? "its amplitudes are those about one wall that the force presses on from everywhere"
+                 : "its phases are those of one wall at the equilibrium, constant damping and "
+                   "impulses alone";
   }
-  return "its phases are those of one wall at the equilibrium, constant damping and impulses alone";
+  return "";
 }
 
 }  // namespace fpkcheck::epc

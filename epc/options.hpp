@@ -20,12 +20,14 @@ using problem::Impact;
 enum class Formulation {
   gaussian,  ///< the paper's (17)-(26): projections under Gaussian weights in the (z, z') plane
   moment,    ///< exact moment equations on the half-plane y >= 0, see epc/moment/
-  polar      ///< the same with Q_n in amplitude and phase, see epc/polar/
+  /// The same with Q_n in amplitude and phase, see epc/polar/; where the mass rests in contact with a
+  /// wall, in amplitude and velocity over the energy, see epc/contact/.
+  polar
 };
 inline constexpr parameters::Named<Formulation> kFormulationNames[] = {
     {Formulation::gaussian, "gaussian", "the paper's projections under Gaussian weights"},
     {Formulation::moment, "moment", "exact moment equations on the half-plane"},
-    {Formulation::polar, "polar", "the same in amplitude and phase"}};
+    {Formulation::polar, "polar", "the same in amplitude and phase, or velocity"}};
 constexpr std::span<const parameters::Named<Formulation>> names(Formulation) {
   return kFormulationNames;
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "epc/contact/solve.hpp"
 #include "epc/gaussian/solve.hpp"
 #include "epc/moment/solve.hpp"
 #include "epc/polar/solve.hpp"
@@ -16,7 +17,8 @@ Result solve_formulation(const problem::Problem& problem, const Options& options
     case Formulation::moment:
       return moment::solve(problem, options);
     case Formulation::polar:
-      return polar::solve(problem, options);
+      return contact::applies(problem) ? contact::solve(problem, options)
+                                       : polar::solve(problem, options);
   }
   return {};
 }

@@ -37,13 +37,14 @@ Variables variables_in(const Observations& observations) {
   const auto text = transform::word(observations, "coordinates");
   if (!text) {
     throw InputError(
-        "no \"coordinates\" (must be \"x1,x2\", \"y,v\" or \"amplitude,phase\"; a summary.json of "
-        "an earlier version: run again)");
+        "no \"coordinates\" (must be \"x1,x2\", \"y,v\", \"amplitude,phase\" or "
+        "\"amplitude,velocity\"; a summary.json of an earlier version: run again)");
   }
   const auto known = parameters::value_named<Variables>(*text);
   if (!known) {
     throw InputError(
-        fmt::format("coordinates {} (must be \"x1,x2\", \"y,v\" or \"amplitude,phase\")",
+        fmt::format("coordinates {} (must be \"x1,x2\", \"y,v\", \"amplitude,phase\" or "
+                    "\"amplitude,velocity\")",
                     parameters::in_quotes(*text)));
   }
   return *known;
@@ -120,7 +121,7 @@ ClosedForm closed_form_in(const Observations& observations) {
               .coordinates = coordinates_in(observations),
               .log_constant = log_constant_in(observations)};
   const auto number = [&](const char* path) { return positive_if_any(observations, path); };
-  if (frame.variables != Variables::polar) {
+  if (frame.variables == Variables::plane || frame.variables == Variables::physical) {
     const auto sigma1 = number("support.sigma1"), sigma2 = number("support.sigma2");
     if (sigma1 && sigma2) frame.deviations = {*sigma1, *sigma2};
   }

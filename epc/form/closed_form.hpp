@@ -17,12 +17,15 @@ namespace fpkcheck::epc {
 enum class Variables {
   plane,     ///< z and z' of Zhuravlev's plane: p(y, v) = C (exp Q(y, v) + exp Q(-y, -v))
   physical,  ///< y and v: p(y, v) = C exp Q(y, v)
-  polar      ///< amplitude and phase, polar::Coordinates: p(y, v) = C exp Q(rho, theta)
+  polar,     ///< amplitude and phase, polar::Coordinates: p(y, v) = C exp Q(rho, theta)
+  /// Amplitude and velocity, contact::Coordinates: p(y, v) = C exp Q(rho, v) / (rho^2/2), and an atom
+  contact
 };
 inline constexpr parameters::Named<Variables> kVariablesNames[] = {
     {Variables::plane, "x1,x2"},
     {Variables::physical, "y,v"},
-    {Variables::polar, "amplitude,phase"}};
+    {Variables::polar, "amplitude,phase"},
+    {Variables::contact, "amplitude,velocity"}};
 constexpr std::span<const parameters::Named<Variables>> names(Variables) { return kVariablesNames; }
 constexpr std::string_view name(Variables variables) { return parameters::name_of(variables); }
 

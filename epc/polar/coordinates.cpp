@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "epc/amplitude/circle.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::polar {
@@ -101,7 +102,7 @@ Points rule(const Coordinates& coordinates, double rho_max, const std::vector<do
       points.t[k] = theta.at[j];
       points.y[k] = coordinates.y(rho.at[i] * std::cos(theta.at[j]));
       points.v[k] = rho.at[i] * std::sin(theta.at[j]);
-      points.energy[k] = energy_at(rho.at[i]);
+      points.energy[k] = amplitude::energy_at(rho.at[i]);
       // dy dv = dw dv / w'(y) = rho drho dtheta / w'(y)
       points.weight[k] =
           rho.weight[i] * theta.weight[j] * rho.at[i] / coordinates.slope(points.y[k]);

@@ -50,10 +50,6 @@ class Coordinates {
   problem::Polynomial force_;  // g(y) / y
 };
 
-/// h at an amplitude, and the amplitude at h.
-inline double energy_at(double rho) { return rho * rho / 2; }
-inline double amplitude_at(double energy) { return std::sqrt(2 * energy); }
-
 /// Gauss-Legendre in rho and theta, the coordinates s and t of the points: what fans out from the
 /// origin is smooth in them.
 /// @param breaks increasing amplitudes between 0 and rho_max at which the integrand may change

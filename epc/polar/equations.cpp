@@ -5,7 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "epc/polar/graded_impulse_rule.hpp"
+#include "epc/amplitude/after_impulse.hpp"
+#include "epc/amplitude/circle.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::polar {
@@ -21,26 +22,11 @@ using half_plane::products;
 // E[phi(y, v + Y)] of every member at every point.
 MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coordinates,
                        const Basis& basis, const Points& points) {
-  GradedImpulseRule rule(problem.impulses.law());
-  MatrixXd result(points.size(), basis.size());
-  for (Index i = 0; i < points.size(); ++i) {
-    const double w = coordinates.w(points.y[i]);
-    const AfterImpulse& after = rule(points.v[i], w);
-    const auto count = static_cast<Index>(after.v.size());
-    VectorXd rho(count), theta(count);
-    for (Index k = 0; k < count; ++k) {
-      rho[k] = std::sqrt(w * w + after.v[k] * after.v[k]);
-      theta[k] = std::atan2(after.v[k], w);
-    }
-    const Eigen::Map<const VectorXd> probability(after.probability.data(), count);
-    const MatrixXd means = basis.of_s().values(rho).transpose() * probability.asDiagonal() *
-                           basis.of_t().values(theta);
-    for (Index k = 0; k < basis.size(); ++k) {
-      const auto& [p, q] = basis.members()[k];
-      result(i, k) = means(p, q);
-    }
-  }
-  return result;
+  const VectorXd w = points.y.unaryExpr([&](double y) { return coordinates.w(y); });
+  return amplitude::means_after_impulse(
+      problem.impulses.law(), basis, w, points.v, [](double at_w, double v) {
+        return std::pair{std::sqrt(at_w * at_w + v * v), std::atan2(v, at_w)};
+      });
 }
 
 // rho' and theta' between impulses.
@@ -86,7 +72,8 @@ half_plane::Equations equations(const problem::Problem& problem, const Coordinat
       .wall_weight = wall.weight,
       .wall_members = wall_members,
       .rebounds = wall.at.asDiagonal() * (basis.values(kept, -before) - wall_members),
-      .wall_confined = wall.at.unaryExpr([&](double rho) { return confinement(energy_at(rho)); })};
+      .wall_confined =
+          wall.at.unaryExpr([&](double rho) { return confinement(amplitude::energy_at(rho)); })};
   return {std::move(tables), std::move(basis), std::move(points)};
 }
 

@@ -1,17 +1,19 @@
 #pragma once
 
+#include "epc/amplitude/circle.hpp"
 #include "epc/half_plane/root.hpp"
 #include "epc/options.hpp"
 #include "epc/polar/coordinates.hpp"
 
 namespace fpkcheck::epc::polar {
 
-/// half_plane::find_root in amplitude and phase. The level lies where Q_n is far below its peak,
-/// else beyond the amplitude at which it rises again; energies are rho^2/2.
+/// half_plane::find_root in amplitude and phase (amplitude::Setting).
 half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
                            const Options& options);
 
-/// The exponent of a density on the way: Q_n as far as it falls, and from there on a Gaussian.
-double exponent(const half_plane::Shape& shape, double rho, double theta);
+/// Q_n as it is: a polynomial of rho and theta. For as long as q lives.
+inline amplitude::Exponent on_circle(const Polynomial& q) {
+  return [&q](double rho, double theta) { return q(rho, theta); };
+}
 
 }  // namespace fpkcheck::epc::polar

@@ -1,11 +1,8 @@
 #include "epc/polar/solve.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <string>
 
-#include "epc/form/allowed.hpp"
+#include "epc/amplitude/setting.hpp"
 #include "epc/form/put_density.hpp"
 #include "epc/half_plane/report.hpp"
 #include "epc/half_plane/search.hpp"
@@ -24,8 +21,6 @@ using transform::Panels;
 // By how much more points may change Q_n, in standard deviations: below what the exponent's shape
 // leaves at the usual orders.
 constexpr double kQuadratureAllowed = 1e-3;
-// Largest density where the confinement begins, relative to the peak: beyond, it would shape it.
-constexpr double kLevelAllowed = 1e-4;
 
 // As few panels as hold the mass.
 Panels panels_for(const transform::SmoothDensity& density) {
@@ -38,12 +33,13 @@ Panels panels_for(const transform::SmoothDensity& density) {
 // Of C exp(Q_(n-2)) on the box of another density, C such that it integrates to 1 there.
 transform::PanelMarginals marginals_before(const Coordinates& coordinates, const Shape& previous,
                                            const transform::SmoothDensity& density, Panels panels) {
-  const double near_peak = exponent(previous, 0, 0);
+  const amplitude::Exponent q = on_circle(previous.q);
+  const double near_peak = amplitude::exponent_on_the_way(q, previous, 0, 0);
   transform::PanelMarginals before = transform::panel_marginals(
       {.value =
            [&](double y, double v) {
              const double rho = coordinates.rho(y, v), theta = coordinates.theta(y, v);
-             return std::exp(exponent(previous, rho, theta) - near_peak);
+             return std::exp(amplitude::exponent_on_the_way(q, previous, rho, theta) - near_peak);
            },
        .y_max = density.y_max,
        .v_max = density.v_max},
@@ -52,23 +48,6 @@ transform::PanelMarginals marginals_before(const Coordinates& coordinates, const
     for (double& p : *marginal) p /= before.mass;
   }
   return before;
-}
-
-// @param at_level largest density where the confinement begins or beyond, relative to the peak
-// @param edge     the same on the edge of the support
-std::string objection(double at_level, double edge) {
-  if (!(at_level < kLevelAllowed)) {
-    return fmt::format(
-        "the density is {:.1e} of its peak where its confinement begins, or beyond (allowed "
-        "{:.0e})",
-        at_level, kLevelAllowed);
-  }
-  if (!(edge < kEdgeAllowed)) {
-    return fmt::format(
-        "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e})", edge,
-        kEdgeAllowed);
-  }
-  return "";
 }
 
 }  // namespace
@@ -90,18 +69,19 @@ Result solve(const problem::Problem& problem, const Options& options) {
     summary.distance_to_previous =
         distance(marginals, marginals_before(coordinates, *root.previous, density, panels));
   }
-  const double support = amplitude_at(shape.support);
-  const double edge =
-      std::exp(largest_at(shape.q, support) + confinement(energy_at(support)) - shape.peak);
+  const double support = amplitude::amplitude_at(shape.support);
+  const double edge = std::exp(amplitude::largest_at(on_circle(shape.q), support) +
+                               confinement(amplitude::energy_at(support)) - shape.peak);
   summary.leading_form =
       leading_form_in_amplitude(shape.q, half_plane::deviations(solution.moments));
   summary.frame = half_plane::frame_of(shape, options.tail, Variables::polar);
   half_plane::describe(root, options.tail, density, half_plane::deviations(solution.moments),
                        {.support = contour(coordinates, support),
-                        .level = contour(coordinates, amplitude_at(shape.level)),
+                        .level = contour(coordinates, amplitude::amplitude_at(shape.level)),
                         .density = edge},
                        result);
-  half_plane::conclude(root, kQuadratureAllowed, objection(root.remains, edge), result);
+  half_plane::conclude(root, kQuadratureAllowed,
+                       amplitude::objection("the density", root.remains, edge), result);
   return result;
 }
 

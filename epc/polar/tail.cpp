@@ -1,62 +1,24 @@
 #include "epc/polar/tail.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "epc/amplitude/circle.hpp"
 
 namespace fpkcheck::epc::polar {
-namespace {
-
-// Evenly over the half-circle, its ends on the wall among them.
-constexpr int kPhases = 33;
-const std::array<double, kPhases>& phases() {
-  static const auto list = [] {
-    std::array<double, kPhases> angles{};
-    for (int i = 0; i < kPhases; ++i) angles[i] = std::numbers::pi * (i / (kPhases - 1.0) - 0.5);
-    return angles;
-  }();
-  return list;
-}
-
-}  // namespace
-
 half_plane::Contour contour(const Coordinates& coordinates, double rho) {
-  // dA/dh is the integral of dtheta / w'(y), here by the trapezoidal rule.
-  constexpr double kStep = std::numbers::pi / (kPhases - 1);
+  // dA/dh is the integral of dtheta / w'(y).
   half_plane::Contour contour;
-  for (const double theta : phases()) {
-    const bool end = theta == phases().front() || theta == phases().back();
+  for (int k = 0; k < amplitude::kPhases; ++k) {
+    const double theta = amplitude::phases()[k];
     const double y = coordinates.y(rho * std::cos(theta)), v = rho * std::sin(theta);
     contour.push_back({.s = rho,
                        .t = theta,
                        .y = y,
                        .v = v,
-                       .area = (end ? 0.5 : 1) * kStep / coordinates.slope(y)});
+                       .area = amplitude::phase_weight(k) / coordinates.slope(y)});
   }
   return contour;
-}
-
-double largest_at(const Polynomial& q, double rho) {
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const double theta : phases()) largest = std::max(largest, q(rho, theta));
-  return largest;
-}
-
-Fall fall_of(const Polynomial& q, double depth, double farthest) {
-  constexpr int kSteps = 400;
-  constexpr double kInside = 5;  // ups and downs above this depth are the density's own
-  double peak = largest_at(q, 0), before = peak;
-  for (int i = 1; i <= kSteps; ++i) {
-    const double rho = farthest * i / kSteps;
-    const double largest = largest_at(q, rho);
-    peak = std::max(peak, largest);
-    if (largest < peak - depth) return {rho, farthest};
-    if (largest > before && before < peak - kInside) return {{}, farthest * (i - 1) / kSteps};
-    before = largest;
-  }
-  return {{}, farthest};
 }
 
 LeadingForm leading_form_in_amplitude(const Polynomial& q, const Deviations& sigma) {

@@ -141,7 +141,10 @@ GivenJoint joint_of_json(const GivenArgument& argument, const std::string& text,
   GivenJoint joint{.path = where, .form = "closed form", .numbers = form.q.terms().size()};
   // What somebody else says of its constant is checked.
   joint.normalise = solution.has_value() || !form.frame.log_constant;
-  if (form.frame.variables != epc::Variables::polar) joint.order = form.q.degree();
+  using enum epc::Variables;
+  if (form.frame.variables == plane || form.frame.variables == physical) {
+    joint.order = form.q.degree();
+  }
   if (solution) {
     joint.problem = problem;
     joint.equation = solution->identity.equation;

@@ -61,5 +61,17 @@ TEST(Offered, PolarNeedsAWallAtAnEquilibriumWithoutNoise) {
   EXPECT_NE(objection_of(Formulation::polar, tests::with_noise(paper, 0.1)), "");
 }
 
+TEST(Offered, PolarTreatsRestInContactWithOneWall) {
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  const System preload({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  EXPECT_EQ(objection_of(Formulation::polar, tests::with_impulses(preload, impulses)), "");
+  EXPECT_NE(objection_of(Formulation::polar, tests::with_noise(preload, 0.1)), "");
+  const System stops({.damping = 0.1, .stiffness = -1, .cubic = 0.2},
+                     {.left = -1, .left_restitution = 0.7, .right = 1, .right_restitution = 0.7});
+  EXPECT_NE(objection_of(Formulation::polar, tests::with_impulses(stops, impulses))
+                .find("from everywhere"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace fpkcheck::epc

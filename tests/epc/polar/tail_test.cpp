@@ -31,21 +31,6 @@ TEST(PolarTail, RadiiAreThoseOfTheScaledHalfCircle) {
   EXPECT_NEAR(greatest, 4, 1e-12);
 }
 
-TEST(PolarTail, LargestAtAnAmplitudeSeesTheWallAndTheAxis) {
-  EXPECT_NEAR(largest_at(Polynomial({{1, 1, 1}}), 2), M_PI, 1e-12);
-  EXPECT_NEAR(largest_at(Polynomial({{1, 2, -1}, {1, 0, 3}}), 2), 6, 1e-12);
-}
-
-TEST(PolarTail, AFallIsFollowedToTheDepthAskedForOrToWhereItEnds) {
-  const Fall whole = fall_of(Polynomial({{2, 0, -1}}), 25, 10);
-  EXPECT_NEAR(whole.reached.value(), 5, 0.05);
-  EXPECT_EQ(whole.turning, 10);
-  // -rho^2 + 0.02 rho^4 is least, -12.5, at rho = 5.
-  const Fall turned = fall_of(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), 25, 10);
-  EXPECT_FALSE(turned.reached.has_value());
-  EXPECT_NEAR(turned.turning, 5, 0.1);
-}
-
 TEST(PolarTail, LeadingFormIsTheSignOfTheHighestPowerOfTheAmplitude) {
   EXPECT_TRUE(leading_form_in_amplitude(Polynomial({{2, 0, -1}, {1, 1, 3}}), {1, 1}).negative);
   const LeadingForm rising =

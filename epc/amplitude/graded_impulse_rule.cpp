@@ -1,10 +1,10 @@
-#include "epc/polar/graded_impulse_rule.hpp"
+#include "epc/amplitude/graded_impulse_rule.hpp"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-namespace fpkcheck::epc::polar {
+namespace fpkcheck::epc::amplitude {
 namespace {
 
 constexpr double kPanel = 1.2;         // widest panel, in deviations of Y
@@ -33,7 +33,7 @@ const AfterImpulse& GradedImpulseRule::operator()(double v, double width) {
     if (at > low && at < high) breaks_.push_back(at);
   };
   add_break(0);
-  for (double at = kFirstBreak * width; at < law_.deviation(); at *= kGrowth) {
+  for (double at = kFirstBreak * width; at > 0 && at < law_.deviation(); at *= kGrowth) {
     add_break(at);
     add_break(-at);
   }
@@ -62,4 +62,4 @@ void GradedImpulseRule::add_panel(double from, double to, double v) {
   }
 }
 
-}  // namespace fpkcheck::epc::polar
+}  // namespace fpkcheck::epc::amplitude

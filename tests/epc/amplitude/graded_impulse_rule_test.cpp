@@ -1,4 +1,4 @@
-#include "epc/polar/graded_impulse_rule.hpp"
+#include "epc/amplitude/graded_impulse_rule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "trapezoid.hpp"
 
-namespace fpkcheck::epc::polar {
+namespace fpkcheck::epc::amplitude {
 namespace {
 
 class EachLaw : public testing::TestWithParam<const char*> {
@@ -76,4 +76,4 @@ TEST(GradedImpulseRule, ResolvesASteepPhase) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::epc::polar
+}  // namespace fpkcheck::epc::amplitude

@@ -4,7 +4,7 @@
 
 #include "problem/impulse_law.hpp"
 
-namespace fpkcheck::epc::polar {
+namespace fpkcheck::epc::amplitude {
 
 /// Velocities after an impulse, and how probable each is.
 struct AfterImpulse {
@@ -20,6 +20,7 @@ class GradedImpulseRule {
   explicit GradedImpulseRule(const problem::ImpulseLaw& law);
 
   /// The result is valid until the next call.
+  /// @param width 0 where f is smooth up to velocity 0 on either side
   const AfterImpulse& operator()(double v, double width);
 
  private:
@@ -32,4 +33,4 @@ class GradedImpulseRule {
   AfterImpulse after_;
 };
 
-}  // namespace fpkcheck::epc::polar
+}  // namespace fpkcheck::epc::amplitude

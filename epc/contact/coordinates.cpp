@@ -1,0 +1,73 @@
+#include "epc/contact/coordinates.hpp"
+
+#include <boost/math/tools/roots.hpp>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "epc/amplitude/circle.hpp"
+#include "problem/features.hpp"
+#include "problem/undamped_orbits.hpp"
+
+namespace fpkcheck::epc::contact {
+
+using half_plane::Line;
+using half_plane::Points;
+
+bool applies(const problem::Problem& problem) {
+  const auto features = problem::features(problem);
+  const auto& system = problem.system;
+  return features.rests_in_contact && !features.two_walls &&
+         problem::sign_changes_between_walls(system.force(), system).empty();
+}
+
+Coordinates::Coordinates(const problem::Problem& problem)
+    : potential_(problem.system.force().antiderivative()),
+      force_(problem.system.force()),
+      atom_weight_(2 * std::log(1 / problem.system.restitution()) /
+                   problem.impulses.arrival_rate()) {}
+
+double Coordinates::y(double w) const {
+  if (w == 0) return 0;
+  const double energy = w * w / 2;
+  double beyond = energy / force_(0.0);
+  while (potential_(beyond) < energy) beyond *= 2;
+  constexpr int kDigits = std::numeric_limits<double>::digits - 2;
+  std::uintmax_t iterations = 100;
+  return boost::math::tools::newton_raphson_iterate(
+      [&](double y) {
+        return std::pair{potential_(y) - energy, force_(y)};
+      },
+      std::min(beyond, energy / force_(0.0)), 0.0, beyond, kDigits, iterations);
+}
+
+Points rule(const Coordinates& coordinates, double rho_max,
+            const half_plane::QuadratureSize& size) {
+  const Line rho = half_plane::legendre_rule(size.s, 0, rho_max);
+  const Line theta = half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
+  const Eigen::Index count = rho.at.size() * theta.at.size() + 1;
+  Points points;
+  for (auto* column :
+       {&points.s, &points.t, &points.y, &points.v, &points.energy, &points.weight}) {
+    column->resize(count);
+  }
+  Eigen::Index k = 0;
+  for (Eigen::Index i = 0; i < rho.at.size(); ++i) {
+    for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++k) {
+      const double w = rho.at[i] * std::cos(theta.at[j]);
+      points.s[k] = rho.at[i];
+      points.t[k] = rho.at[i] * std::sin(theta.at[j]);
+      points.y[k] = coordinates.y(w);
+      points.v[k] = points.t[k];
+      points.energy[k] = amplitude::energy_at(rho.at[i]);
+      // dy dv = (w / g) dw dv = (w / g) rho drho dtheta
+      points.weight[k] = rho.weight[i] * theta.weight[j] * rho.at[i] * w /
+                         coordinates.force(points.y[k]) * Coordinates::prefactor(rho.at[i]);
+    }
+  }
+  points.s[k] = points.t[k] = points.y[k] = points.v[k] = points.energy[k] = 0;
+  points.weight[k] = coordinates.atom_weight();
+  return points;
+}
+
+}  // namespace fpkcheck::epc::contact

@@ -1,0 +1,58 @@
+#include "epc/contact/density.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "epc/amplitude/circle.hpp"
+
+namespace fpkcheck::epc::contact {
+namespace {
+
+// Edges from 0: the first cell a small share of the whole, the next in proportion to their place,
+// and even ones.
+std::vector<double> graded_to_zero(double end, double first, double growth) {
+  constexpr int kEven = 120;
+  std::vector<double> edges{0};
+  for (double at = first * end; at < end; at += std::min((growth - 1) * at, end / kEven)) {
+    edges.push_back(at);
+  }
+  if (end - edges.back() < end / (2 * kEven)) edges.pop_back();
+  edges.push_back(end);
+  return edges;
+}
+
+std::vector<double> with_mirror_image(const std::vector<double>& edges) {
+  std::vector<double> all;
+  for (auto at = edges.rbegin(); at + 1 != edges.rend(); ++at) all.push_back(-*at);
+  all.insert(all.end(), edges.begin(), edges.end());
+  return all;
+}
+
+}  // namespace
+
+transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coordinates,
+                                    double support, const half_plane::Confinement& confinement,
+                                    double log_constant) {
+  const double largest = amplitude::amplitude_at(support);
+  return {.value =
+              [q, coordinates, largest, confinement, log_constant](double y, double v) {
+                if (y < 0) return 0.0;
+                const double rho = coordinates.rho(y, v);
+                if (rho > largest) return 0.0;
+                return Coordinates::prefactor(rho) *
+                       std::exp(q(rho, v) + confinement(amplitude::energy_at(rho)) + log_constant);
+              },
+          .y_max = coordinates.y(largest),
+          .v_max = largest};
+}
+
+transform::GridDensity on_graded_cells(const transform::SmoothDensity& density) {
+  // y goes as the square of v. Below the first edges there is a share of the mass of their size.
+  constexpr double kFirst = 1e-6, kGrowth = 1.3;
+  return transform::on_cells(density,
+                             graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),
+                             with_mirror_image(graded_to_zero(density.v_max, kFirst, kGrowth)));
+}
+
+}  // namespace fpkcheck::epc::contact

@@ -1,0 +1,64 @@
+#include "epc/contact/search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "epc/amplitude/setting.hpp"
+#include "epc/contact/equations.hpp"
+#include "epc/half_plane/search.hpp"
+#include "problem/problem.hpp"
+#include "problem/scales.hpp"
+
+namespace fpkcheck::epc::contact {
+namespace {
+
+class Setting : public amplitude::Setting {
+ public:
+  Setting(const problem::Problem& problem, const problem::Scales& scales,
+          const Coordinates& coordinates, Tail tail)
+      : amplitude::Setting(scales.velocity_deviation * scales.velocity_deviation,
+                           rate_of(problem, scales), tail),
+        problem_(problem),
+        coordinates_(coordinates) {}
+
+  half_plane::Points points(double support, const half_plane::QuadratureSize& size) const override {
+    return rule(coordinates_, amplitude::amplitude_at(support), size);
+  }
+
+  half_plane::Equations equations(double support, const half_plane::Confinement& confinement,
+                                  half_plane::Basis basis, half_plane::Points points,
+                                  const half_plane::QuadratureSize& size) const override {
+    return contact::equations(problem_, coordinates_, amplitude::amplitude_at(support), confinement,
+                              std::move(basis), std::move(points), size.wall);
+  }
+
+ protected:
+  amplitude::Exponent on_circle(const Polynomial& q) const override {
+    return contact::on_circle(q);
+  }
+  double phase(double rho, double v) const override {
+    return rho > 0 ? std::asin(std::clamp(v / rho, -1.0, 1.0)) : 0;
+  }
+
+ private:
+  // The rate at which the energy is renewed; at least so much of the frequency, below which the
+  // rates of the motion leave no digits.
+  static double rate_of(const problem::Problem& problem, const problem::Scales& scales) {
+    constexpr double kRounding = 1e-4;
+    const double temperature = scales.velocity_deviation * scales.velocity_deviation;
+    return std::max(total_intensity(problem) / (2 * temperature), kRounding * scales.frequency);
+  }
+
+  const problem::Problem& problem_;
+  const Coordinates& coordinates_;
+};
+
+}  // namespace
+
+half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
+                           const Options& options) {
+  return half_plane::find_root(
+      Setting(problem, problem::scales(problem), coordinates, options.tail), options);
+}
+
+}  // namespace fpkcheck::epc::contact

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+
+#include "epc/amplitude/circle.hpp"
+#include "epc/contact/coordinates.hpp"
+#include "epc/half_plane/root.hpp"
+#include "epc/options.hpp"
+
+namespace fpkcheck::epc::contact {
+
+/// half_plane::find_root in amplitude and velocity (amplitude::Setting).
+half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
+                           const Options& options);
+
+/// Q_n, a polynomial of rho and v, by amplitude and phase. For as long as q lives.
+inline amplitude::Exponent on_circle(const Polynomial& q) {
+  return [&q](double rho, double theta) { return q(rho, rho * std::sin(theta)); };
+}
+
+}  // namespace fpkcheck::epc::contact

@@ -1,0 +1,103 @@
+#include "epc/contact/coordinates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "epc/contact/tail.hpp"
+#include "epc/half_plane/contour.hpp"
+#include "family.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc::contact {
+namespace {
+
+using problem::System;
+
+problem::Problem pressed(const problem::SystemCoefficients& coefficients) {
+  return tests::with_impulses(System(coefficients), tests::gaussian_impulses(0.8, 0.4));
+}
+
+TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  EXPECT_TRUE(applies(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(applies(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(applies(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
+  // Pressed there, but another well is behind the hill.
+  EXPECT_FALSE(applies(
+      tests::in_frame(tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
+                                                  {.left = -0.5, .left_restitution = 0.7}),
+                                           impulses))));
+  const auto on_the_right =
+      tests::with_impulses(System({.damping = 0.1, .constant = -0.5, .stiffness = 1},
+                                  {.right = 0, .right_restitution = 0.7}),
+                           impulses);
+  EXPECT_TRUE(applies(on_the_right));
+  EXPECT_TRUE(applies(tests::in_frame(on_the_right)));
+  auto noisy = pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  noisy.noise.intensity = 0.1;
+  EXPECT_FALSE(applies(noisy));
+}
+
+TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
+  for (const double cubic : {0.0, 0.7}) {
+    const auto p = pressed({.constant = 0.5, .stiffness = 1, .cubic = cubic, .restitution = 0.7});
+    const Coordinates coordinates(p);
+    for (const double y : {0.0, 1e-12, 1e-3, 0.3, 5.0}) {
+      EXPECT_NEAR(coordinates.y(coordinates.w(y)), y, 4e-14 * y);
+      const double energy = 0.32 + 0.5 * y + y * y / 2 + cubic * std::pow(y, 4) / 4;
+      EXPECT_NEAR(std::pow(coordinates.rho(y, -0.8), 2) / 2, energy, 1e-14 * energy);
+    }
+  }
+}
+
+// A ball: rho^2 = v^2 + 2 g y, of which the area below an energy h is (2/3) (2 h)^(3/2) / g.
+TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
+  const double g = 1.7, r = 0.6, rho_max = 2;
+  const auto p = pressed({.constant = g, .stiffness = 0, .restitution = r});
+  const Coordinates coordinates(p);
+  const auto points = rule(coordinates, rho_max, {24, 24, 24});
+  double area = 0, first_moment = 0;
+  for (Eigen::Index i = 0; i + 1 < points.size(); ++i) {
+    const double y = points.y[i], v = points.v[i], rho = points.s[i];
+    EXPECT_EQ(points.t[i], v);
+    EXPECT_NEAR(rho * rho, v * v + 2 * g * y, 1e-13);
+    EXPECT_NEAR(points.energy[i], v * v / 2 + g * y, 1e-13);
+    area += points.weight[i] * rho * rho / 2;
+    first_moment += points.weight[i] * rho * rho / 2 * y;
+  }
+  EXPECT_NEAR(area, 2.0 / 3 * std::pow(rho_max, 3) / g, 1e-12);
+  // int over v of (rho_max^2 - v^2)^2 / (8 g^2)
+  EXPECT_NEAR(first_moment, 16.0 / 15 * std::pow(rho_max, 5) / (8 * g * g), 1e-12);
+  const Eigen::Index last = points.size() - 1;
+  for (const auto* column : {&points.s, &points.t, &points.y, &points.v, &points.energy}) {
+    EXPECT_EQ((*column)[last], 0);
+  }
+  EXPECT_NEAR(points.weight[last], 2 * std::log(1 / r) / 0.8, 1e-15);
+}
+
+// exp(-e/T) / e beyond an energy h: dA/de = 2 sqrt(2 e) / g, so about T exp(-h/T) 2 sqrt(2 h) / (g h).
+TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
+  const double g = 1.7, rho = 3, temperature = 0.3;
+  const auto p = pressed({.constant = g, .stiffness = 0, .restitution = 0.6});
+  const Polynomial q({{2, 0, -1 / (2 * temperature)}});
+  const double h = rho * rho / 2;
+  const double expected = temperature * std::exp(-h / temperature) * 2 * rho / (g * h);
+  EXPECT_NEAR(half_plane::probability_beyond(q, contour(Coordinates(p), rho), temperature, 0),
+              expected, 2e-3 * expected);
+}
+
+TEST(ContactContour, LeadingFormIsTheSignOfTheHighestPowersAlongEveryPhase) {
+  // -rho^2 + 0.5 v^2 falls everywhere, -rho^2 + 1.2 v^2 at the wall no more.
+  EXPECT_TRUE(leading_form_of(Polynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1}).negative);
+  const LeadingForm rising = leading_form_of(Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
+  EXPECT_FALSE(rising.negative);
+  EXPECT_NEAR(std::abs(rising.worst.x2), 1, 1e-15);
+  EXPECT_GT(rising.rising_share, 0);
+  EXPECT_LT(rising.rising_share, 0.5);
+  const LeadingForm turning = leading_form_of(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
+  EXPECT_NEAR(turning.rises_from, 2.5, 0.06);  // in deviations of v
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::contact

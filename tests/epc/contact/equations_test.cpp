@@ -1,0 +1,131 @@
+#include "epc/contact/equations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "family.hpp"
+#include "half_plane/galerkin_checks.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc::contact {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using half_plane::Basis;
+using half_plane::Equations;
+using half_plane::Points;
+
+constexpr int kContactWallPoints = 40;
+constexpr double kRhoMax = 2, kTemperature = 0.6, kRestitution = 0.6;
+
+// Pressed by 0.5, with damping of every kind.
+problem::Problem pressed_mass(const char* law) {
+  return tests::with_impulses(
+      problem::System({.damping = 0.3,
+                       .van_der_pol = 0.2,
+                       .rayleigh = 0.1,
+                       .constant = 0.5,
+                       .stiffness = 1,
+                       .cubic = 0.7,
+                       .restitution = kRestitution}),
+      problem::ImpulseTrain({.arrival_rate = 2, .law = law, .intensity = 0.6, .mean = 0.1}));
+}
+
+Equations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
+                               const half_plane::Confinement& confinement = {}) {
+  const Coordinates coordinates(p);
+  const Points points =
+      rule(coordinates, kRhoMax, {points_each_way, points_each_way, kContactWallPoints});
+  const Basis basis(order, points, tests::boltzmann_mass(points, kTemperature));
+  return equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
+}
+
+// Not so far from the other that the corner is empty.
+VectorXd some_contact_density(const Equations& equations) {
+  const VectorXd a = tests::boltzmann_coefficients(equations, kTemperature);
+  return a + 0.1 * (tests::shaken(a) - a);
+}
+
+// dE[phi]/dt by hand: along y' = v, v' = -(f + g) by differences of phi, by the jumps of a two-point
+// law, by the impacts u -> r u of a density that has 1/e before it, and by the impulses at rest, which
+// an impact follows when they are towards the wall.
+TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
+  const auto p = pressed_mass("two_point");
+  const Equations equations = contact_equations_of(p, 4, 40);
+  const Coordinates coordinates(p);
+  const auto& basis = equations.basis();
+  const auto& all = equations.points();
+  const auto density = equations.density(some_contact_density(equations));
+  const Eigen::Index moving = all.size() - 1;
+  const VectorXd y = all.y.head(moving), v = all.v.head(moving), mass = density.mass.head(moving);
+  const auto at = [&](const VectorXd& at_y, const VectorXd& at_v) {
+    VectorXd rho(at_y.size());
+    for (Eigen::Index i = 0; i < rho.size(); ++i) rho[i] = coordinates.rho(at_y[i], at_v[i]);
+    return basis.values(rho, at_v);
+  };
+  const Eigen::ArrayXd damping =
+      (0.3 + 0.2 * y.array().square() + 0.1 * v.array().square()) * v.array();
+  const VectorXd force = damping + 0.5 + y.array() + 0.7 * y.array().cube();
+  // So short that no point leaves the half-plane.
+  const VectorXd dt = 1e-4 * y.array() / (y.array() + v.array().abs() + 1e-3);
+  const VectorXd dy = dt.cwiseProduct(v), dv = -dt.cwiseProduct(force);
+  const MatrixXd flow =
+      (2 * dt).cwiseInverse().asDiagonal() * (at(y + dy, v + dv) - at(y - dy, v - dv));
+  VectorXd expected = flow.transpose() * mass;
+  const VectorXd here = VectorXd::Zero(1);
+  for (const auto& [amplitude, probability] : p.impulses.law().atoms()) {
+    const VectorXd kicked = v.array() + amplitude;
+    expected += 2 * probability * (at(y, kicked) - at(y, v)).transpose() * mass;
+    const VectorXd freed =
+        VectorXd::Constant(1, amplitude > 0 ? amplitude : -kRestitution * amplitude);
+    expected +=
+        2 * probability * density.mass[moving] * (at(here, freed) - at(here, here)).transpose();
+  }
+  const half_plane::Line wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const VectorXd zero = VectorXd::Zero(wall.at.size());
+  const MatrixXd change = at(zero, kRestitution * wall.at) - at(zero, -wall.at);
+  expected += change.transpose() * wall.at.cwiseProduct(density.wall_mass);
+
+  const VectorXd residual = equations.residual(density);
+  for (Eigen::Index s = 0; s < residual.size(); ++s) {
+    EXPECT_NEAR(residual[s], expected[s], 1e-6 * (1 + std::abs(expected[s]))) << s;
+  }
+  EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // nothing is compared with nothing
+  EXPECT_GT(density.mass[moving], 0.01);
+}
+
+// On the wall the density is C exp(Q) 2/u^2, and C exp(Q(0, 0)) is that of the atom.
+TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
+  const auto p = pressed_mass("gaussian");
+  const Equations equations = contact_equations_of(p, 2, 24);
+  const VectorXd a = some_contact_density(equations);
+  const auto density = equations.density(a);
+  const double at_rest = density.mass[density.mass.size() - 1];
+  const half_plane::Line wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const auto exponent = [&](double rho, double v) {
+    return equations.basis()
+        .values(VectorXd::Constant(1, rho), VectorXd::Constant(1, v))
+        .row(0)
+        .dot(a);
+  };
+  for (const int k : {0, 5, 20}) {
+    const double u = wall.at[k], p_of_u = density.wall_mass[k] / wall.weight[k];
+    // u^2 p -> lambda P0 / ln(1/r)
+    EXPECT_NEAR(u * u * p_of_u * std::exp(exponent(0, 0) - exponent(u, -u)),
+                2 * at_rest / std::log(1 / kRestitution), 1e-10);
+  }
+}
+
+TEST(ContactEquations, JacobianIsTheDerivativeOfTheResidual) {
+  const auto p = pressed_mass("laplace");
+  for (const double level : {std::numeric_limits<double>::infinity(), 1.5}) {
+    const Equations equations = contact_equations_of(p, 4, 24, half_plane::Confinement{level});
+    tests::expect_jacobian_is_derivative(equations, some_contact_density(equations));
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::contact
