@@ -17,10 +17,12 @@ equations. Three formulations:
              at r = 1 is followed past its folds (summary.json has it)
   moment     p(y, y') on y >= 0, exact moment equations of the impact process itself
   polar      the same with Q_n a polynomial of amplitude and phase, which carries the jump that an
-             impact with losses leaves at the origin
+             impact with losses leaves at the origin; where the mass comes to rest in contact with
+             a wall, of amplitude and velocity, with the probability of rest
 The error against the full problem is measured by the residuals that the density leaves in the
 stationary equation, weighted by solutions of the backward equation, in L1 of p(y) and p(y') and for
-each moment. The status says what the result is worth:
+each moment; where that equation is not solved, by the distance to the reference of the run. The
+status says what the result is worth:
   ok             the equations are met by a density that has decayed on the whole edge of its
                  support (gaussian: and keeps the balance of power, and is near that of order n-2),
                  and the measured error is no larger than --accuracy
@@ -62,7 +64,8 @@ Solver epc_solver() {
                           "The same form, made to meet the exact moment equations of the impact "
                           "process on the half-plane y >= 0.",
                           {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}, kPurple, "square"),
-                   family("epc-polar", "Likewise, with a polynomial of amplitude and phase.",
+                   family("epc-polar",
+                          "Likewise, with a polynomial of amplitude and phase, or velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
       .set_by_a_run = {"accuracy"},
       .parameters = nullptr,

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "methods/error_by_reference.hpp"
 #include "methods/out_of_memory.hpp"
 #include "methods/side_by_side.hpp"
 #include "process/stop.hpp"
@@ -46,7 +47,8 @@ class Run {
     };
     solutions_[task.problem][task.method] =
         solve_by(method, problems_[task.problem],
-                 {axes_[task.problem], progress, &residuals_[task.problem]});
+                 {axes_[task.problem], progress, &residuals_[task.problem],
+                  residuals_[task.problem].refused().empty()});
     ++done_;
     if (--missing_[task.problem] == 0) finish(task.problem);
     tell(task, 1, "");
@@ -64,6 +66,9 @@ class Run {
   void finish(std::size_t p) {
     std::vector<Solution> solutions;
     for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
+    if (!residuals_[p].refused().empty()) {
+      state_errors_by_reference(methods_, axes_[p], residuals_[p], solutions);
+    }
     cases_[p] = results::make_case(problems_[p], axes_[p], std::move(solutions));
     if (case_listener_) case_listener_(*cases_[p]);
   }

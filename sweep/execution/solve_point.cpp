@@ -9,6 +9,7 @@
 
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
+#include "methods/error_by_reference.hpp"
 #include "methods/problem_residuals.hpp"
 #include "methods/run_cases.hpp"
 #include "parameters/input_error.hpp"
@@ -61,31 +62,6 @@ std::vector<BudgetShare> budget_of(const Solution& solution,
   return shares;
 }
 
-/// The accuracy that a closure is held to; nothing where it is not, or is no closure.
-std::optional<double> accuracy_of(const methods::Method& method) {
-  if (method.identity.role != transform::Role::closure) return std::nullopt;
-  for (const auto& [name, value] : method.options) {
-    if (name != "accuracy") continue;
-    if (const auto* number = std::get_if<double>(&value)) return *number;
-  }
-  return std::nullopt;
-}
-
-/// Gives a closure the error that its distance to the reference and what that does not know of itself
-/// make together (the triangle inequality). If it is ok, but off by more, it becomes `inaccurate`.
-void state_distance(const Solution& reference, const MarginalPair& l1, double accuracy,
-                    Solution& solution) {
-  solution.error =
-      transform::StatedError{.y_l1 = l1.y + compare::own_error(reference, Variable::y),
-                             .ydot_l1 = l1.ydot + compare::own_error(reference, Variable::ydot)};
-  transform::hold_to(
-      accuracy,
-      fmt::format(
-          "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} in p(y')",
-          reference.id(), l1.y, l1.ydot),
-      solution);
-}
-
 MethodResult kept_of(const Solution& solution) {
   MethodResult result{.status = solution.status,
                       .reason = solution.reason,
@@ -120,7 +96,8 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   }
   const auto axes = compare::comparison_axes(*problem);
   const methods::ProblemResiduals residuals(*problem);
-  const bool by_reference = plan.closure_errors == ClosureErrors::reference;
+  const bool by_reference =
+      plan.closure_errors == ClosureErrors::reference || !residuals.refused().empty();
   std::vector<Solution> solutions;
   for (const auto& method : plan.methods) {
     solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
@@ -141,9 +118,9 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     Solution& solution = solutions[m];
     const auto l1 =
         reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
-    const auto accuracy = by_reference ? accuracy_of(plan.methods[m]) : std::nullopt;
+    const auto accuracy = by_reference ? methods::accuracy_of(plan.methods[m]) : std::nullopt;
     if (accuracy && l1) {
-      state_distance(*reference, *l1, *accuracy, solution);
+      methods::state_distance(*reference, {l1->y, l1->ydot}, *accuracy, solution);
     } else if (accuracy) {
       methods::state_measured_error(residuals, *accuracy, solution);
     }

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/pairs.hpp"
+#include "methods/builtin.hpp"
+#include "methods/complete_run.hpp"
+#include "problem/case_file.hpp"
+
+// The closure of a mass that comes to rest in contact with a wall, beside finite volumes along
+// characteristics. Residuals do not measure its error: the reference does.
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Solution;
+using transform::Status;
+using transform::Variable;
+
+results::Case run(const std::string& case_name, const std::vector<std::string>& overrides,
+                  const std::string& methods) {
+  return complete_run({problem::load_case(case_name, overrides)}, builtin().select(methods, {}), {})
+      .at(0);
+}
+
+struct Contact {
+  const char* name;
+  std::vector<std::string> overrides;
+  int order;
+  double at_rest, l1;  // how far it may be: of P0, relative; of the marginals
+};
+
+TEST(RestInContact, IsThatOfFiniteVolumes) {
+  const Contact problems[] = {{"preload", {}, 8, 0.05, 0.012},
+                              {"preload", {"system.restitution=0.5"}, 6, 0.01, 0.022},
+                              {"ball", {}, 4, 0.01, 0.022},
+                              {"ball", {"system.restitution=0.5"}, 4, 0.003, 0.021}};
+  for (const auto& [name, overrides, order, at_rest, l1] : problems) {
+    const std::string id = "epc-polar-n" + std::to_string(order);
+    const auto one = run(name, overrides, id + ",fd-kf");
+    const Solution &closure = one.solutions[0], &volumes = one.solutions[1];
+    ASSERT_TRUE(volumes.is_ok()) << volumes.reason;
+    ASSERT_TRUE(closure.density) << closure.reason;
+    EXPECT_NEAR(closure.atoms.at(0).probability / volumes.atoms.at(0).probability, 1, at_rest)
+        << name;
+    EXPECT_NEAR(closure.moments.y2 / volumes.moments.y2, 1, l1) << name;
+    for (const auto variable : transform::kVariables) {
+      const auto distance = compare::l1_between(one.pairs, id, "fd-kf", variable);
+      ASSERT_TRUE(distance);
+      EXPECT_LT(*distance, l1) << name;
+      // What it states holds what the reference does not know of itself too.
+      ASSERT_TRUE(closure.error);
+      EXPECT_NEAR(transform::l1(*closure.error, variable),
+                  *distance + transform::l1(*volumes.error, variable), 1e-12);
+    }
+  }
+}
+
+TEST(RestInContact, IsOkByTheReferenceAlone) {
+  const auto beside = run("preload", {}, "epc-polar-n4,epc-polar-n8,fd-kf");
+  EXPECT_EQ(beside.solutions[0].status, Status::inaccurate);
+  EXPECT_NE(beside.solutions[0].reason.find("is off from fd-kf"), std::string::npos);
+  EXPECT_EQ(beside.solutions[1].status, Status::ok) << beside.solutions[1].reason;
+  const auto alone = run("preload", {}, "epc-polar-n8");
+  EXPECT_EQ(alone.solutions[0].status, Status::inaccurate);
+  EXPECT_NE(alone.solutions[0].reason.find("cannot be measured"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fpkcheck::methods
