@@ -58,13 +58,13 @@ double at_end(const Stationary& on, const Sums& sums) {
   return std::max(in_y, sums.of_speed(sums.of_speed.size() - 1));
 }
 
-// The first face beyond which there is no more than `negligible`; the last one where the cells at
-// the end hold more.
+// The first face beyond which there is no more than `negligible`, of either sign: wide cells swing
+// about a steep tail. The last one where the cells at the end hold more.
 double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
   int last = line.cells();
   while (last > 1) {
-    beyond += masses(last - 1);
+    beyond += std::abs(masses(last - 1));
     if (beyond > negligible) break;
     --last;
   }

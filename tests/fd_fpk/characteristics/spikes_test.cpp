@@ -117,6 +117,14 @@ TEST(AlongCharacteristics, DoNotDependOnTheUnits) {
   EXPECT_NEAR(scaled.solution.moments.v4 * std::pow(t / l, 4), reference.solution.moments.v4, 1e-8);
 }
 
+// Wide cells swing about a steep tail, and where masses of both signs cancel it does not end.
+TEST(AlongCharacteristics, BoxHoldsTheTailOfImpulsesWithAMean) {
+  for (const double mean : {0.0, 0.2, 0.3}) {
+    const auto solution = solve(tests::make_problem({.mean = mean}), on_one_grid()).solution;
+    EXPECT_EQ(solution.status, Status::ok) << mean << ": " << solution.reason;
+  }
+}
+
 TEST(Solve, ChoosesTheTransportByTheProblem) {
   const auto transport = [](const tests::Parameters& parameters) {
     return solve(tests::make_problem(parameters), {.stepper = Stepper::direct}).summary.transport;
