@@ -6,9 +6,9 @@ set(CPACK_PACKAGE_VENDOR "the fpkcheck authors")
 set(CPACK_PACKAGE_CONTACT "the fpkcheck authors <fpkcheck@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_DESCRIPTION
-    "Stationary probability densities of a vibro-impact Duffing oscillator under Poisson
-impulses by exponential-polynomial closures, finite volumes and simulation, compared
-with one another in tables, pictures and a page.")
+    "Stationary probability densities of oscillators between walls under Poisson impulses
+and white noise, by exponential-polynomial closures, finite volumes and simulation,
+compared with one another in tables, pictures and a page.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program development)
