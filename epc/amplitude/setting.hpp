@@ -11,6 +11,10 @@ namespace fpkcheck::epc::amplitude {
 double exponent_on_the_way(const Exponent& q, const half_plane::Shape& shape, double rho,
                            double theta);
 
+/// By how much more points may change Q_n, in standard deviations: below what the exponent's shape
+/// leaves at the usual orders.
+inline constexpr double kQuadratureAllowed = 1e-3;
+
 /// What the search must know where s is the amplitude. The level lies where Q_n is far below its
 /// peak, else beyond the amplitude at which it rises again; energies are rho^2/2.
 class Setting : public half_plane::Setting {

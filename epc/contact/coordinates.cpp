@@ -45,12 +45,7 @@ Points rule(const Coordinates& coordinates, double rho_max,
             const half_plane::QuadratureSize& size) {
   const Line rho = half_plane::legendre_rule(size.s, 0, rho_max);
   const Line theta = half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  const Eigen::Index count = rho.at.size() * theta.at.size() + 1;
-  Points points;
-  for (auto* column :
-       {&points.s, &points.t, &points.y, &points.v, &points.energy, &points.weight}) {
-    column->resize(count);
-  }
+  Points points = Points::zeros(rho.at.size() * theta.at.size() + 1);
   Eigen::Index k = 0;
   for (Eigen::Index i = 0; i < rho.at.size(); ++i) {
     for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++k) {
@@ -65,8 +60,7 @@ Points rule(const Coordinates& coordinates, double rho_max,
                          coordinates.force(points.y[k]) * Coordinates::prefactor(rho.at[i]);
     }
   }
-  points.s[k] = points.t[k] = points.y[k] = points.v[k] = points.energy[k] = 0;
-  points.weight[k] = coordinates.atom_weight();
+  points.weight[k] = coordinates.atom_weight();  // the last one is at the corner
   return points;
 }
 

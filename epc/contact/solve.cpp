@@ -18,9 +18,6 @@ using half_plane::Root;
 using half_plane::Shape;
 using transform::GridDensity;
 
-// As in amplitude and phase.
-constexpr double kQuadratureAllowed = 1e-3;
-
 // Sum of the distances of both marginals, on the same cells.
 double distance(const GridDensity& a, const GridDensity& b) {
   std::vector<double> of_y(a.ny()), of_v(a.nv());
@@ -85,7 +82,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                         .level = contour(coordinates, amplitude::amplitude_at(shape.level)),
                         .density = edge},
                        result);
-  half_plane::conclude(root, kQuadratureAllowed,
+  half_plane::conclude(root, amplitude::kQuadratureAllowed,
                        amplitude::objection("exp(Q_n)", root.remains, edge), result);
   return result;
 }

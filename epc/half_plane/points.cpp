@@ -6,6 +6,11 @@
 
 namespace fpkcheck::epc::half_plane {
 
+Points Points::zeros(Eigen::Index count) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(count);
+  return {.s = zero, .t = zero, .y = zero, .v = zero, .energy = zero, .weight = zero};
+}
+
 Line legendre_rule(int points, double a, double b) {
   std::vector<double> nodes;
   for (const double zero : boost::math::legendre_p_zeros<double>(points)) {

@@ -18,6 +18,8 @@ struct Points {
   Eigen::VectorXd energy;  ///< h, by which the confinement goes
   Eigen::VectorXd weight;  ///< of dy dv
 
+  /// So many of them, all of zeros.
+  static Points zeros(Eigen::Index count);
   Eigen::Index size() const { return weight.size(); }
 };
 

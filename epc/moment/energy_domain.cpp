@@ -99,11 +99,7 @@ EnergyDomain::Map EnergyDomain::map_of(const Swing& part) const {
 
 Points EnergyDomain::rule(int y_points, int v_points) const {
   const Line tau = half_plane::legendre_rule(v_points, -1, 1);
-  const Eigen::Index count = static_cast<Eigen::Index>(parts_.size()) * y_points * v_points;
-  Points points;
-  for (auto* column : {&points.y, &points.v, &points.energy, &points.weight}) {
-    column->resize(count);
-  }
+  Points points = Points::zeros(static_cast<Eigen::Index>(parts_.size()) * y_points * v_points);
   Eigen::Index k = 0;
   for (const Swing& part : parts_) {
     const auto [centre, reach, first, last] = map_of(part);

@@ -89,12 +89,7 @@ Points rule(const Coordinates& coordinates, double rho_max, const std::vector<do
             const half_plane::QuadratureSize& size) {
   const Line rho = panels(rho_max, breaks, size.s);
   const Line theta = half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  const Eigen::Index count = rho.at.size() * theta.at.size();
-  Points points;
-  for (auto* column :
-       {&points.s, &points.t, &points.y, &points.v, &points.energy, &points.weight}) {
-    column->resize(count);
-  }
+  Points points = Points::zeros(rho.at.size() * theta.at.size());
   Eigen::Index k = 0;
   for (Eigen::Index i = 0; i < rho.at.size(); ++i) {
     for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++k) {

@@ -18,10 +18,6 @@ using half_plane::Root;
 using half_plane::Shape;
 using transform::Panels;
 
-// By how much more points may change Q_n, in standard deviations: below what the exponent's shape
-// leaves at the usual orders.
-constexpr double kQuadratureAllowed = 1e-3;
-
 // As few panels as hold the mass.
 Panels panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
@@ -80,7 +76,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
                         .level = contour(coordinates, amplitude::amplitude_at(shape.level)),
                         .density = edge},
                        result);
-  half_plane::conclude(root, kQuadratureAllowed,
+  half_plane::conclude(root, amplitude::kQuadratureAllowed,
                        amplitude::objection("the density", root.remains, edge), result);
   return result;
 }
