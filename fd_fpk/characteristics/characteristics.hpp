@@ -22,9 +22,9 @@ struct Visit {
   double y, v;        ///< its mean position, from that of all visits to the cell
 };
 
-/// Of all characteristics: they take half a gigabyte. Slow motions that wind about an equilibrium, at
-/// no wall, visit cells without end.
-inline constexpr std::size_t kMostVisits = 10000000;
+/// Of all characteristics: they take 0.8 GB. Slow motions that wind about an equilibrium, at no wall,
+/// visit cells without end.
+inline constexpr std::size_t kMostVisits = 16000000;
 
 /// Where a characteristic ends: at a wall, at rest, or, after so long that nothing is left of it, on
 /// the way.
