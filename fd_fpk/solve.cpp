@@ -66,7 +66,7 @@ class Solver {
       : problem_(problem),
         scales_(problem::scales(problem)),
         options_(options),
-        deadline_(options.max_seconds) {}
+        deadline_(kUntilTheEnd * options.max_seconds) {}
 
   Result solve() const {
     if (!may_follow_characteristics(options_) || !characteristics_objection(problem_).empty()) {
@@ -80,9 +80,8 @@ class Solver {
     if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
     if (along && need_characteristics(problem_)) return by(Transport::characteristics);
     // The first choice may take half of the time, lest there is none for the other.
-    Result first =
-        by(along ? Transport::characteristics : Transport::upwind,
-           Deadline(options_.tolerance ? options_.max_seconds : options_.max_seconds / 2));
+    Result first = by(along ? Transport::characteristics : Transport::upwind,
+                      Deadline(options_.tolerance ? deadline_.in_all() : deadline_.in_all() / 2));
     // Where they are not the first choice differences do not know what they err.
     if (first.solution.is_ok() && (along || good(first))) return first;
     // A tolerance that one has missed the other will not meet in less time.
@@ -138,6 +137,8 @@ class Solver {
   const problem::Problem& problem_;
   const problem::Scales scales_;
   const Options& options_;
+  // Of max_seconds; what is under way is given up at the next look at the clock.
+  static constexpr double kUntilTheEnd = 0.98;
   Deadline deadline_;
 };
 

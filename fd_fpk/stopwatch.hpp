@@ -26,6 +26,7 @@ class Deadline {
   /// Whether what takes so long may begin.
   bool allows(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
   bool is_over() const { return !allows(0); }
+  double in_all() const { return seconds_; }
 
  private:
   Stopwatch stopwatch_;

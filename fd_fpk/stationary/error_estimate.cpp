@@ -151,6 +151,28 @@ Result given_up(Result best, const Options& options, const std::string& reason) 
 // A level takes at least as many times as long as the one before, more where the last did.
 constexpr double kSlower = 2.5;
 
+// What a grid takes, about, by its cells: what is hoped for is then the same on any machine, and
+// whatever runs beside it.
+double usual_seconds(const Summary& on) {
+  constexpr double kOfCell = 4e-5, kAlongCharacteristics = 1e-5;
+  return on.nx * on.nv *
+         (on.transport == Transport::characteristics ? kAlongCharacteristics : kOfCell);
+}
+
+// Whether an accuracy is soon reached: the levels that are missing, by what the best three have
+// shown, usually take an eighth of the time that there is for all.
+bool hopeful(const ErrorEstimate& error, const Summary& last, const Options& options,
+             double accuracy, const Deadline& deadline) {
+  constexpr double kSoon = 8, kLeastOrder = 0.5;
+  const double order =
+      std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
+  const double missing =
+      std::max(1.0, std::ceil(std::log(l1(error) / accuracy) / (order * std::log(kLevelRatio))));
+  // Of a geometric series
+  const double levels = kSlower * (std::pow(kSlower, missing) - 1) / (kSlower - 1);
+  return kSoon * levels * usual_seconds(last) <= deadline.in_all();
+}
+
 }  // namespace
 
 bool better(const Result& one, const Result& other) {
@@ -195,14 +217,8 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 }
 
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
-                    Answer so_far) {
-  return solve_within(solve, options, deadline, Aim{}, so_far);
-}
-
-Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
                     const Aim& aim, Answer so_far) {
   double slower = kSlower;
-  constexpr double kSoon = 8;  // of the time that is left, its inverse
   const Stopwatch stopwatch;
   Result best = solve_with_error_estimate(solve, options, so_far);
   if (!best.summary.error) return best;
@@ -217,17 +233,12 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
   // A box that is too small is not mended by cells.
   while (best.solution.status != Status::failed &&
          (l1(*best.summary.error) > aim.accuracy || (aim.until_ok && !best.solution.is_ok()))) {
-    // How many levels are missing, by what the last three have shown.
-    const double order = std::clamp(best.summary.error->observed_order, 0.5,
-                                    static_cast<double>(order_of_convergence(options)));
-    const double missing =
-        std::max(1.0, std::ceil(std::log(l1(*best.summary.error) / aim.accuracy) /
-                                (order * std::log(kLevelRatio))));
-    double expected = 0;
-    for (int n = 1; n <= missing; ++n) expected += seconds * std::pow(slower, n);
-    // Without a hope of that accuracy soon only what is not ok yet is improved.
-    const bool hopeful = deadline.allows(kSoon * expected);
-    if (!hopeful && (best.solution.is_ok() || !deadline.allows(slower * seconds))) break;
+    // Without a hope of that accuracy only what is not ok yet is improved.
+    if (best.solution.is_ok() &&
+        !hopeful(*best.summary.error, middle.summary, options, aim.accuracy, deadline)) {
+      break;
+    }
+    if (!deadline.allows(slower * seconds)) break;
     level = refined(level, kLevelRatio);
     const Stopwatch of_level;
     Result fine = solve(level, Answer::stands);

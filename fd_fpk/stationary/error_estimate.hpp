@@ -28,17 +28,15 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 /// The error in L1 that the automatic grid is made for where it can be had in time.
 inline constexpr double kUsualAccuracy = 1e-4;
 
-/// As above, and on finer grids as long as the estimate is larger than kUsualAccuracy, may be
-/// expected to get there before the deadline, or is larger than the accuracy asked for and there is
-/// time for another. One that is not there at the deadline is given up.
-Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
-                    Answer so_far = Answer::none_yet);
-
 /// What solve_within() goes on for.
 struct Aim {
   double accuracy = kUsualAccuracy;
   bool until_ok = false;  ///< finer grids also where the error is small and the status not `ok`
 };
+
+/// As above, and on finer grids as long as the estimate is larger than the accuracy of the aim and
+/// either that many cells usually take but a part of the time, or the solution is not `ok` yet. One
+/// that is not there at the deadline is given up.
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
                     const Aim& aim, Answer so_far = Answer::none_yet);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "distances.hpp"
@@ -204,6 +205,31 @@ TEST(ErrorEstimate, OneLargerThanTheAccuracyAskedForIsInaccurate) {
             .solution;
     EXPECT_EQ(solution.status, amplitude < 0.001 ? Status::ok : Status::inaccurate);
   }
+}
+
+// By their cells, and not by the time that others took on this machine today: these take none.
+TEST(ErrorEstimate, FinerGridsFollowWhereTheirCellsAreFewEnough) {
+  constexpr double kSeconds = 10;
+  const auto levels_from = [&](int cells, Transport transport) {
+    std::vector<double> refinements;
+    const auto solve_one = [&](const Options& options, Answer) {
+      refinements.push_back(options.refinement);
+      Result result;
+      result.summary.refinement = options.refinement;
+      result.summary.transport = transport;
+      result.summary.nx = static_cast<int>(cells * options.refinement * options.refinement);
+      result.summary.nv = 1;
+      result.solution = wave(1.8e-4 * std::pow(options.refinement, -4));
+      result.solution.status = Status::ok;
+      return result;
+    };
+    const auto result = solve_within(solve_one, {.order = 5}, Deadline(kSeconds), Aim{});
+    EXPECT_EQ(result.summary.refinement, *std::ranges::max_element(refinements));
+    return std::lround(2 * std::log2(result.summary.refinement));
+  };
+  EXPECT_EQ(levels_from(3000, Transport::upwind), 2);
+  EXPECT_EQ(levels_from(5000, Transport::upwind), 0);
+  EXPECT_EQ(levels_from(5000, Transport::characteristics), 2);
 }
 
 // The first graded grid has no density: what the uniform ones reached is the result.
