@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "paper/claims.hpp"
 #include "paper/figures.hpp"

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "epc/contact/coordinates.hpp"
 #include "epc/contact/solve.hpp"
 #include "epc/gaussian/solve.hpp"
 #include "epc/moment/solve.hpp"

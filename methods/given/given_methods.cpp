@@ -14,6 +14,7 @@
 #include "methods/given/file_content.hpp"
 #include "methods/given/given_joint.hpp"
 #include "methods/given/given_marginal.hpp"
+#include "methods/given/joint_table.hpp"
 #include "methods/given/label.hpp"
 #include "methods/given/own_density.hpp"
 #include "parameters/input_error.hpp"

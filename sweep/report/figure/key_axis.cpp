@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "problem/case_file.hpp"
+#include "report/figure/gnuplot.hpp"
 #include "report/figure/text.hpp"
 
 namespace fpkcheck::sweep {
