@@ -4,6 +4,7 @@
 #include <umfpack.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace fpkcheck::benchmarks {
 namespace {
 
 using namespace fd_fpk;
-using Integer = SuiteSparse_long;
+using Integer = std::int64_t;
 
 /// I - M/10 with M much like what the preconditioner factors, and of the same pattern.
 SparseColumns low_order_matrix(const Setting& setting) {

@@ -28,7 +28,7 @@ int times(void* data, N_Vector v, N_Vector z) {
   });
 }
 
-int precondition(void* data, N_Vector r, N_Vector z, realtype, int) {
+int precondition(void* data, N_Vector r, N_Vector z, sunrealtype, int) {
   auto& callbacks = *static_cast<Applied*>(data);
   return callbacks.thrown.flag_of([&] {
     view(z) = view(r);
@@ -43,7 +43,7 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
                   const Eigen::VectorXd& weights, double tolerance, const Deadline& deadline) {
   constexpr int kBasis = 100;
   constexpr int kRestarts = 4;
-  sundials::Context context;
+  QuietContext context;
   Applied callbacks{a, nearby, deadline};
   const auto x = vector_of(Eigen::VectorXd::Zero(b.size()), context);
   const auto right = vector_of(b, context);
@@ -63,7 +63,7 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
   constexpr double kReduction = 1e-7;
   const double norm = weights.cwiseProduct(b).norm();
   GmresResult result{std::nullopt};
-  int flag = SUNLS_SUCCESS;
+  int flag = kSuccess;
   for (double reached = 1; reached > tolerance;) {
     check(SUNLinSolSetZeroGuess(solver.get(), reached == 1 ? SUNTRUE : SUNFALSE),
           "SUNLinSolSetZeroGuess");
@@ -78,7 +78,7 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
         "GMRES had not converged in {} iterations when max_seconds were over", result.iterations);
     return result;
   }
-  const bool reduced = flag == SUNLS_SUCCESS || flag == SUNLS_RES_REDUCED;
+  const bool reduced = flag == kSuccess || flag == SUNLS_RES_REDUCED;
   if (reduced && view(x.get()).allFinite()) {
     result.solution = view(x.get());
   } else {

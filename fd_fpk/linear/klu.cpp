@@ -9,20 +9,15 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// KLU takes SuiteSparse_long indices; SparseColumns stores std::int64_t.
-static_assert(sizeof(SuiteSparse_long) == sizeof(SparseColumns::StorageIndex));
-
-// The three arrays of a matrix. KLU's interface is not const-correct; it only reads them.
+// The three arrays of a matrix. KLU's interface is not const-correct, but KLU only reads them.
 struct Arrays {
-  SuiteSparse_long* columns;
-  SuiteSparse_long* rows;
+  SparseColumns::StorageIndex* columns;
+  SparseColumns::StorageIndex* rows;
   double* values;
 
   explicit Arrays(const SparseColumns& matrix)
-      : columns(reinterpret_cast<SuiteSparse_long*>(
-            const_cast<SparseColumns::StorageIndex*>(matrix.outerIndexPtr()))),
-        rows(reinterpret_cast<SuiteSparse_long*>(
-            const_cast<SparseColumns::StorageIndex*>(matrix.innerIndexPtr()))),
+      : columns(const_cast<SparseColumns::StorageIndex*>(matrix.outerIndexPtr())),
+        rows(const_cast<SparseColumns::StorageIndex*>(matrix.innerIndexPtr())),
         values(const_cast<double*>(matrix.valuePtr())) {}
 };
 
@@ -57,10 +52,9 @@ bool KluFactorisation::factor(const SparseColumns& matrix) {
   klu_l_free_numeric(&numeric, &common);
   if (symbolic == nullptr) {
     auto found = ordering(matrix);
-    auto* const order = reinterpret_cast<SuiteSparse_long*>(found.data());
     symbolic = found.empty() ? klu_l_analyze(matrix.cols(), arrays.columns, arrays.rows, &common)
                              : klu_l_analyze_given(matrix.cols(), arrays.columns, arrays.rows,
-                                                   order, order, &common);
+                                                   found.data(), found.data(), &common);
   }
   if (symbolic != nullptr) {
     numeric = klu_l_factor(arrays.columns, arrays.rows, arrays.values, symbolic, &common);

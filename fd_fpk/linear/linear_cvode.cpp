@@ -27,24 +27,24 @@ int write_product(Callbacks& callbacks, N_Vector v, N_Vector lv) {
   });
 }
 
-int right_hand_side(realtype, N_Vector p, N_Vector p_dot, void* data) {
+int right_hand_side(sunrealtype, N_Vector p, N_Vector p_dot, void* data) {
   return write_product(callbacks_in(data), p, p_dot);
 }
 
-int times(N_Vector v, N_Vector lv, realtype, N_Vector, N_Vector, void* data, N_Vector) {
+int times(N_Vector v, N_Vector lv, sunrealtype, N_Vector, N_Vector, void* data, N_Vector) {
   return write_product(callbacks_in(data), v, lv);
 }
 
-int factor(realtype, N_Vector, N_Vector, booleantype, booleantype* current, realtype gamma,
-           void* data) {
+int factor(sunrealtype, N_Vector, N_Vector, sunbooleantype, sunbooleantype* current,
+           sunrealtype gamma, void* data) {
   auto& callbacks = callbacks_in(data);
   *current = SUNTRUE;
   return callbacks.thrown.flag_of(
       [&] { return callbacks.system.factor(gamma) ? 0 : CarriedException::kUnrecoverable; });
 }
 
-int precondition(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype, realtype, int,
-                 void* data) {
+int precondition(sunrealtype, N_Vector, N_Vector, N_Vector r, N_Vector z, sunrealtype, sunrealtype,
+                 int, void* data) {
   auto& callbacks = callbacks_in(data);
   return callbacks.thrown.flag_of([&] {
     view(z) = view(r);
@@ -53,7 +53,7 @@ int precondition(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype,
   });
 }
 
-void keep_message(int, const char*, const char* function, char* text, void* data) {
+void store_message(const char* function, const char* text, void* data) {
   auto& callbacks = callbacks_in(data);
   callbacks.thrown.flag_of([&] {
     callbacks.message = fmt::format("{}: {}", function, text);
@@ -71,7 +71,7 @@ LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preco
 }
 
 struct LinearCvode::Handles {
-  sundials::Context context;
+  QuietContext context;
   Callbacks callbacks;
   Owned<N_Vector> averages;
   Owned<SUNLinearSolver> gmres;
@@ -98,7 +98,7 @@ LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
   void* const cvode = handles_->cvode.get();
   void* const data = &handles_->callbacks;
   check(CVodeInit(cvode, right_hand_side, 0.0, handles_->averages.get()), "CVodeInit");
-  check(CVodeSetErrHandlerFn(cvode, keep_message, data), "CVodeSetErrHandlerFn");
+  set_error_handler<store_message>(cvode, handles_->context, data);
   check(CVodeSetUserData(cvode, data), "CVodeSetUserData");
   if (const auto& of_cells = control.absolute_tolerances) {
     const Owned<N_Vector> tolerances = vector_of(*of_cells, handles_->context);  // CVODE copies it

@@ -12,9 +12,6 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// CHOLMOD takes SuiteSparse_long indices; SparseColumns stores std::int64_t.
-static_assert(sizeof(SuiteSparse_long) == sizeof(SparseColumns::StorageIndex));
-
 // METIS draws from the C library's random numbers, one sequence for the whole process: it seeds them
 // for each dissection, but two dissections at once would draw from one another's, and their orders
 // (and the last digits of all that is solved by them) would depend on who came when.
@@ -39,12 +36,9 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
   // Without memory METIS ends the program: CHOLMOD looks first whether there is twice what it needs.
   common.metis_memory = 2;
   std::vector<std::int64_t> order(n), parents(n), components(n);
-  const auto as_longs = [](std::vector<std::int64_t>& list) {
-    return reinterpret_cast<SuiteSparse_long*>(list.data());
-  };
   const std::lock_guard alone(dissection_mutex);
-  const SuiteSparse_long found = cholmod_l_nested_dissection(
-      &graph, nullptr, 0, as_longs(order), as_longs(parents), as_longs(components), &common);
+  const std::int64_t found = cholmod_l_nested_dissection(
+      &graph, nullptr, 0, order.data(), parents.data(), components.data(), &common);
   cholmod_l_finish(&common);
   if (found < 0) order.clear();
   return order;

@@ -11,8 +11,27 @@
 #include <stdexcept>
 #include <sundials/sundials_context.hpp>
 
-/// Owners of SUNDIALS objects, and a check of every flag it returns.
+/// Owners of SUNDIALS objects, and a check of every flag it returns. SUNDIALS 6 and 7 differ in this
+/// header only.
 namespace fpkcheck::fd_fpk::sundials_owned {
+
+/// SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.
+inline constexpr int kSuccess = 0;
+
+/// A context that prints nothing: errors come back as flags, and as messages to set_error_handler.
+/// SUNDIALS 7 prints errors and warnings to standard error unless it is told not to.
+struct QuietContext : sundials::Context {
+  QuietContext() {
+#if SUNDIALS_VERSION_MAJOR >= 7
+    SUNContext_ClearErrHandlers(*this);
+    SUNLogger logger = nullptr;
+    if (SUNContext_GetLogger(*this, &logger) == SUN_SUCCESS) {
+      SUNLogger_SetErrorFilename(logger, "");
+      SUNLogger_SetWarningFilename(logger, "");
+    }
+#endif
+  }
+};
 
 struct Destroy {
   void operator()(N_Vector v) const { N_VDestroy(v); }
@@ -35,6 +54,22 @@ inline void check(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", call, flag));
 }
 
+/// Errors of `cvode` go to `handler(function, text, data)`, which must not throw.
+template <void (*handler)(const char* function, const char* text, void* data)>
+void set_error_handler([[maybe_unused]] void* cvode, [[maybe_unused]] QuietContext& context,
+                       void* data) {
+#if SUNDIALS_VERSION_MAJOR >= 7
+  const SUNErrHandlerFn forward = [](int, const char* function, const char*, const char* text,
+                                     SUNErrCode, void* handed,
+                                     SUNContext) { handler(function, text, handed); };
+  check(SUNContext_PushErrHandler(context, forward, data), "SUNContext_PushErrHandler");
+#else
+  const CVErrHandlerFn forward = [](int, const char*, const char* function, char* text,
+                                    void* handed) { handler(function, text, handed); };
+  check(CVodeSetErrHandlerFn(cvode, forward, data), "CVodeSetErrHandlerFn");
+#endif
+}
+
 inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
@@ -42,10 +77,10 @@ inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
 /// A vector whose clones are there or an exception is thrown, and whose inner products, a tenth of
 /// a solution's time, are Eigen's: they use the vector registers, where N_VDotProd_Serial adds one
 /// product at a time.
-inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, sundials::Context& context) {
+inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, QuietContext& context) {
   auto v = owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
-  // SUNDIALS 6 does not look whether a clone was made. Where there is no memory for one, what it
+  // SUNDIALS 6 does not check whether a clone was made. Where there is no memory for one, what it
   // has made until then is lost: it does not know of exceptions.
   v->ops->nvclone = [](N_Vector like) {
     const N_Vector clone = N_VClone_Serial(like);

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <stdatomic.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,7 +50,13 @@ static int fails(const char* name) {
     }                                                           \
     return ((type(*) parameters)REAL(name))arguments;           \
   }
-typedef SuiteSparse_long Long;
+// Indices: SuiteSparse 5 declares long, 7 int64_t; both are one type on 64-bit Linux. Flags: long, then int.
+typedef int64_t Long;
+#if KLU_MAIN_VERSION >= 2
+typedef int Flag;
+#else
+typedef int64_t Flag;
+#endif
 KLU_FAULT(klu_l_symbolic*, klu_l_analyze, NULL, (Long n, Long* p, Long* i, klu_l_common* common),
           (n, p, i, common))
 KLU_FAULT(klu_l_symbolic*, klu_l_analyze_given, NULL,
@@ -58,15 +65,15 @@ KLU_FAULT(klu_l_symbolic*, klu_l_analyze_given, NULL,
 KLU_FAULT(klu_l_numeric*, klu_l_factor, NULL,
           (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_common* common),
           (p, i, x, symbolic, common))
-KLU_FAULT(Long, klu_l_refactor, 0,
+KLU_FAULT(Flag, klu_l_refactor, 0,
           (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_numeric* numeric,
            klu_l_common* common),
           (p, i, x, symbolic, numeric, common))
-KLU_FAULT(Long, klu_l_solve, 0,
+KLU_FAULT(Flag, klu_l_solve, 0,
           (klu_l_symbolic* symbolic, klu_l_numeric* numeric, Long n, Long columns, double* b,
            klu_l_common* common),
           (symbolic, numeric, n, columns, b, common))
-KLU_FAULT(Long, klu_l_rgrowth, 0,
+KLU_FAULT(Flag, klu_l_rgrowth, 0,
           (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_numeric* numeric,
            klu_l_common* common),
           (p, i, x, symbolic, numeric, common))
