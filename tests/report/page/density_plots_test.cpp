@@ -63,7 +63,7 @@ TEST(DensityPlots, LegendsHaveTheOrderOfTheTables) {
   int entries = 0;
   for (const auto& trace : traces(plots[0])) {
     const auto rank = trace.at("legendrank").get<std::size_t>();
-    EXPECT_EQ(one.solutions.at(rank).id(), trace.at("legendgroup"));
+    EXPECT_EQ(one.solutions.at(rank).id(), trace.at("legendgroup").get<std::string>());
     entries += trace.at("showlegend").get<bool>() ? 1 : 0;
   }
   EXPECT_EQ(entries, 7);
