@@ -2,6 +2,33 @@
 # links the libraries.
 include(CMakePackageConfigHelpers)
 
+get_property(rooms GLOBAL PROPERTY FPKCHECK_ROOMS)
+list(TRANSFORM rooms PREPEND fpkcheck_ OUTPUT_VARIABLE libraries)
+
+# Nothing is installed unless all of a component is built: CMake would stop at the first file that is missing, and
+# leave those before it.
+function(fpkcheck_require_built component)
+  install(
+    CODE "set(files \"${ARGN}\")
+          foreach(file IN LISTS files)
+            if(NOT EXISTS \"\${file}\")
+              message(FATAL_ERROR \" fpkcheck is not installed: \${file} is not built; run cmake --build ${PROJECT_BINARY_DIR} first.\")
+            endif()
+          endforeach()"
+    COMPONENT ${component})
+endfunction()
+
+set(program_files "$<TARGET_FILE:fpkcheck>")
+if(TARGET fpkcheck_manual)
+  list(APPEND program_files "${PROJECT_BINARY_DIR}/cli/fpkcheck.1")
+endif()
+set(library_files "")
+foreach(library IN LISTS libraries)
+  list(APPEND library_files "$<TARGET_FILE:${library}>")
+endforeach()
+fpkcheck_require_built(program ${program_files})
+fpkcheck_require_built(development ${library_files})
+
 install(TARGETS fpkcheck COMPONENT program)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
 install(FILES "${PROJECT_SOURCE_DIR}/third_party/plotly/LICENSE" RENAME LICENSE.plotly
@@ -15,8 +42,6 @@ install(FILES "${PROJECT_SOURCE_DIR}/cli/completion.bash" RENAME fpkcheck
         DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT program)
 
 set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/fpkcheck")
-get_property(rooms GLOBAL PROPERTY FPKCHECK_ROOMS)
-list(TRANSFORM rooms PREPEND fpkcheck_ OUTPUT_VARIABLE libraries)
 install(TARGETS ${libraries} EXPORT fpkcheck COMPONENT development)
 install(EXPORT fpkcheck NAMESPACE fpkcheck:: FILE fpkcheckTargets.cmake
         DESTINATION "${package_directory}" COMPONENT development)
