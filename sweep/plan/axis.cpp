@@ -89,6 +89,7 @@ Axis range_from(std::string_view text, Axis axis, const Reading& reading) {
   }
   if (parts.size() == 2) return axis;
   const std::size_t count = count_in(parts[2], reading);
+  axis.values.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     axis.values.emplace_back(axis.at(static_cast<double>(k) / static_cast<double>(count - 1)));
   }
@@ -125,11 +126,18 @@ Axis axis_from(std::string_view key, std::string_view values, const std::string&
   } else {
     for (const auto& item : parts_of(values, ',')) axis.values.push_back(reading.value(item));
   }
-  std::vector<Value> sorted = axis.values;
-  std::ranges::sort(sorted);
-  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
-    throw InputError(
-        fmt::format("{} {} is there twice (keep one)", reading.label, parameters::text_of(*twice)));
+  const auto require_distinct = [&reading](const std::vector<Value>& sorted) {
+    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
+      throw InputError(fmt::format("{} {} is there twice (keep one)", reading.label,
+                                   parameters::text_of(*twice)));
+    }
+  };
+  if (axis.spacing != Spacing::listed) {
+    require_distinct(axis.values);  // a range is sorted, and a copy of a million values is 40 MB
+  } else {
+    auto sorted = axis.values;
+    std::ranges::sort(sorted);
+    require_distinct(sorted);
   }
   return axis;
 }
