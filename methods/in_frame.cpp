@@ -24,7 +24,8 @@ transform::Solution solve_in_frame(
                                      transform::v_edges_of(frame, setting.axes.v_edges),
                                      setting.axes.divisions};
   return transform::in_physical_coordinates(
-      frame, solve(seen, {axes, setting.progress, setting.residuals, setting.measure_error}));
+      frame, solve(seen, {axes, setting.progress, setting.residuals, setting.measure_error}),
+      setting.axes.y_edges);
 }
 
 }  // namespace fpkcheck::methods

@@ -14,14 +14,20 @@ std::vector<double> carried(std::vector<double> edges, bool mirrored, const Coor
   return edges;
 }
 
-GridDensity carried(const problem::Frame& frame, GridDensity grid) {
-  grid.y_edges = y_edges_of(frame, grid.y_edges);
+using Edges = std::vector<double>;
+
+Edges known_edges_of(const problem::Frame& frame, const Edges& x_edges, const Edges& known) {
+  return x_edges == x_edges_of(frame, known) ? known : y_edges_of(frame, x_edges);
+}
+
+GridDensity carried(const problem::Frame& frame, GridDensity grid, const Edges& known) {
+  grid.y_edges = known_edges_of(frame, grid.y_edges, known);
   grid.v_edges = v_edges_of(frame, grid.v_edges);
   if (frame.mirrored) std::ranges::reverse(grid.averages);  // both axes
   return grid;
 }
 
-SmoothDensity carried(const problem::Frame& frame, SmoothDensity smooth) {
+SmoothDensity carried(const problem::Frame& frame, SmoothDensity smooth, const Edges&) {
   const double from = frame.y(smooth.y_min), to = frame.y(smooth.y_max);
   return {.value = [frame, value = std::move(smooth.value)](
                        double y, double v) { return value(frame.x(y), frame.v(v)); },
@@ -30,8 +36,9 @@ SmoothDensity carried(const problem::Frame& frame, SmoothDensity smooth) {
           .y_min = std::min(from, to)};
 }
 
-Marginal carried(const problem::Frame& frame, Variable variable, Marginal marginal) {
-  marginal.edges = variable == Variable::y ? y_edges_of(frame, marginal.edges)
+Marginal carried(const problem::Frame& frame, Variable variable, Marginal marginal,
+                 const Edges& known) {
+  marginal.edges = variable == Variable::y ? known_edges_of(frame, marginal.edges, known)
                                            : v_edges_of(frame, marginal.edges);
   if (frame.mirrored) {
     for (auto* values : {&marginal.density, &marginal.lower, &marginal.upper}) {
@@ -55,26 +62,29 @@ std::vector<double> v_edges_of(const problem::Frame& frame, const std::vector<do
   return carried(edges, frame.mirrored, [&](double v) { return frame.v(v); });
 }
 
-Density in_physical_coordinates(const problem::Frame& frame, Density density) {
+Density in_physical_coordinates(const problem::Frame& frame, Density density,
+                                const Edges& y_edges) {
   if (frame.is_identity()) return density;
-  return std::visit([&](auto& form) { return Density(carried(frame, std::move(form))); }, density);
+  return std::visit([&](auto& form) { return Density(carried(frame, std::move(form), y_edges)); },
+                    density);
 }
 
 Density in_coordinates_of(const problem::Frame& frame, Density density) {
   return in_physical_coordinates(frame.inverse(), std::move(density));
 }
 
-Solution in_physical_coordinates(const problem::Frame& frame, Solution solution) {
+Solution in_physical_coordinates(const problem::Frame& frame, Solution solution,
+                                 const Edges& y_edges) {
   if (frame.is_identity()) return solution;
   if (solution.density) {
-    solution.density = in_physical_coordinates(frame, std::move(*solution.density));
+    solution.density = in_physical_coordinates(frame, std::move(*solution.density), y_edges);
   }
   if (solution.extrapolation) {
     solution.extrapolation->coarser =
-        in_physical_coordinates(frame, std::move(solution.extrapolation->coarser));
+        in_physical_coordinates(frame, std::move(solution.extrapolation->coarser), y_edges);
   }
   for (auto& [variable, marginal] : solution.estimated_marginals) {
-    marginal = carried(frame, variable, std::move(marginal));
+    marginal = carried(frame, variable, std::move(marginal), y_edges);
   }
   for (RestAtom& atom : solution.atoms) atom.y = frame.y(atom.y);
   return solution;
