@@ -21,12 +21,12 @@ equations. Three formulations:
              a wall, of amplitude and velocity, with the probability of rest
 The error against the full problem is measured by the residuals that the density leaves in the
 stationary equation, weighted by solutions of the backward equation, in L1 of p(y) and p(y') and for
-each moment; where that equation is not solved, by the distance to the reference of the run. The
-status says what the result is worth:
+each moment; where that gives no estimate, by the distance to the reference of the run. The status
+says what the result is worth:
   ok             the equations are met by a density that has decayed on the whole edge of its
                  support (gaussian: and keeps the balance of power, and is near that of order n-2),
                  and the measured error is no larger than --accuracy
-  inaccurate     likewise, but the error is larger
+  inaccurate     likewise, but the error is larger, or unknown
   inadmissible   the equations are met, but not by such a density (condition (19) of the paper),
                  or by a spurious one
   not_converged  the equations are not met (gaussian with kf: or depend on the disc on which the

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <variant>
+#include <vector>
 
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
@@ -23,6 +24,10 @@ std::optional<double> accuracy_of(const Method& method) {
 
 void state_distance(const Solution& reference, const Distance& distance, double accuracy,
                     Solution& solution) {
+  if (solution.status == transform::Status::inaccurate && !solution.error) {
+    solution.status = transform::Status::ok;
+    solution.reason.clear();
+  }
   solution.error = transform::StatedError{
       .y_l1 = distance.y + compare::own_error(reference, Variable::y),
       .ydot_l1 = distance.ydot + compare::own_error(reference, Variable::ydot)};
@@ -38,22 +43,27 @@ void state_errors_by_reference(const std::vector<Method>& methods,
                                const compare::ComparisonAxes& axes,
                                const ProblemResiduals& residuals,
                                std::vector<Solution>& solutions) {
+  std::vector<std::size_t> without_error;
+  for (std::size_t m = 0; m < solutions.size(); ++m) {
+    const Solution& solution = solutions[m];
+    if (accuracy_of(methods[m]) && solution.density && !solution.error) without_error.push_back(m);
+  }
+  if (without_error.empty()) return;
   const Solution* reference = compare::reference(solutions);
   compare::Comparison comparison;
   if (reference != nullptr) comparison = compare::compare_solutions(axes, solutions);
-  for (std::size_t m = 0; m < solutions.size(); ++m) {
+  for (const std::size_t m : without_error) {
     Solution& solution = solutions[m];
-    const auto accuracy = accuracy_of(methods[m]);
-    if (!accuracy || !solution.density) continue;
+    const double accuracy = *accuracy_of(methods[m]);
     const auto l1 = [&](Variable variable) -> std::optional<double> {
       if (reference == nullptr) return std::nullopt;
       return compare::l1_between(comparison.pairs, solution.id(), reference->id(), variable);
     };
     const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
     if (y && ydot) {
-      state_distance(*reference, {*y, *ydot}, *accuracy, solution);
-    } else {
-      state_measured_error(residuals, *accuracy, solution);
+      state_distance(*reference, {*y, *ydot}, accuracy, solution);
+    } else if (solution.is_ok()) {
+      state_measured_error(residuals, accuracy, solution);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 
@@ -51,39 +52,64 @@ std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& 
 
 namespace {
 
-std::optional<transform::StatedError> measured_error(const ProblemResiduals& residuals,
-                                                     const transform::Density& density,
-                                                     const problem::Frame& coordinates) try {
+std::optional<dual::WeightedResiduals> measured(const ProblemResiduals& residuals,
+                                                const transform::Density& density,
+                                                const problem::Frame& coordinates) try {
   const auto* known = residuals.get();
   if (known == nullptr) return std::nullopt;
-  if (coordinates == residuals.frame()) return known->of(density).stated();
-  return known->of(transform::in_coordinates_of(residuals.frame(), density)).stated();
+  if (coordinates == residuals.frame()) return known->of(density);
+  return known->of(transform::in_coordinates_of(residuals.frame(), density));
 } catch (const InputError&) {
   return std::nullopt;  // nothing that has a mean
+}
+
+// Why there is no estimate of the error.
+std::string no_estimate(const ProblemResiduals& residuals,
+                        const std::optional<dual::WeightedResiduals>& weighted) {
+  if (weighted) {
+    return "its error is unknown: the solution of the backward equation is too coarse for this "
+           "problem; compare with fd or mcs";
+  }
+  return fmt::format("its error cannot be measured: {}",
+                     residuals.refused().empty()
+                         ? "the backward equation of this problem is not solved"
+                         : residuals.refused());
+}
+
+// What is wrong with a stated error that is too large: the density, or only the estimate.
+std::string too_large(const dual::WeightedResiduals& weighted, const transform::StatedError& error,
+                      double accuracy) {
+  const double found =
+      dual::WeightedResiduals::kNotSeen * std::max(weighted.y_l1.found, weighted.ydot_l1.found);
+  if (found <= accuracy) {
+    return fmt::format(
+        "its residuals bound its error by L1 {:.2g} in p(y) and {:.2g} in p(y') only: the solution "
+        "of the backward equation is too coarse for more",
+        error.y_l1, error.ydot_l1);
+  }
+  return fmt::format(
+      "it misses the density of the problem by L1 {:.2g} in p(y) and {:.2g} in p(y') as measured "
+      "by its residuals",
+      error.y_l1, error.ydot_l1);
 }
 
 }  // namespace
 
 void state_measured_error(const ProblemResiduals& residuals, double accuracy,
-                          transform::Solution& solution, const problem::Frame& coordinates) {
+                          transform::Solution& solution, const problem::Frame& coordinates,
+                          std::string_view opening) {
   if (!solution.density) return;
-  solution.error = measured_error(residuals, *solution.density, coordinates);
+  const auto weighted = measured(residuals, *solution.density, coordinates);
+  solution.error = weighted ? weighted->stated() : std::nullopt;
   if (!solution.is_ok()) return;
   if (!solution.error) {
     solution.status = Status::inaccurate;
-    solution.reason = fmt::format("its error cannot be measured: {}",
-                                  residuals.refused().empty()
-                                      ? "the backward equation of this problem is not solved"
-                                      : residuals.refused());
+    solution.reason = no_estimate(residuals, weighted);
     return;
   }
-  transform::hold_to(
-      accuracy,
-      fmt::format(
-          "it meets its equations, but misses the density of the problem by L1 {:.2g} in p(y) and "
-          "{:.2g} in p(y') as measured by its residuals",
-          solution.error->y_l1, solution.error->ydot_l1),
-      solution);
+  transform::hold_to(accuracy,
+                     fmt::format("{}{}", opening, too_large(*weighted, *solution.error, accuracy)),
+                     solution);
 }
 
 }  // namespace fpkcheck::methods

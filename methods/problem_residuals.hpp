@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problem/problem.hpp"
@@ -43,7 +44,9 @@ std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& 
 /// off by more in L1, or not to be measured, it becomes `inaccurate`.
 /// @param accuracy largest error of p(y) and of p(y') in L1
 /// @param coordinates in which its density lies: the physical ones unless it is in the frame
+/// @param opening of the reason, where the error is known but too large
 void state_measured_error(const ProblemResiduals& residuals, double accuracy,
-                          transform::Solution& solution, const problem::Frame& coordinates = {});
+                          transform::Solution& solution, const problem::Frame& coordinates = {},
+                          std::string_view opening = "it meets its equations, but ");
 
 }  // namespace fpkcheck::methods

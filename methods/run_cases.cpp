@@ -66,9 +66,7 @@ class Run {
   void finish(std::size_t p) {
     std::vector<Solution> solutions;
     for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
-    if (!residuals_[p].refused().empty()) {
-      state_errors_by_reference(methods_, axes_[p], residuals_[p], solutions);
-    }
+    state_errors_by_reference(methods_, axes_[p], residuals_[p], solutions);
     cases_[p] = results::make_case(problems_[p], axes_[p], std::move(solutions));
     if (case_listener_) case_listener_(*cases_[p]);
   }

@@ -18,7 +18,8 @@ ControlSplines general_splines(const problem::Problem& problem, const ControlCel
 
 /// The fit on such splines under the weight
 ///
-///     w(y, v) = exp(-(U(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of y',
+///     w(y, v) = exp(-(U(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of y'
+///     (0.7 where there are several wells),
 ///
 /// 1 where it is largest; each factor is no less than 1e-9.
 /// @param problem, y, v referred to by the result

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,41 +23,51 @@ WeakResiduals usual_residuals(const problem::Problem& problem, ControlSplines sp
   return {problem, std::move(splines.y), std::move(splines.v)};
 }
 
-ControlFunctions backward_solutions(const problem::Problem& problem, const WeakResiduals& residuals,
-                                    const std::vector<SeparableFunction>& functions) {
+ControlProblem fit_of(const problem::Problem& problem, const WeakResiduals& residuals) {
   const auto control = problem::of_the_paper(problem) ? usual_control : general_control;
   const double wall_weight = kWallWeight * problem::scales(problem).frequency;
-  return control_functions(control(problem, residuals.y(), residuals.v(), wall_weight), functions);
+  return control(problem, residuals.y(), residuals.v(), wall_weight);
 }
 
 const ControlCells& cells_for(const problem::Features& features) {
-  const bool sharp = features.wells > 1 && !features.noise;
-  return sharp ? DensityResiduals::kCellsOfWells : DensityResiduals::kCells;
+  if (features.wells < 2) return DensityResiduals::kCells;
+  return features.noise ? DensityResiduals::kCellsOfWells : DensityResiduals::kCellsOfSharpWells;
 }
 
 // By how many times its error in L1 a density may be off where the backward equation is not
 // resolved: faults gather there.
 constexpr double kGathered = 10;
-// (E_p - E)|e| for densities that have nothing in common.
+// (E_p - E)|e|, and the L1 distance, of densities that have nothing in common.
 constexpr double kDisjoint = 2;
 
-/// The error t with t = found + min(kGathered t, kDisjoint) unresolved.
+// The contrast of wells up to which e is about constant in each of them: in random wells (RandomWells
+// in tests/dual/residual) shares that are wrong by d are stated with less than 2 d from 0.65 on.
+constexpr double kMostContrast = 0.5;
+
+/// The error t with t = found + min(kGathered t, kDisjoint) unresolved + contrast t: shares of wells
+/// that are wrong by d, which is t/2 at the most, leave 2 d contrast in (E_p - E)[e]. Infinite where
+/// the residuals do not determine the shares.
 double with_unresolved(const JudgedError& error) {
-  const double most = error.found + kDisjoint * error.unresolved;
-  const double left = 1 - kGathered * error.unresolved;
+  if (error.contrast > kMostContrast) return std::numeric_limits<double>::infinity();
+  const double of_wells = 1 - error.contrast;
+  const double most = (error.found + kDisjoint * error.unresolved) / of_wells;
+  const double left = of_wells - kGathered * error.unresolved;
   return left > 0 ? std::min(most, error.found / left) : most;
 }
 
 }  // namespace
 
-transform::StatedError WeightedResiduals::stated() const {
+std::optional<transform::StatedError> WeightedResiduals::stated() const {
   transform::StatedError result{.y_l1 = kNotSeen * with_unresolved(y_l1),
                                 .ydot_l1 = kNotSeen * with_unresolved(ydot_l1),
                                 .moments = {}};
-  const double share = std::min(kGathered * std::max(result.y_l1, result.ydot_l1), kDisjoint);
+  if (std::max(result.y_l1, result.ydot_l1) >= kDisjoint) return std::nullopt;
+  const double most = std::max(result.y_l1, result.ydot_l1);
+  const double share = std::min(kGathered * most, kDisjoint);
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const auto moment = transform::kMoments[k].moment;
-    result.moments.*moment = std::abs(error.*moment) + share * unresolved[k];
+    result.moments.*moment =
+        std::abs(error.*moment) + share * unresolved[k] + most / 2 * contrasts[k];
   }
   return result;
 }
@@ -66,8 +78,8 @@ DensityResiduals::DensityResiduals(const problem::Problem& problem)
 DensityResiduals::DensityResiduals(const problem::Problem& problem, const ControlCells& cells)
     : residuals_(usual_residuals(problem, residual_splines(problem, cells))),
       functions_(judged_functions(residuals_.y(), residuals_.v(), problem.frame)),
-      h_(backward_solutions(problem, residuals_, functions_.all)),
-      unresolved_(problem, residuals_, functions_.all, h_) {}
+      h_(control_functions(fit_of(problem, residuals_), functions_.all)),
+      unresolved_(fit_of(problem, residuals_), functions_.all, h_) {}
 
 Eigen::MatrixXd DensityResiduals::coefficients(Eigen::Index function) const {
   return h_.coefficients.col(function).reshaped<Eigen::RowMajor>(y().size(), v().size());
@@ -80,11 +92,13 @@ WeightedResiduals DensityResiduals::of(const transform::Density& density) const 
                            .error = {},
                            .contributions = {},
                            .unresolved = {},
+                           .contrasts = {},
                            .y_l1 = {},
                            .ydot_l1 = {}};
   const Eigen::VectorXd errors =
       -(h_.coefficients.transpose() * weak.residuals.reshaped<Eigen::RowMajor>().eval());
   const Eigen::VectorXd unresolved = unresolved_.of(weak);
+  const Eigen::VectorXd& contrasts = unresolved_.contrasts();
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const Eigen::MatrixXd h = coefficients(static_cast<Eigen::Index>(k));
     const double mean = h.cwiseProduct(weak.means).sum();
@@ -93,10 +107,12 @@ WeightedResiduals DensityResiduals::of(const transform::Density& density) const 
     result.error.*moment = result.contributions[k].sum();
     result.corrected.*moment -= result.error.*moment;
     result.unresolved[k] = unresolved(static_cast<Eigen::Index>(k));
+    result.contrasts[k] = contrasts(static_cast<Eigen::Index>(k));
   }
   const auto in_bins = [&](int first, int count) {
     return JudgedError{errors.segment(first, count).cwiseAbs().sum(),
-                       unresolved.segment(first, count).sum()};
+                       unresolved.segment(first, count).sum(),
+                       contrasts.segment(first, count).sum() / 2};
   };
   result.y_l1 = in_bins(functions_.moments, functions_.y_bins);
   result.ydot_l1 = in_bins(functions_.moments + functions_.y_bins, functions_.v_bins);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <span>
 
 #include "dual/residual/judged_functions.hpp"
@@ -19,6 +20,9 @@ inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
 struct JudgedError {
   double found = 0;       ///< by dual-weighted residuals
   double unresolved = 0;  ///< Unresolved, of what the residuals were weighted by
+  /// Half the sum of Unresolved::contrasts(): 0 where the residuals determine the shares of wells, 1
+  /// where they do not depend on them.
+  double contrast = 0;
 };
 
 /// A density's own errors, from itself and the problem alone.
@@ -31,13 +35,15 @@ struct WeightedResiduals {
   std::array<Eigen::MatrixXd, kMomentCount> contributions;
 
   std::array<double, kMomentCount> unresolved;  ///< of the moments, in their order
+  std::array<double, kMomentCount> contrasts;   ///< likewise: Unresolved::contrasts()
   /// Of p(y) and p(y') in L1, over the bins of judged_functions().
   JudgedError y_l1, ydot_l1;
 
   /// What can be said: the errors as found, kNotSeen times those in L1 for features that are
   /// narrower than bins, and what is unresolved in proportion to the error itself, since
-  /// (E_p - E)[e] is small where p is right.
-  transform::StatedError stated() const;
+  /// (E_p - E)[e] is small where p is right. Nothing where that is 2 or more, the L1 distance of
+  /// densities that have nothing in common: no estimate.
+  std::optional<transform::StatedError> stated() const;
 
   /// Of 1389 errors of closures in random problems one in twenty was more than 1.3 times what was
   /// found, one in a hundred more than 1.5 times (docs/limits.md).
@@ -61,9 +67,12 @@ struct WeightedResiduals {
 class DensityResiduals {
  public:
   static constexpr ControlCells kCells{.y = 40, .v = 88};
+  /// Wells under noise are narrower than the range of y: with kCells bins see less than half of an
+  /// error within them. In the time of kCells (docs/residuals.md).
+  static constexpr ControlCells kCellsOfWells{.y = 80, .v = 64};
   /// Between two wells solutions of the backward equation bend sharply along the orbits that end on
   /// top of the barrier, unless noise smoothes them.
-  static constexpr ControlCells kCellsOfWells{.y = 56, .v = 112};
+  static constexpr ControlCells kCellsOfSharpWells{.y = 56, .v = 112};
 
   /// Takes most of the time: the fit of h.
   /// @param problem in its frame, as the densities that are to be judged; residuals_refused() is empty

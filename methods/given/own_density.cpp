@@ -95,17 +95,6 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   return residuals;
 }
 
-void state_error(const ProblemResiduals& residuals, double accuracy, Solution& solution) {
-  const bool was_ok = solution.is_ok();
-  state_measured_error(residuals, accuracy, solution);
-  if (!was_ok || solution.is_ok() || !solution.error) return;
-  // Whether it meets any equation nobody has asked.
-  solution.reason = fmt::format(
-      "it misses the density of the problem by L1 {:.2g} in p(y) and {:.2g} in p(y') as measured "
-      "by its residuals ({:g} is asked for: accuracy)",
-      solution.error->y_l1, solution.error->ydot_l1, accuracy);
-}
-
 }  // namespace
 
 transform::Identity identity_of(const OwnDensity& own, std::string_view method,
@@ -193,7 +182,8 @@ Solution solution_of(const problem::Problem& problem, const Setting& setting, co
   note_rest(problem, observer);
   solution.observations = observer.take();
   if (own.equation && setting.residuals != nullptr) {
-    state_error(*setting.residuals, how.accuracy, solution);
+    // Whether it meets its equation nobody has asked.
+    state_measured_error(*setting.residuals, how.accuracy, solution, {}, "");
   }
   return solution;
 }

@@ -118,10 +118,10 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     Solution& solution = solutions[m];
     const auto l1 =
         reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
-    const auto accuracy = by_reference ? methods::accuracy_of(plan.methods[m]) : std::nullopt;
+    const auto accuracy = solution.error ? std::nullopt : methods::accuracy_of(plan.methods[m]);
     if (accuracy && l1) {
       methods::state_distance(*reference, {l1->y, l1->ydot}, *accuracy, solution);
-    } else if (accuracy) {
+    } else if (accuracy && by_reference) {
       methods::state_measured_error(residuals, *accuracy, solution);
     }
     result.methods.push_back(kept_of(solution));

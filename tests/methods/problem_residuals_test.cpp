@@ -10,6 +10,7 @@
 #include "exact/energy_law.hpp"
 #include "family.hpp"
 #include "methods/builtin.hpp"
+#include "methods/error_by_reference.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
@@ -127,6 +128,55 @@ TEST(MeasuredError, IsRefusedWhereTheLawHasAnAtom) {
   EXPECT_FALSE(solution.error);
   EXPECT_EQ(solution.status, Status::inaccurate);
   EXPECT_NE(solution.reason.find("atom"), std::string::npos) << solution.reason;
+}
+
+/// Two wells that exchange mass about once in exp(14) oscillations, and their exact density.
+struct DeepWells {
+  problem::Problem problem = tests::with_noise(
+      problem::System({.damping = 0.2, .constant = 0.02, .stiffness = -1, .cubic = 1},
+                      {.none = true}),
+      0.007);
+  exact::EnergyLaw law{problem};
+
+  Solution solution(const transform::Identity& identity) const {
+    Solution exact;
+    exact.identity = identity;
+    exact.status = Status::ok;
+    exact.density = transform::SmoothDensity{law, 2, 1.5, -2};
+    return exact;
+  }
+};
+
+TEST(MeasuredError, IsUnknownWhereResidualsDoNotDetermineTheSharesOfWells) {
+  const DeepWells wells;
+  auto solution = wells.solution({});
+  state_measured_error(ProblemResiduals(wells.problem), 0.02, solution);
+  EXPECT_FALSE(solution.error);
+  EXPECT_EQ(solution.status, Status::inaccurate);
+  EXPECT_NE(solution.reason.find("unknown"), std::string::npos) << solution.reason;
+}
+
+TEST(MeasuredError, IsTheDistanceToTheReferenceWhereResidualsGiveNone) {
+  const DeepWells wells;
+  std::vector<Method> methods(2);
+  auto &closure = methods[0].identity, &best = methods[1].identity;
+  closure.id = "mine";
+  closure.role = transform::Role::closure;
+  methods[0].options = {{"accuracy", 0.02}};
+  best.id = "best";
+  best.role = transform::Role::equation;
+  best.equation = problem::Equation::kf;
+  best.impact = problem::Impact::map;
+  std::vector<Solution> solutions{wells.solution(closure), wells.solution(best)};
+  solutions[1].error = transform::StatedError{.y_l1 = 0.004, .ydot_l1 = 0.003};
+  const ProblemResiduals residuals(wells.problem);
+  state_measured_error(residuals, 0.02, solutions[0]);
+  ASSERT_EQ(solutions[0].status, Status::inaccurate);
+  state_errors_by_reference(methods, compare::comparison_axes(wells.problem), residuals, solutions);
+  EXPECT_EQ(solutions[0].status, Status::ok) << solutions[0].reason;
+  EXPECT_EQ(solutions[0].reason, "");
+  ASSERT_TRUE(solutions[0].error);
+  EXPECT_NEAR(solutions[0].error->y_l1, 0.004, 1e-12);
 }
 
 TEST(ProblemResiduals, AreFittedOnceForAllThreads) {

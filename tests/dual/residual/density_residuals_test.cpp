@@ -157,11 +157,12 @@ TEST(DensityResiduals, KnowHowFarMarginalsAreFromTheExactOnes) {
     EXPECT_NEAR(found.y_l1.found / y_true, 0.94, 0.06) << law;
     EXPECT_NEAR(found.ydot_l1.found / v_true, 0.94, 0.06) << law;
     const auto stated = found.stated();
-    EXPECT_GT(stated.y_l1, y_true) << law;
-    EXPECT_LT(stated.y_l1, 1.8 * y_true) << law;
-    EXPECT_GT(stated.ydot_l1, v_true) << law;
-    EXPECT_LT(stated.ydot_l1, 1.8 * v_true) << law;
-    EXPECT_GE(stated.moments.y2, std::abs(found.error.y2)) << law;
+    ASSERT_TRUE(stated) << law;
+    EXPECT_GT(stated->y_l1, y_true) << law;
+    EXPECT_LT(stated->y_l1, 1.8 * y_true) << law;
+    EXPECT_GT(stated->ydot_l1, v_true) << law;
+    EXPECT_LT(stated->ydot_l1, 1.8 * v_true) << law;
+    EXPECT_GE(stated->moments.y2, std::abs(found.error.y2)) << law;
   }
 }
 
@@ -180,14 +181,19 @@ TEST(DensityResiduals, OfWideCellsAreOffByLessThanWhatTheyLeaveUnresolved) {
 
 TEST(StatedError, GrowsByWhatIsUnresolvedInProportionToTheError) {
   WeightedResiduals residuals{};
-  const auto stated = [&](double found, double unresolved) {
-    residuals.y_l1 = {found, unresolved};
-    return residuals.stated().y_l1 / WeightedResiduals::kNotSeen;
+  const auto stated = [&](double found, double unresolved, double contrast = 0) {
+    residuals.y_l1 = {found, unresolved, contrast};
+    const auto error = residuals.stated();
+    return error ? error->y_l1 / WeightedResiduals::kNotSeen : -1;
   };
   EXPECT_DOUBLE_EQ(stated(0.01, 0), 0.01);
   EXPECT_DOUBLE_EQ(stated(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02
   EXPECT_DOUBLE_EQ(stated(0.5, 0.02), 0.54);         // no more than twice what is unresolved
   EXPECT_DOUBLE_EQ(stated(0, 0.2), 0.4);             // nothing is found where nothing is known
+  EXPECT_DOUBLE_EQ(stated(0.01, 0, 0.5), 0.02);      // half of the error of wells' shares is seen
+  EXPECT_DOUBLE_EQ(stated(0.01, 0.02, 0.3), 0.02);   // t = 0.01 + 10 t 0.02 + 0.3 t
+  EXPECT_EQ(stated(0, 0.7), -1);                     // no two densities are farther apart than 2
+  EXPECT_EQ(stated(0, 0, 0.6), -1);                  // shares of wells are hardly seen
 }
 
 TEST(DensityResiduals, DoNotDependOnTheUnitOfTheDensity) {

@@ -21,6 +21,10 @@ WeakResiduals weak_residuals(const problem::Problem& problem) {
   return {problem, std::move(splines.y), std::move(splines.v)};
 }
 
+ControlProblem fit_of(const problem::Problem& problem, const WeakResiduals& residuals) {
+  return usual_control(problem, residuals.y(), residuals.v(), 1);
+}
+
 double one_of(double) { return 1; }
 double same(double x) { return x; }
 double none(double) { return 0; }
@@ -42,12 +46,12 @@ TEST(Unresolved, IsNothingWhereTheBackwardEquationIsSolved) {
   const std::vector<SeparableFunction> f{{one_of, same}};
   const auto weak = residuals(bell());
   EXPECT_NEAR(weak.cells.sum(), 1, 1e-12);
-  const Unresolved solved(problem, residuals, f, {-linear(residuals, false), {0}});
+  const Unresolved solved(fit_of(problem, residuals), f, {-linear(residuals, false), {0}});
   EXPECT_NEAR(solved.of(weak)(0), 0, 1e-12);
   // The wrong sign leaves 2 v, a wrong mean what it is off by.
-  const Unresolved wrong(problem, residuals, f, {linear(residuals, false), {0}});
+  const Unresolved wrong(fit_of(problem, residuals), f, {linear(residuals, false), {0}});
   EXPECT_NEAR(wrong.of(weak)(0), 2 * kSv * std::sqrt(2 / std::numbers::pi), 5e-3);
-  const Unresolved off(problem, residuals, f, {-linear(residuals, false), {0.3}});
+  const Unresolved off(fit_of(problem, residuals), f, {-linear(residuals, false), {0.3}});
   EXPECT_NEAR(off.of(weak)(0), 0.3, 1e-12);
 }
 
@@ -56,7 +60,8 @@ TEST(Unresolved, CountsJumpsAtTheWallByTheirFlux) {
   const auto left = [](double restitution) {
     const auto problem = tests::make_problem({.restitution = restitution});
     const auto residuals = weak_residuals(problem);
-    const Unresolved unresolved(problem, residuals, std::vector<SeparableFunction>{{none, none}},
+    const Unresolved unresolved(fit_of(problem, residuals),
+                                std::vector<SeparableFunction>{{none, none}},
                                 {linear(residuals, true), {0}});
     return unresolved.of(residuals(bell()))(0);
   };
