@@ -7,9 +7,9 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "paper/claims.hpp"
-#include "paper/figures.hpp"
 #include "paper/files.hpp"
 #include "paper/judge.hpp"
+#include "paper/supplement.hpp"
 #include "paper/table.hpp"
 #include "parameters/input_error.hpp"
 #include "problem/named_cases.hpp"
@@ -24,15 +24,16 @@ Duffing system under external Poisson impulses): solves its four cases by its cl
 4, 6 and 8, by finite differences and by simulation as `run` does, and judges what its sections 3
 and 4 say of them: a row a claim, with the numbers that decide it, what the claim asks of them, and
 what came out. Draws its Figs. 2-5 too.
-  established       the numbers are what the paper says
-  established, but  they are, of something that is no probability density
-  not established   they are not
-  unjudged          a number is missing
+  established       the run's numbers are as the claim states
+  established, but  they are, of a solution that is no probability density
+  not established   they are not as the claim states
+  unjudged          a number that decides it is missing
 Exit code 0 when every claim was judged, whatever came out, and finite differences and simulation
 reached their solutions; else 1.
 
 DIR gets what a run leaves, claims.csv, claims.json, and the paper's figures as
-figures/paper-fig-2.png .. -5. Of --json, `claims` has the table.
+figures/paper-fig-2.png .. -5; report.html has claims and figures too, and `report`
+makes all of it again. Of --json, `claims` has the table.
 
 examples:
   fpkcheck paper
@@ -42,15 +43,9 @@ constexpr const char* kDefaultPaperDirectory = "fpkcheck-paper";
 
 Supplement claims_of(const results::Run& run, report::FigureWidth width) {
   const auto judgements = paper::judge(run);
-  Supplement supplement{
-      .text = '\n' + paper::table(judgements, terminal_format()),
-      .json = paper::summary_with_claims(judgements, run),
-      .files = {{paper::kClaimsCsv, paper::claims_csv(judgements)},
-                {paper::kClaimsJson, paper::claims_json(judgements, run.program) + '\n'}},
-      .pictures = {},
-      .failures = {}};
-  for (auto& [stem, script] : paper::figures(run, width))
-    supplement.pictures.push_back({stem, script});
+  Supplement supplement{.report = paper::supplement(judgements, run, width, terminal_format()),
+                        .json = paper::summary_with_claims(judgements, run),
+                        .failures = {}};
   for (const auto& one : judgements) {
     if (one.outcome != paper::Outcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",

@@ -5,10 +5,13 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
+#include "paper/judge.hpp"
+#include "paper/supplement.hpp"
 #include "parameters/input_error.hpp"
 #include "process/files_in_hand.hpp"
 #include "report/figure/curve_choice.hpp"
 #include "report/report.hpp"
+#include "report/supplement.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::cli {
@@ -16,7 +19,8 @@ namespace {
 
 constexpr const char* kReportUsage = R"(usage: fpkcheck report DIR [options]
 
-Prints the table of a saved run, and makes its report.html and pictures again. Solves nothing.
+Prints the table of a saved run, and makes its report.html and pictures again; of a run of `paper`
+the claims and the paper's figures too. Solves nothing.
 )";
 
 }  // namespace
@@ -42,10 +46,14 @@ int report_command(const Call& call) {
   }
   report::require_curves(figures.curves, there);
   const process::FilesInHand in_hand;
-  const auto [table, warnings] =
-      report::report_again(directories.front(), run, terminal_format(), figures);
+  const auto format = terminal_format();
+  const auto supplement = paper::is_run_of_paper(run)
+                              ? paper::supplement(paper::judge(run), run, figures.width, format)
+                              : report::Supplement{};
+  const auto [text, warnings] =
+      report::report_again(directories.front(), run, format, figures, supplement);
   note_kept("the page was written, not all pictures");
-  if (!quiet) put_out(table);
+  if (!quiet) put_out(text);
   for (const auto& warning : warnings) complain(warning);
   return kDone;
 }

@@ -23,9 +23,7 @@
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
 #include "report/figure/curve_choice.hpp"
-#include "report/figure/drawing.hpp"
 #include "report/report.hpp"
-#include "report/table.hpp"
 #include "results/run_json.hpp"
 
 namespace fpkcheck::cli {
@@ -125,20 +123,6 @@ void write_stopped(const std::filesystem::path& directory, const results::Run& r
                         directory.string(), directory.string()));
 }
 
-// Everything that a run leaves in its directory.
-// @return warnings about pictures, one line each
-std::vector<std::string> write_all(const std::filesystem::path& directory, const results::Run& run,
-                                   const report::FigureOptions& figures,
-                                   const Supplement& supplement) {
-  auto warnings = report::write_report(directory, run, figures, supplement.files);
-  for (const auto& [name, script] : supplement.pictures) {
-    const auto own =
-        report::write_pictures(directory / "figures", name, script, figures, "gnuplot");
-    warnings.insert(warnings.end(), own.begin(), own.end());
-  }
-  return warnings;
-}
-
 }  // namespace
 
 report::TextFormat terminal_format() {
@@ -214,14 +198,15 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   if (common.json) {
     put_out((supplement.json.empty() ? results::summary_text(run) : supplement.json) + '\n');
   } else if (!common.quiet) {
-    put_out(report::table(run, terminal_format()) + supplement.text);
+    put_out(report::terminal_text(run, supplement.report, terminal_format()));
   }
   if (stopped) return kNotReached;  // the caller says by what
 
   bool all_drawn = true;
   if (common.out) {
     const process::FilesInHand in_hand;
-    for (const auto& warning : write_all(*common.out, run, common.figures, supplement)) {
+    for (const auto& warning :
+         report::write_report(*common.out, run, common.figures, supplement.report)) {
       complain(warning);
       all_drawn = false;
     }
@@ -237,7 +222,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                                  [&](const results::Case& one) { return !(one.*list).empty(); });
     };
     std::string others;
-    for (const auto& file : supplement.files) others += ", " + file.name;
+    for (const auto& file : supplement.report.files) others += ", " + file.name;
     put_out(fmt::format(
         "\n{}{:.1f} s.\n",
         common.out

@@ -8,6 +8,7 @@
 #include "cli/interruption.hpp"
 #include "methods/method.hpp"
 #include "report/report.hpp"
+#include "report/supplement.hpp"
 #include "report/text/format.hpp"
 #include "results/run.hpp"
 
@@ -22,13 +23,8 @@ enum class Required {
 
 /// What a command makes of a run that came to its end, beside what every run leaves.
 struct Supplement {
-  struct Picture {
-    std::string stem, script;  ///< of gnuplot
-  };
-  std::string text;  ///< printed after the table
+  report::Supplement report;
   std::string json;  ///< printed instead of the summary
-  std::vector<report::FileBeside> files;
-  std::vector<Picture> pictures;  ///< drawn into figures/
   /// What makes the exit code other than 0, a line each.
   std::vector<std::string> failures;
 };

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "paper/claims.hpp"
 #include "report/figure/content.hpp"
 #include "report/figure/ranges.hpp"
 #include "report/figure/script.hpp"
+#include "report/page/density_plots.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -29,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> names_in_the_paper() {
 }
 
 // The case as the paper's figure shows it: four solutions under other names, and their curves.
-Case as_in_the_paper(const Case& one, int figure) {
+Case as_in_the_paper(const Case& one) {
   Case shown{.problem = one.problem,
              .solutions = {},
              .pairs = {},
@@ -37,7 +40,6 @@ Case as_in_the_paper(const Case& one, int figure) {
              .limits = {},
              .curves = {},
              .joints = {}};
-  shown.problem.name = fmt::format("Fig. {} ({})", figure, one.name());
   for (const auto& [id, paper_name] : names_in_the_paper()) {
     const auto* solution = one.find(id);
     if (solution == nullptr) continue;
@@ -53,15 +55,14 @@ Case as_in_the_paper(const Case& one, int figure) {
   return shown;
 }
 
-}  // namespace
-
-std::vector<Figure> figures(const results::Run& run, report::FigureWidth width) {
-  std::vector<Figure> all;
+// Calls use(figure, case as the paper shows it, content) for each figure.
+template <class Use>
+void for_each_figure(const results::Run& run, const Use& use) {
   for (int number = 1; number <= 4; ++number) {
     const auto one = std::ranges::find(run.cases, case_name(number), &Case::name);
     if (one == run.cases.end()) continue;
     const int figure = Claim::figure(number);
-    const Case shown = as_in_the_paper(*one, figure);
+    const Case shown = as_in_the_paper(*one);
     auto content = report::figure_content(shown);
     if (content.sides.empty()) continue;
     // The paper has no differences.
@@ -74,9 +75,38 @@ std::vector<Figure> figures(const results::Run& run, report::FigureWidth width) 
       side.ranges.largest_density =
           std::max(side.ranges.largest_density, all_curves.largest_density);
     }
-    const std::string stem = fmt::format("paper-fig-{}", figure);
-    all.push_back({stem, report::figure_script(shown.problem, content, stem, width)});
+    use(figure, shown, content);
   }
+}
+
+std::string stem_of(int figure) { return fmt::format("paper-fig-{}", figure); }
+
+}  // namespace
+
+std::vector<report::Picture> figures(const results::Run& run, report::FigureWidth width) {
+  std::vector<report::Picture> all;
+  for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
+    const std::string stem = stem_of(figure);
+    problem::Problem titled = shown.problem;
+    titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
+    all.push_back({stem, report::figure_script(titled, content, stem, width)});
+  });
+  return all;
+}
+
+std::vector<std::vector<report::Plot>> figure_plots(const results::Run& run) {
+  std::vector<std::vector<report::Plot>> all;
+  for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
+    std::set<std::string> ids;
+    for (const auto& solution : shown.solutions) ids.insert(solution.id());
+    auto plots = report::density_plots(shown, content, ids, stem_of(figure));
+    for (std::size_t k = 0; k < plots.size(); ++k) {
+      const bool of_y = content.sides[k].variable == transform::Variable::y;
+      plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, of_y ? "a, b" : "c, d",
+                                     shown.problem.name, plots[k].caption);
+    }
+    all.push_back(std::move(plots));
+  });
   return all;
 }
 

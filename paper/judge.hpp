@@ -13,9 +13,10 @@ namespace fpkcheck::paper {
 enum class Outcome { established, qualified, not_established, unjudged };
 /// As written in files and tables.
 inline constexpr parameters::Named<Outcome> kOutcomeNames[] = {
-    {Outcome::established, "established"},
-    {Outcome::qualified, "established, but", "of something that is no probability density"},
-    {Outcome::not_established, "not established"},
+    {Outcome::established, "established", "the run's numbers are as the claim states"},
+    {Outcome::qualified, "established, but",
+     "the numbers are as the claim states, of a solution that is no probability density"},
+    {Outcome::not_established, "not established", "the numbers are not as the claim states"},
     {Outcome::unjudged, "unjudged", "a number that decides it is missing"}};
 constexpr std::span<const parameters::Named<Outcome>> names(Outcome) { return kOutcomeNames; }
 constexpr std::string_view name(Outcome outcome) { return parameters::name_of(outcome); }

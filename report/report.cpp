@@ -7,6 +7,7 @@
 #include "report/figure/pictures.hpp"
 #include "report/page/page.hpp"
 #include "report/table.hpp"
+#include "report/text/wrapped.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -31,25 +32,35 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 }  // namespace
 
 std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
-                                      const FigureOptions& figures,
-                                      const std::vector<FileBeside>& beside) {
+                                      const FigureOptions& figures, const Supplement& supplement) {
   const auto earlier = earlier_run(directory);
   files::PendingFiles files;
   results::add_run(files, directory, run);
-  files.add(directory / kPageFile, page(run));
-  for (const auto& [name, text] : beside) files.add(directory / name, text);
+  files.add(directory / kPageFile, page(run, supplement));
+  for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
   files.commit();
   if (earlier) remove_pictures(directory, *earlier);
-  return draw_pictures(directory, run, figures);
+  return draw_pictures(directory, run, figures, "gnuplot", supplement.pictures);
+}
+
+std::string terminal_text(const results::Run& run, const Supplement& supplement,
+                          const TextFormat& format) {
+  std::string text;
+  for (const auto& sentence : supplement.summary) text += wrapped(sentence, format.width);
+  if (!text.empty()) text += '\n';
+  return text + table(run, format) + supplement.text;
 }
 
 ReportAgain report_again(const fs::path& directory, const results::Run& run,
-                         const TextFormat& format, const FigureOptions& figures) {
+                         const TextFormat& format, const FigureOptions& figures,
+                         const Supplement& supplement) {
   // All of it before anything is written.
-  const std::string html = page(run);
-  ReportAgain again{table(run, format), {}};
-  files::write_file(directory / kPageFile, html);
-  again.warnings = draw_pictures(directory, run, figures);
+  ReportAgain again{terminal_text(run, supplement, format), {}};
+  files::PendingFiles files;
+  files.add(directory / kPageFile, page(run, supplement));
+  for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
+  files.commit();
+  again.warnings = draw_pictures(directory, run, figures, "gnuplot", supplement.pictures);
   return again;
 }
 

@@ -18,11 +18,6 @@ namespace {
 std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
 std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
 
-/// A gnuplot script, and the name without extension under which it and its pictures are filed.
-struct Picture {
-  std::string stem, script;
-};
-
 // @param warnings gets a line for each case of which there is nothing to draw
 std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& options,
                                  std::vector<std::string>& warnings) {
@@ -60,12 +55,15 @@ void remove_pictures(const fs::path& directory, const results::Run& run) {
 }
 
 std::vector<std::string> draw_pictures(const fs::path& directory, const results::Run& run,
-                                       const FigureOptions& options, const std::string& gnuplot) {
+                                       const FigureOptions& options, const std::string& gnuplot,
+                                       const std::vector<Picture>& others) {
   const fs::path figures = directory / "figures";
   std::vector<std::string> warnings;
-  const auto pictures = pictures_of(run, options, warnings);
+  auto pictures = pictures_of(run, options, warnings);
+  pictures.insert(pictures.end(), others.begin(), others.end());
   fs::create_directories(figures);
   remove_pictures(directory, run);
+  for (const auto& picture : others) remove_pictures_of(figures, picture.stem);
   for (const auto& [stem, script] : pictures) {
     files::write_file(figures / (stem + ".gp"), script);
   }

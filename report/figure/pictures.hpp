@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/figure/options.hpp"
+#include "report/supplement.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {
@@ -17,10 +18,12 @@ void remove_pictures(const std::filesystem::path& directory, const results::Run&
 /// files it; NAME-budget likewise where there is an error budget, and NAME-sources where there are
 /// sources of errors. A case that cannot be drawn has no pictures afterwards.
 /// @param gnuplot the program that draws
+/// @param others  drawn after those of the cases
 /// @return warnings, one line each: pictures that could not be drawn, and why
 /// @throws std::runtime_error when a script cannot be written
 std::vector<std::string> draw_pictures(const std::filesystem::path& directory,
                                        const results::Run& run, const FigureOptions& options = {},
-                                       const std::string& gnuplot = "gnuplot");
+                                       const std::string& gnuplot = "gnuplot",
+                                       const std::vector<Picture>& others = {});
 
 }  // namespace fpkcheck::report

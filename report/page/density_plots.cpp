@@ -36,12 +36,13 @@ std::vector<double> at_least(std::vector<double> values, double least) {
 
 class DensityPlot {
  public:
-  DensityPlot(const results::Case& one, const FigureSide& side, const FigureContent& content)
+  DensityPlot(const results::Case& one, const FigureSide& side, const FigureContent& content,
+              const std::set<std::string>& shown)
       : one_(one),
         side_(side),
         reference_(content.reference),
         smooth_(content.smooth_differences),
-        shown_(first_shown(one)) {
+        shown_(shown) {
     for (const auto& drawn : side_.curves) add(drawn);
   }
 
@@ -206,14 +207,14 @@ class DensityPlot {
   const FigureSide& side_;
   const std::string& reference_;  // "" without one
   bool smooth_;                   // differences of averages over smooth bins
-  std::set<std::string> shown_;
+  const std::set<std::string>& shown_;
   Json arrays_ = Json::object(), traces_ = Json::array();
 };
 
 }  // namespace
 
-std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix) {
-  const FigureContent content = figure_content(one);
+std::vector<Plot> density_plots(const results::Case& one, const FigureContent& content,
+                                const std::set<std::string>& shown, const std::string& prefix) {
   std::vector<Plot> plots;
   for (const auto& side : content.sides) {
     std::string caption(parameters::meaning_of(side.variable));
@@ -228,9 +229,13 @@ std::vector<Plot> density_plots(const results::Case& one, const std::string& pre
     }
     caption += "logarithm of the density; density";
     plots.push_back({fmt::format("{}-density-{}", prefix, name(side.variable)), caption,
-                     DensityPlot(one, side, content).figure()});
+                     DensityPlot(one, side, content, shown).figure()});
   }
   return plots;
+}
+
+std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix) {
+  return density_plots(one, figure_content(one), first_shown(one), prefix);
 }
 
 }  // namespace fpkcheck::report

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
+#include "report/figure/content.hpp"
 #include "report/page/plot.hpp"
 #include "results/run.hpp"
 
@@ -12,5 +14,11 @@ namespace fpkcheck::report {
 /// difference from the reference; the simulation as points in its 95 % band.
 /// @param prefix how the ids of the plots begin
 std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix);
+
+/// The same of some of its curves.
+/// @param content of the case
+/// @param shown   ids of the solutions that are not switched off at first
+std::vector<Plot> density_plots(const results::Case& one, const FigureContent& content,
+                                const std::set<std::string>& shown, const std::string& prefix);
 
 }  // namespace fpkcheck::report

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace fpkcheck::report {
 namespace {
@@ -11,9 +12,12 @@ std::string_view css_class(const HtmlColumn& column) {
   return column.align == Align::right ? " class=\"number\"" : "";
 }
 
-// A status in a frame of its colour.
+// A status in a frame of its colour: by a class of its letters.
 std::string chip(const std::string& status) {
-  return fmt::format("<span class=\"chip {0}\">{0}</span>", status);
+  std::string letters = status;
+  std::ranges::replace_if(
+      letters, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return fmt::format("<span class=\"chip {}\">{}</span>", letters, status);
 }
 
 bool says_nothing(const HtmlColumn& column) {

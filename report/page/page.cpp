@@ -124,11 +124,18 @@ std::string link(std::string_view anchor, std::string_view text) {
   return fmt::format("<a href=\"#{}\">{}</a>", escaped(anchor), escaped(text));
 }
 
+std::string section_html(const PageSection& section) {
+  return fmt::format("<section id=\"{}\">\n", escaped(section.anchor)) +
+         element("h2", section.heading) + section.html + "</section>\n";
+}
+
 // Few cases stand beside each other; all of them, with parameters and parts, in a menu.
-std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections) {
+std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections,
+                       const std::vector<PageSection>& others) {
   constexpr std::size_t kBesideEachOther = 6;
-  std::string html = "<nav aria-label=\"Sections\">\n" + link("verdict", "Verdict") + '\n' +
-                     link("problem", "Problem") + '\n';
+  std::string html = "<nav aria-label=\"Sections\">\n" + link("verdict", "Verdict") + '\n';
+  for (const auto& other : others) html += link(other.anchor, other.heading) + '\n';
+  html += link("problem", "Problem") + '\n';
   std::string menu;
   for (std::size_t k = 0; k < sections.size(); ++k) {
     const std::string& name = run.cases[k].name();
@@ -169,15 +176,21 @@ std::string filled(std::string_view frame, const std::map<std::string, std::stri
 
 }  // namespace
 
-std::string page(const results::Run& run) {
+std::string page(const results::Run& run, const Supplement& supplement) {
   std::vector<CaseSection> sections;
   std::vector<std::string> anchors;
-  std::string cases, plots;
+  std::string cases, plots, others;
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
     anchors.push_back(case_id(k));
     sections.emplace_back(run, run.cases[k], case_id(k));
     cases += sections.back().html();
     plots += (k == 0 ? "" : ",") + sections.back().plots();
+  }
+  for (const auto& section : supplement.sections) {
+    others += section_html(section);
+    for (const auto& group : section.groups) {
+      plots += fmt::format(R"({}{{"plots":{}}})", plots.empty() ? "" : ",", plots_json(group));
+    }
   }
   const bool with_walls = std::ranges::any_of(run.cases, [](const results::Case& one) {
     return one.problem.system.left() || one.problem.system.right();
@@ -185,11 +198,13 @@ std::string page(const results::Run& run) {
   const std::string title = std::string("fpkcheck: stationary densities of ") +
                             (with_walls ? "a vibro-impact oscillator" : "an oscillator");
   const std::string body =
-      navigation(run, sections) + "<main>\n" + element("h1", title) +
+      navigation(run, sections, supplement.sections) + "<main>\n" + element("h1", title) +
       (run.stopped.empty() ? "" : "<p>" + element("strong", run.stopped) + "</p>\n") +
-      verdict_html(run, anchors) + "<section id=\"problem\">\n" + element("h2", "The problem") +
-      problem_html(run) + folded("names", "What the names mean", glossary_html(run)) +
-      "</section>\n" + cases + repetition(run) + "</main>\n";
+      (supplement.summary.empty() ? "" : answer_html(supplement.summary.front())) +
+      verdict_html(run, anchors) + others + "<section id=\"problem\">\n" +
+      element("h2", "The problem") + problem_html(run) +
+      folded("names", "What the names mean", glossary_html(run)) + "</section>\n" + cases +
+      repetition(run) + "</main>\n";
   // It does not change while the program runs.
   static const std::string plotly = gzip_base64(plotly_script());
   return filled(page_frame(), {{"title", title},

@@ -89,12 +89,14 @@ std::string lines_html(const std::vector<VerdictLine>& lines) {
 
 }  // namespace
 
+std::string answer_html(const std::string& sentence) {
+  return fmt::format("<p class=\"answer\">{}</p>\n", escaped(sentence));
+}
+
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors) {
   const Verdict said = verdict(run);
   std::string html = "<section id=\"verdict\">\n";
-  for (const auto& sentence : said.answer) {
-    html += fmt::format("<p class=\"answer\">{}</p>\n", escaped(sentence));
-  }
+  for (const auto& sentence : said.answer) html += answer_html(sentence);
   html += "<div class=\"front\">\n<div>\n" + matrix_html(run, said.records, anchors) + "</div>\n";
   html += distance_strip(run, said.records) + "</div>\n";
   html += element("h2", "What became of each method") + lines_html(said.lines);

@@ -41,12 +41,15 @@ TEST(RunSupplement, IsPrintedAfterTheTableAndWrittenBesideTheFiles) {
   CommonArguments common;
   common.cases = {"case1"};
   common.out = directory.path().string();
-  const auto said = solve(common, {.text = "\nand more\n",
+  const auto said = solve(common, {.report = {.summary = {"First of all."},
+                                              .text = "\nand more\n",
+                                              .sections = {},
+                                              .files = {{"more.csv", "a,b\n"}},
+                                              .pictures = {{"more", "# nothing to draw\n"}}},
                                    .json = {},
-                                   .files = {{"more.csv", "a,b\n"}},
-                                   .pictures = {{"more", "# nothing to draw\n"}},
                                    .failures = {}});
   EXPECT_EQ(said.exit_code, kDone);
+  EXPECT_TRUE(said.out.starts_with("First of all.\n\n")) << said.out;
   EXPECT_LT(said.out.find("epc-gaussian-n2"), said.out.find("\nand more\n"));
   EXPECT_NE(said.out.find(", more.csv and "), std::string::npos) << said.out;
   std::ifstream written(directory.path() / "more.csv");
@@ -60,8 +63,8 @@ TEST(RunSupplement, ReplacesTheSummaryAndItsFailuresDecideTheExitCode) {
   CommonArguments common;
   common.cases = {"case1"};
   common.json = true;
-  const Supplement supplement{
-      .text = "not this", .json = "{}", .files = {}, .pictures = {}, .failures = {"why"}};
+  Supplement supplement{.report = {}, .json = "{}", .failures = {"why"}};
+  supplement.report.text = "not this";
   const auto json = solve(common, supplement);
   EXPECT_EQ(json.exit_code, kNotReached);
   EXPECT_EQ(json.out, "{}\n");

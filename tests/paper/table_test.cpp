@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "judged_run.hpp"
@@ -54,9 +55,30 @@ TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
   std::vector<Judgement> three(3);
   three[0].outcome = Outcome::established;
   three[1].outcome = Outcome::not_established;
-  EXPECT_EQ(closing_sentence(three),
-            "3 claims of the paper: 1 established, 1 not established, 1 unjudged (a number that "
-            "decides it is missing).");
+  EXPECT_EQ(
+      closing_sentence(three),
+      "3 claims of the paper: 1 established (the run's numbers are as the claim states); 1 not "
+      "established (the numbers are not as the claim states); 1 unjudged (a number that "
+      "decides it is missing).");
+}
+
+// Each claim that is not simply established once, with the cases in which it came out so.
+TEST(ClaimsTable, IsSummedUpByTheClaimsOfEachOtherOutcome) {
+  const auto judgements = judge(tests::run_with_distances());
+  const auto sentences = summary(judgements);
+  EXPECT_EQ(sentences.front(), closing_sentence(judgements));
+  std::set<Outcome> outcomes;
+  for (const auto& one : judgements) {
+    if (one.outcome == Outcome::established) continue;
+    outcomes.insert(one.outcome);
+    const std::string begin = std::string(name(one.outcome)).substr(1) + ": ";
+    const auto own = std::ranges::find_if(sentences, [&](const std::string& sentence) {
+      return sentence.substr(1).starts_with(begin);
+    });
+    ASSERT_NE(own, sentences.end()) << begin;
+    EXPECT_EQ(count(*own, words(one.claim) + " (case "), 1u) << *own;
+  }
+  EXPECT_EQ(sentences.size(), 1 + outcomes.size());
 }
 
 }  // namespace

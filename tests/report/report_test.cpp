@@ -49,7 +49,7 @@ TEST(Report, AgainIsTheSameReport) {
   fs::remove_all(directory.path() / "figures");
   fs::remove(directory.path() / "report.html");
   const auto again = report_again(directory.path(), results::load_run(directory.path()), 80);
-  EXPECT_EQ(again.table, table(run, 80));
+  EXPECT_EQ(again.text, table(run, 80));
   for (const auto& [file, text] : files_of(directory.path())) {
     EXPECT_TRUE(before.contains(file) && before.at(file) == text) << file;
   }
@@ -101,7 +101,7 @@ TEST(Report, OfAnOlderRunWithoutBudgetIdentityOrJointDensitiesIsMade) {
                 .impact = identity.impact};
   }
   const auto again = report_again(directory.path(), run);
-  EXPECT_TRUE(tests::contains(again.table, "There is no reference")) << again.table;
+  EXPECT_TRUE(tests::contains(again.text, "There is no reference")) << again.text;
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "report.html"));
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));
   EXPECT_FALSE(fs::exists(directory.path() / "figures" / "case1-budget.gp"));

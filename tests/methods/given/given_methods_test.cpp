@@ -203,7 +203,7 @@ TEST_F(GivenMethods, AreReportedOnAgainFromTheSavedRun) {
   const fs::path saved = directory_.path() / "run";
   fs::create_directory(saved);
   report::write_report(saved, run);
-  const std::string again = report::report_again(saved, results::load_run(saved), 80).table;
+  const std::string again = report::report_again(saved, results::load_run(saved), 80).text;
   EXPECT_EQ(again, report::table(run, 80));
   EXPECT_TRUE(contains(again, "given/-"));
   EXPECT_TRUE(contains(again, "given: from a file."));

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "cli/program.hpp"
+#include "files/pending_files.hpp"
+#include "methods/builtin.hpp"
+#include "paper/claims.hpp"
+#include "paper/files.hpp"
+#include "paper/judge.hpp"
+#include "paper/judged_run.hpp"
+#include "paper/table.hpp"
+#include "results/saved_run.hpp"
+#include "temporary_directory.hpp"
+
+/// `report` of a directory that `paper` left.
+namespace fpkcheck::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// What a run saves, without page and pictures.
+void save(const fs::path& directory, const results::Run& run) {
+  files::PendingFiles files;
+  results::add_run(files, directory, run);
+  files.commit();
+}
+
+std::string report_of(const fs::path& directory) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_program({"report", directory.string()}, methods::builtin()), kDone);
+  std::fflush(stdout);
+  return testing::internal::GetCapturedStdout();
+}
+
+TEST(ReportOfPaper, HasClaimsAndFiguresOnItsPageAndTheSummaryFirst) {
+  const tests::TemporaryDirectory directory;
+  const auto run = tests::run_with_distances();
+  save(directory.path(), run);
+  const std::string text = report_of(directory.path());
+  // What is judged is what was saved.
+  const auto judgements = paper::judge(run);
+  EXPECT_EQ(text.find(fmt::format("{} claims", judgements.size())), 0u) << text.substr(0, 200);
+  EXPECT_EQ(contents(directory.path() / paper::kClaimsCsv), paper::claims_csv(judgements));
+  EXPECT_TRUE(fs::exists(directory.path() / paper::kClaimsJson));
+  const std::string page = contents(directory.path() / "report.html");
+  const auto begin = page.find("<section id=\"claims\">");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string section = page.substr(begin, page.find("</section>", begin) - begin);
+  for (const auto& row : paper::rows(judgements)) {
+    EXPECT_NE(section.find(">" + row.outcome + "<"), std::string::npos) << row.outcome;
+  }
+  EXPECT_EQ(count(section, "<span class=\"chip "), judgements.size());
+  for (const char* number : {"2", "3", "4", "5"}) {
+    const std::string figure = std::string("paper-fig-") + number;
+    EXPECT_TRUE(fs::exists(directory.path() / "figures" / (figure + ".gp"))) << figure;
+    for (const char* variable : {"y", "ydot"}) {
+      EXPECT_EQ(count(section, "id=\"" + figure + "-density-" + variable + "\""), 1u) << figure;
+    }
+  }
+  EXPECT_LT(page.find("claims of the paper"), page.find("<section id=\"verdict\">"));
+}
+
+TEST(ReportOfPaper, IsNotMadeOfAnotherRunOfTheSameCases) {
+  const tests::TemporaryDirectory directory;
+  auto run = tests::run_with_distances();
+  run.program.command = "fpkcheck run --out paper";
+  save(directory.path(), run);
+  EXPECT_EQ(report_of(directory.path()).find("claims"), std::string::npos);
+  EXPECT_FALSE(fs::exists(directory.path() / paper::kClaimsCsv));
+}
+
+}  // namespace
+}  // namespace fpkcheck::cli
