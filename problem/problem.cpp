@@ -107,7 +107,9 @@ std::string parameters_text(const Problem& problem, bool typeset) {
     } else if (symbol.empty()) {
       part.insert(part.begin(), fmt::format("{} impulses", number_text(p.value)));
     } else {
-      part.push_back(fmt::format("{} = {}", symbol, number_text(p.value)));
+      std::string number = number_text(p.value);
+      if (typeset && number.starts_with('-')) number.replace(0, 1, "\u2212");
+      part.push_back(fmt::format("{} = {}", symbol, number));
     }
   }
   return fmt::format("{}; {}", fmt::join(of_system, ", "), fmt::join(of_excitation, ", "));

@@ -41,11 +41,11 @@ struct BudgetPanel {
 constexpr std::array kPanels{
     BudgetPanel{"displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
                 &BudgetRow::total, &BudgetPart::l1, "y_l1"},
-    BudgetPanel{"displacement, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+    BudgetPanel{"displacement, tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
                 Variable::y, &BudgetRow::total_tail, &BudgetPart::tail, "y_tail"},
     BudgetPanel{"velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance", Variable::ydot,
                 &BudgetRow::total, &BudgetPart::l1, "v_l1"},
-    BudgetPanel{"velocity, tail: 10^{-5} ≤ {/:Italic p} < 10^{-3}", "mean |log_{10} ratio|",
+    BudgetPanel{"velocity, tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
                 Variable::ydot, &BudgetRow::total_tail, &BudgetPart::tail, "v_tail"}};
 
 std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {

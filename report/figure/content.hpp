@@ -25,7 +25,7 @@ struct FigureContent {
   /// that their sizes are shown, on a logarithmic axis.
   bool smooth_differences = false;
   std::vector<FigureSide> sides;  ///< y and ydot, without a side that has no curve
-  std::size_t left_out = 0;       ///< solutions that have curves and are not shown
+  std::size_t left_out = 0;  ///< solutions that have curves and are not shown: a legend counts them
 };
 
 /// @param shown ids of the solutions to show; without it all

@@ -77,6 +77,8 @@ std::string figure_output(const std::string& file_stem, const FigureSize& size) 
       "if (!exists(\"target\")) target = {1}.'.'.format\n"
       "say(enhanced, latex) = format eq 'tex' ? latex : enhanced\n"
       "set encoding utf8\n"
+      "set minussign\n"
+      "set format x say('%h', '$%h$')\n"
       "if (format eq 'svg') {{\n"
       "  {2}\n"
       "}}\n"

@@ -35,17 +35,6 @@ std::string title(Panel panel, const FigureSide& side, char letter, const std::s
   return "";
 }
 
-// Of 1, 2 or 5 with zeros: as many tics as a narrow panel has room for.
-double tic_step(double from, double to) {
-  constexpr double kMostTics = 6;
-  const double least = (to - from) / kMostTics;
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double digit : {1.0, 2.0, 5.0}) {
-    if (digit * power >= least) return digit * power;
-  }
-  return 10 * power;
-}
-
 std::string axes(Panel panel, const FigureSide& side) {
   const FigureRanges& r = side.ranges;
   const bool in_the_tail = panel == Panel::logarithmic;
@@ -65,8 +54,9 @@ std::string axes(Panel panel, const FigureSide& side) {
       }
       break;
     case Panel::logarithmic:
-      text += fmt::format("set logscale y\nset format y {}\nset yrange [smallest:{:.4g}]\n",
-                          kPowersOfTen, 3 * r.largest_density);
+      text += fmt::format(
+          "smallest = {:.4g}\nset logscale y\nset format y {}\nset yrange [smallest:{:.4g}]\n",
+          logarithmic_bottom(r), kPowersOfTen, logarithmic_top(r));
       break;
     case Panel::difference: {
       // Nothing but the reference itself: any range shows it.

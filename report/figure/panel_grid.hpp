@@ -22,8 +22,8 @@ struct PanelGrid {
   /// Commands that keep labels and titles of neighbouring rows apart; how wide the tics of LaTeX
   /// are gnuplot does not know.
   static constexpr const char* kLabels =
-      "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0.8),0\n"
-      "set title offset 0,-0.4\n";
+      "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
+      "set title offset 0,-0.4\nset cblabel offset 0.8,0\n";
   FigureSize size() const;
   Place place(int row, int column) const;
   /// Row by row.

@@ -23,7 +23,7 @@ std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& o
                                  std::vector<std::string>& warnings) {
   std::vector<Picture> pictures;
   for (const auto& one : run.cases) {
-    const FigureContent content = figure_content(one, chosen_curves(one, options.curves));
+    FigureContent content = figure_content(one, chosen_curves(one, options.curves));
     const std::string stem = results::file_stem(one.name());
     if (content.sides.empty()) {
       warnings.push_back(fmt::format(
@@ -31,6 +31,7 @@ std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& o
           content.left_out == 0 ? "has a density" : "that --curves names has a density"));
       continue;
     }
+    if (!options.curves.empty()) content.left_out = 0;  // whoever chose knows
     const auto width = options.width;
     pictures.push_back({stem, figure_script(one.problem, content, stem, width)});
     if (has_budget(one)) {

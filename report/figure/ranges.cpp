@@ -59,6 +59,12 @@ std::pair<double, double> difference_decades(const FigureRanges& r) {
   return {std::max(from, 1e-8 * to), to};
 }
 
+double logarithmic_bottom(const FigureRanges& ranges, double floor) {
+  // The lowest point keeps some height.
+  const double least = std::min(0.8 * ranges.least_density, logarithmic_top(ranges) / 10);
+  return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
+}
+
 std::string beyond_the_top(const FigureRanges& ranges) {
   if (ranges.largest_density <= 1.08 * ranges.linear_top) return "";
   return fmt::format("spike up to {:.3g}", ranges.largest_density);
@@ -67,7 +73,8 @@ std::string beyond_the_top(const FigureRanges& ranges) {
 FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
   Extent linear, logarithmic;
   double linear_top = 0, largest_density = 0, largest_difference = 0;
-  double least_difference = std::numeric_limits<double>::infinity();
+  double least_difference = std::numeric_limits<double>::infinity(),
+         least_density = least_difference;
   for (const auto& drawn : curves) {
     const results::Curve* curve = drawn.curve;
     const std::vector<bool> broad = drawn.broad_bins();
@@ -76,6 +83,7 @@ FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
       const double p = curve->density[k];
       if (!std::isfinite(p)) continue;
       largest_density = std::max(largest_density, p);
+      least_density = std::min(least_density, std::max(p, 0.0));
       if (broad[k]) peak = std::max(peak, p);
     }
     linear_top = std::max(linear_top, peak);
@@ -100,6 +108,7 @@ FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
           .logarithmic_to = logarithmic.to,
           .linear_top = linear_top,
           .largest_density = largest_density,
+          .least_density = std::min(least_density, largest_density),
           .largest_difference = largest_difference,
           .least_difference = std::min(least_difference, largest_difference)};
 }

@@ -19,6 +19,7 @@ struct FigureRanges {
   double logarithmic_from, logarithmic_to;  ///< where a density exceeds kSmallestDrawnDensity
   double linear_top;          ///< the largest density but for the narrow bins that hold a spike
   double largest_density;     ///< in all bins
+  double least_density;       ///< in all bins; 0 where one is empty
   double largest_difference;  ///< from the reference, but for narrow bins; 0 without one
   double least_difference;    ///< the smallest peak of a curve of differences
 };
@@ -48,6 +49,12 @@ struct DrawnCurve {
 /// Of a logarithmic axis of differences: from two decades below the smallest peak up to the largest,
 /// eight decades at most.
 std::pair<double, double> difference_decades(const FigureRanges& ranges);
+
+/// The logarithmic axis of a density begins at a power of ten below all of it, and a decade below its
+/// own top at the least; no lower than `floor`.
+double logarithmic_bottom(const FigureRanges& ranges, double floor = kSmallestDrawnDensity);
+/// And it ends above the peak.
+inline double logarithmic_top(const FigureRanges& ranges) { return 3 * ranges.largest_density; }
 
 /// What to say where a spike goes beyond the linear panel; else empty.
 std::string beyond_the_top(const FigureRanges& ranges);

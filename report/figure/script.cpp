@@ -46,15 +46,12 @@ std::string data(const FigureContent& content) {
 }
 
 std::string settings() {
-  return fmt::format(
-      "\n"
-      "smallest = {}\n"
-      "positive(p) = p > 0 ? p : NaN\n"
-      "at_least_smallest(p) = p > smallest ? p : smallest\n"
-      "set grid linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
-      "set tics nomirror\n"
-      "set border 3\n\n",
-      kSmallestDrawnDensity);
+  return "\n"
+         "positive(p) = p > 0 ? p : NaN\n"
+         "at_least_smallest(p) = p > smallest ? p : smallest\n"
+         "set grid linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
+         "set tics nomirror\n"
+         "set border 3\n\n";
 }
 
 /// A panel of the figure, and the letter that it is known by.
@@ -119,7 +116,7 @@ std::string legend_plot(const DrawnCurve& drawn) {
          marked_with(*drawn.solution);
 }
 
-Legend legend(const FigureContent& content) {
+Legend legend(const FigureContent& content, FigureWidth width) {
   Legend legend{{}, 5};
   std::set<std::string> listed;
   for (const auto& side : content.sides) {
@@ -132,7 +129,8 @@ Legend legend(const FigureContent& content) {
     legend.entries.push_back({fmt::format("NaN {}", kOwnWidth),
                               fmt::format("half of the interval of {}", content.reference)});
   }
-  if (content.left_out > 0) {
+  // Print has no command line.
+  if (content.left_out > 0 && width == FigureWidth::screen) {
     legend.entries.push_back(
         {"NaN with lines linetype nodraw", fmt::format("{} more: --curves all", content.left_out)});
   }
@@ -143,7 +141,7 @@ Legend legend(const FigureContent& content) {
 
 std::string figure_script(const problem::Problem& problem, const FigureContent& content,
                           const std::string& file_stem, FigureWidth width) {
-  const Legend entries = legend(content);
+  const Legend entries = legend(content, width);
   const auto placed = placed_panels(content, width);
   PanelGrid grid = grid_for(placed.size(), content.sides.size(), width);
   grid.legend_height = legend_height(entries, grid.width);

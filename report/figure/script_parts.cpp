@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +17,15 @@ std::string margins(const Place& place) {
 
 std::string data_block(const std::string& name, const std::string& rows) {
   return fmt::format("${} << EOD\n{}EOD\n", name, rows);
+}
+
+double tic_step(double from, double to, int most_steps) {
+  const double least = (to - from) / most_steps;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0}) {
+    if (digit * power >= least) return digit * power;
+  }
+  return 10 * power;
 }
 
 std::string density_of(transform::Variable variable) {

@@ -20,6 +20,10 @@ std::string margins(const Place& place);
 /// @param rows each ended by a newline
 std::string data_block(const std::string& name, const std::string& rows);
 
+/// A step of 1, 2 or 5 with zeros that makes at most so many steps of a range: the tics that a narrow
+/// panel has room for.
+double tic_step(double from, double to, int most_steps = 6);
+
 /// "p(y)" in enhanced text, y or y'.
 std::string density_of(transform::Variable variable);
 

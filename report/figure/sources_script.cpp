@@ -115,18 +115,28 @@ std::string source_block(const ErrorSource& source, const std::string& name,
   return text + "EOD\n";
 }
 
-std::string colour_tics(double limit) {
+// Values at equal steps, each where the root puts it, in units of the power of ten that the label
+// has.
+std::string colour_axis(double limit) {
+  constexpr int kMostSteps = 5;  // to either side; then there are two at least
+  const double step = tic_step(0, limit, kMostSteps);
+  const auto power = static_cast<int>(std::floor(std::log10(step)));
   std::vector<std::string> tics;
-  for (const double share : {-1.0, -0.25, 0.0, 0.25, 1.0}) {
-    tics.push_back(fmt::format("'{}' {}", share == 0 ? "0" : fmt::format("{:.0e}", share * limit),
-                               signed_root(share, 1)));
+  const int most = static_cast<int>(limit / step * (1 + 1e-9));
+  for (int k = -most; k <= most; ++k) {
+    const std::string value = with_minus(fmt::format("{:.0f}", k * step / std::pow(10, power)));
+    tics.push_back(fmt::format("{} {:.4f}", gnuplot_text(value), signed_root(k * step, limit)));
   }
-  return fmt::format("{}", fmt::join(tics, ", "));
+  const std::string unit = power == 0 ? "" : with_minus(fmt::format(", 10^{{{}}}", power));
+  return fmt::format("set cblabel {}\nset cbtics ({})\n",
+                     gnuplot_text("error per area" + unit), fmt::join(tics, ", "));
 }
 
 std::string source_panel(const Case& one, const std::string& id, std::size_t column,
                          const MapRow& what, const VisiblePart& part, const PanelGrid& grid,
-                         const Place& place) {
+                         std::size_t panel) {
+  constexpr int kMostTics = 4;  // that a map of the screen has room for
+  const Place place = grid.place(panel);
   const auto* own = one.own_error(id);
   const double error = own == nullptr ? 0 : own->error.*what.member;
   const ErrorSource& source = *one.error_source(id, what.moment);
@@ -135,25 +145,29 @@ std::string source_panel(const Case& one, const std::string& id, std::size_t col
   const double dy = y[1] - y[0], dv = v[1] - v[0];  // uniform cells
   return fmt::format(
       "set title {}\nset ylabel {}\n{}"
-      "set xrange [{:.4g}:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\nset cbtics ({})\n"
+      "set xrange [{:.4g}:{:.4g}]\nset xtics {:g}\nset yrange [{:.4g}:{:.4g}]\n{}"
       "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n"
       "plot {} matrix using ({:.6g}+{:.6g}*$1):({:.6g}+{:.6g}*$2):3 with image notitle\n\n",
-      gnuplot_text(fmt::format("{} of {}: {:+.1e}", what.symbol, without_marks(id), error)),
+      gnuplot_text(fmt::format("({}) {} of {}: {}", static_cast<char>('a' + panel), what.symbol,
+                               without_marks(id), power_text(error))),
       gnuplot_text("{/:Italic y}'"), margins(place), y[part.y_begin], y[part.y_end],
-      v[part.v_begin], v[part.v_end], colour_tics(limit_of(source)), place.right + 8.0 / grid.width,
-      place.bottom, static_cast<double>(kColourBar) / grid.width, place.top - place.bottom,
+      tic_step(y[part.y_begin], y[part.y_end], kMostTics), v[part.v_begin], v[part.v_end],
+      colour_axis(limit_of(source)), place.right + 8.0 / grid.width, place.bottom,
+      static_cast<double>(kColourBar) / grid.width, place.top - place.bottom,
       source_block_name(column, what), y[part.y_begin] + dy / 2, dy, v[part.v_begin] + dv / 2, dv);
 }
 
-// A column for each density on a screen; on paper a row, or a map below another.
+// A column for each density on a screen, where one alone has its maps beside each other; on paper a
+// row, or a map below another.
 PanelGrid grid_for(std::size_t densities, FigureWidth width) {
-  constexpr int kOnScreen = 1500, kMoments = static_cast<int>(std::size(kRows));
-  PanelGrid grid = panel_grid(width, kOnScreen);
+  constexpr int kColumnOnScreen = 375, kMoments = static_cast<int>(std::size(kRows));
   const int count = static_cast<int>(densities);
-  grid.columns = width == FigureWidth::screen        ? std::max<int>(count, kMostMaps)
-                 : width == FigureWidth::two_columns ? kMoments
-                                                     : 1;
-  grid.rows = width == FigureWidth::screen ? kMoments : count * kMoments / grid.columns;
+  const int columns = width == FigureWidth::screen        ? std::max(count, kMoments)
+                      : width == FigureWidth::two_columns ? kMoments
+                                                          : 1;
+  PanelGrid grid = panel_grid(width, columns * kColumnOnScreen);
+  grid.columns = columns;
+  grid.rows = count * kMoments / columns;
   grid.panel_height = width == FigureWidth::screen ? 275 : 190;
   grid.beside = kBesideMap;
   return grid;
@@ -182,10 +196,9 @@ std::string sources_script(const Case& one, const std::string& file_stem, Figure
     for (std::size_t row = 0; row < std::size(kRows); ++row) {
       blocks += source_block(*one.error_source(ids[column], kRows[row].moment),
                              source_block_name(column, kRows[row]), part);
-      const Place place = width == FigureWidth::screen
-                              ? grid.place(static_cast<int>(row), static_cast<int>(column))
-                              : grid.place(column * std::size(kRows) + row);
-      panels += source_panel(one, ids[column], column, kRows[row], part, grid, place);
+      const bool below = width == FigureWidth::screen && ids.size() > 1;
+      const std::size_t panel = below ? row * ids.size() + column : column * std::size(kRows) + row;
+      panels += source_panel(one, ids[column], column, kRows[row], part, grid, panel);
     }
   }
   return figure_output(file_stem, grid.size()) +

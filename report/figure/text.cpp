@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -12,10 +14,11 @@ namespace fpkcheck::report {
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> kOfLatex[] = {
-    {"λ", "$\\lambda$"}, {"μ", "$\\mu$"}, {"σ", "$\\sigma$"}, {"Δ", "$\\Delta$"},
-    {"≤", "$\\le$"},     {"²", "$^2$"},   {"′", "$'$"},       {"|", "$|$"},
-    {"<", "$<$"},        {">", "$>$"},    {"#", "\\#"},       {"$", "\\$"},
-    {"%", "\\%"},        {"&", "\\&"},    {"~", "\\~{}"},     {"--", "-{}-"},
+    {"−", "$-$"},       {"×", "$\\times$"}, {"λ", "$\\lambda$"}, {"μ", "$\\mu$"},
+    {"σ", "$\\sigma$"}, {"Δ", "$\\Delta$"}, {"≤", "$\\le$"},     {"²", "$^2$"},
+    {"′", "$'$"},       {"|", "$|$"},       {"<", "$<$"},        {">", "$>$"},
+    {"#", "\\#"},       {"$", "\\$"},       {"%", "\\%"},        {"&", "\\&"},
+    {"~", "\\~{}"},     {"--", "-{}-"},
 };
 // What stands after a backslash in enhanced text, as LaTeX has it.
 constexpr std::pair<char, std::string_view> kEscaped[] = {
@@ -41,6 +44,19 @@ std::string_view argument(std::string_view text, std::size_t& at) {
 
 }  // namespace
 
+std::string with_minus(std::string number) {
+  boost::algorithm::replace_all(number, "-", kMinus);
+  return number;
+}
+
+std::string power_text(double value) {
+  if (value == 0) return "0";
+  const std::string text = fmt::format("{:+.1e}", value);
+  const auto e = text.find('e');
+  return with_minus(
+      fmt::format("{} × 10^{{{}}}", text.substr(0, e), std::stoi(text.substr(e + 1))));
+}
+
 const char* const kPowersOfTen = "say('10^{%L}', '$10^{%L}$')";
 
 std::string latex_of(const std::string& enhanced) {
@@ -58,7 +74,9 @@ std::string latex_of(const std::string& enhanced) {
       at += 2;
     } else if (rest[0] == '_' || rest[0] == '^') {
       ++at;
-      latex += fmt::format("${}{{{}}}$", rest[0], argument(text, at));
+      std::string of(argument(text, at));
+      boost::algorithm::replace_all(of, kMinus, "-");
+      latex += fmt::format("${}{{{}}}$", rest[0], of);
     } else {
       std::string_view from = rest.substr(0, 1), to = from;
       for (const auto& [letter, of_latex] : kOfLatex) {

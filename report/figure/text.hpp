@@ -15,6 +15,15 @@ std::string gnuplot_text(const std::string& enhanced);
 /// A text that is shown letter by letter, as such an expression.
 std::string gnuplot_literal(const std::string& text);
 
+/// U+2212, which is what gnuplot's own numbers have for a minus.
+inline constexpr const char* kMinus = "\u2212";
+
+/// A number's text with that for each hyphen.
+std::string with_minus(std::string number);
+
+/// "+1.2 × 10^{−3}" in enhanced text; "0" of 0.
+std::string power_text(double value);
+
 /// For `set format` of a logarithmic axis: powers of ten.
 extern const char* const kPowersOfTen;
 

@@ -160,21 +160,23 @@ class DensityPlot {
     const auto x_axis = [&](Row row, double from, double to) {
       return Json{{"anchor", axis('y', row)}, {"range", {from, to}}, {"title", {{"text", ""}}}};
     };
-    Json json{{"xaxis", x_axis(kLinear, r.linear_from, r.linear_to)},
-              {"yaxis",
-               {{"domain", domain(kLinear)},
-                {"anchor", "x"},
-                {"range", {0, 1.08 * r.linear_top}},
-                {"title", {{"text", p}}}}},
-              {"xaxis2", x_axis(kLogarithmic, r.logarithmic_from, r.logarithmic_to)},
-              {"yaxis2",
-               {{"domain", domain(kLogarithmic)},
-                {"anchor", "x2"},
-                {"type", "log"},
-                {"dtick", 1},
-                {"exponentformat", "power"},
-                {"range", {std::log10(kSmallestShown), std::log10(3 * r.largest_density)}},
-                {"title", {{"text", p + ", logarithmic"}}}}}};
+    Json json{
+        {"xaxis", x_axis(kLinear, r.linear_from, r.linear_to)},
+        {"yaxis",
+         {{"domain", domain(kLinear)},
+          {"anchor", "x"},
+          {"range", {0, 1.08 * r.linear_top}},
+          {"title", {{"text", p}}}}},
+        {"xaxis2", x_axis(kLogarithmic, r.logarithmic_from, r.logarithmic_to)},
+        {"yaxis2",
+         {{"domain", domain(kLogarithmic)},
+          {"anchor", "x2"},
+          {"type", "log"},
+          {"dtick", 1},
+          {"exponentformat", "power"},
+          {"range",
+           {std::log10(logarithmic_bottom(r, kSmallestShown)), std::log10(logarithmic_top(r))}},
+          {"title", {{"text", p + ", logarithmic"}}}}}};
     if (const std::string beyond = beyond_the_top(r); !beyond.empty()) {
       json["annotations"] = Json::array({{{"xref", "x"},
                                           {"yref", "y domain"},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/reference.hpp"
+#include "report/figure/text.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
 
@@ -88,7 +89,7 @@ class Strip {
       svg += fmt::format(
           "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">10<tspan dy=\"-5\" "
           "font-size=\"9\">{}</tspan></text>\n",
-          x, bottom() + 16, static_cast<int>(decade));
+          x, bottom() + 16, with_minus(fmt::format("{:.0f}", decade)));
     }
     svg += upright(x_of(kCloseL1), "close") +
            text(x_of(kCloseL1), kTop - 7, "middle", fmt::format("close: {}", kCloseL1));

@@ -154,13 +154,13 @@ const ends = edges => [edges[0], edges.at(-1)];
 const mapHeight = div => Math.min(440, Math.round(div.clientWidth - 64) + 142);
 
 // A heat map over the cells between the edges y and v.
-// @param told: what is said of each cell, where that is not the value drawn
-function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = values}) {
+// @param told: what is said of each cell, where that is not the value drawn, under this name
+function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = values, name = title}) {
   const trace = {
     type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), customdata: rows(told, y.length - 1), ...colours,
     colorbar: {orientation: 'h', y: -0.16, yanchor: 'top', thickness: 12, len: 1, tickfont: {size: 10},
                exponentformat: 'power', ...ticks},
-    hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${title}: %{customdata:.2g}<extra></extra>`,
+    hovertemplate: `y = %{x:.3f}, y′ = %{y:.3f}<br>${name}: %{customdata:.2g}<extra></extra>`,
   };
   const layout = {
     font: font(), paper_bgcolor: theme().paper, plot_bgcolor: theme().nothing, width: div.clientWidth, height: mapHeight(div),
@@ -218,19 +218,28 @@ function mapDrawables(maps) {
   return [{element: part('reference'), fit, draw: drawAll}];
 }
 
+// Values at equal steps of 1, 2 or 5 with zeros between -largest and largest, as texts in units of a power of ten.
+function equalSteps(largest) {
+  const least = largest / 5, power = Math.floor(Math.log10(least) + 1e-9);
+  const step = [1, 2, 5, 10].map(digit => digit * 10 ** power).find(step => step >= least * (1 - 1e-9));
+  const most = Math.floor(largest / step + 1e-9), unit = Math.floor(Math.log10(step) + 1e-9);
+  const values = Array.from({length: 2 * most + 1}, (_, k) => (k - most) * step);
+  return {values, texts: values.map(value => (value / 10 ** unit).toFixed(0).replace('-', '−')),
+          unit: unit === 0 ? '' : `, 10<sup>${String(unit).replace('-', '−')}</sup>`};
+}
+
 function errorDrawables(errors) {
   const part = name => document.getElementById(`${errors.id}-${name}`);
   const y = Array.from(numbers(errors.y_edges)), v = Array.from(numbers(errors.v_edges));
   const maps = () => errors.solutions[part('choice').selectedIndex].moments;
   // Colours go by the root, which keeps what is small beside the wall's share in sight.
-  const shares = [-1, -0.25, 0, 0.25, 1];
   const drawAll = () => maps().forEach((map, k) => {
+    const {values, texts, unit} = equalSteps(map.largest || 1);
     drawMap(part(`map${k}`), y, v, Array.from(roots(map)), {
-      colours: {colorscale: diverging, zmin: -1, zmax: 1}, title: 'error per area', ranges: [ends(y), ends(v)],
-      ticks: {tickvals: shares.map(s => Math.sign(s) * Math.sqrt(Math.abs(s))),
-              ticktext: shares.map(s => (s * map.largest).toPrecision(2))},
-      told: signedNumbers(map)});
-    part(`caption${k}`).textContent = `${map.moment}: off by ${map.error}`;
+      colours: {colorscale: diverging, zmin: -1, zmax: 1}, title: `error per area${unit}`, ranges: [ends(y), ends(v)],
+      ticks: {tickvals: values.map(value => Math.sign(value) * Math.sqrt(Math.abs(value) / (map.largest || 1))), ticktext: texts},
+      told: signedNumbers(map), name: 'error per area'});
+    part(`caption${k}`).textContent = `${map.moment}: off by ${map.error.replaceAll('-', '−')}`;
   });
   part('choice').addEventListener('change', drawAll);
   const fit = () => maps().forEach((map, k) => { part(`map${k}`).style.height = `${mapHeight(part(`map${k}`))}px`; });

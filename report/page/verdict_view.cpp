@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "report/page/distance_strip.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
@@ -28,6 +30,29 @@ std::string_view class_of(Standing standing) {
     default:
       return "";
   }
+}
+
+// What the colours mean, of those that the cells have.
+std::string key_html(const std::vector<Record>& all) {
+  struct Entry {
+    Standing standing;
+    std::string meaning;
+  };
+  const Entry entries[] = {
+      {Standing::reference, "the reference"},
+      {Standing::close, fmt::format("within L1 {:g} of the reference", kCloseL1)},
+      {Standing::off, "a density farther away"},
+      {Standing::no_density, "no probability density, or none found"}};
+  std::string html;
+  for (const auto& [standing, meaning] : entries) {
+    const auto colour = class_of(standing);
+    const bool there = std::ranges::any_of(all, [&](const Record& record) {
+      return std::ranges::any_of(
+          record.stands, [&](const Stand& stand) { return class_of(stand.standing) == colour; });
+    });
+    if (there) html += fmt::format("<span class=\"{}\">{}</span>\n", colour, escaped(meaning));
+  }
+  return html.empty() ? "" : "<p class=\"small key\">" + html + "</p>\n";
 }
 
 std::string spoken(const Stand& stand) {
@@ -73,8 +98,8 @@ std::string matrix_html(const results::Run& run, const std::vector<Record>& all,
       "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Distances of all "
       "solutions\">\n<table class=\"matrix\">\n<thead><tr><th></th>{}</tr>\n<tr><th "
       "scope=\"col\">solution</th>{}</tr></thead>\n<tbody>\n{}</tbody>\n</table>\n</div>\n"
-      "<p class=\"small\">{}.</p>\n",
-      cases, variables, rows, escaped(fmt::format("{}", fmt::join(marks, "; "))));
+      "{}<p class=\"small\">{}.</p>\n",
+      cases, variables, rows, key_html(all), escaped(fmt::format("{}", fmt::join(marks, "; "))));
 }
 
 std::string lines_html(const std::vector<VerdictLine>& lines) {

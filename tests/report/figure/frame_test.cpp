@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "paper_cases.hpp"
+#include "report/figure/drawing.hpp"
+#include "saved_run.hpp"
+#include "temporary_directory.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -32,6 +35,19 @@ TEST(Frame, SizesBothFormats) {
   EXPECT_NE(text.find("set terminal svg size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("set terminal pngcairo size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("target = 'stem'.'.'.format"), std::string::npos) << text;
+}
+
+TEST(Frame, DrawsMinusSignsNotHyphens) {
+  if (!tests::gnuplot_exists()) GTEST_SKIP() << "no gnuplot";
+  const tests::TemporaryDirectory directory;
+  const std::string script =
+      figure_output("stem", {.width = 400, .height = 300}) + "unset key\nplot [-2:2] [-2:2] x\n";
+  const auto warnings =
+      write_pictures(directory.path(), "stem", script, {.formats = {FigureFormat::svg}}, "gnuplot");
+  ASSERT_TRUE(warnings.empty()) << warnings.front();
+  const std::string svg = tests::contents(directory.path() / "stem.svg");
+  EXPECT_TRUE(tests::contains(svg, ">−2</tspan>"));
+  EXPECT_FALSE(tests::contains(svg, ">-2</tspan>"));
 }
 
 // 85 mm are 241 points and, at 300 to the inch, 1004 pixels; its letters are of 7.5 points.

@@ -173,7 +173,7 @@ TEST(Pictures, ACaseWithoutADensityIsAWarning) {
   EXPECT_TRUE(contains(warnings.front(), "no picture of case1"));
 }
 
-TEST(Pictures, ShowTheCurvesThatAreAskedForAndSayHowManyMoreThereAre) {
+TEST(Pictures, ShowTheCurvesThatAreAskedFor) {
   const tests::TemporaryDirectory directory;
   const auto run = made_up_run();
   draw_pictures(directory.path(), run, {.curves = {"epc", "mcs"}}, "no-such-gnuplot");
@@ -181,7 +181,22 @@ TEST(Pictures, ShowTheCurvesThatAreAskedForAndSayHowManyMoreThereAre) {
   EXPECT_TRUE(contains(script, " title say('mcs"));
   EXPECT_TRUE(contains(script, " title 'epc-gaussian-n2"));
   EXPECT_FALSE(contains(script, " title 'fd-"));
-  EXPECT_TRUE(contains(script, "more: --curves all")) << script.substr(script.size() - 900);
+}
+
+// Whoever chose knows, and print has no command line.
+TEST(Pictures, SayHowManyMoreThereAreOnAScreenWhereNobodyChose) {
+  const auto run = made_up_run();
+  const std::vector<std::string> chosen{"epc", "mcs"};
+  for (const auto& curves : {std::vector<std::string>(), chosen}) {
+    for (const auto width :
+         {FigureWidth::screen, FigureWidth::two_columns, FigureWidth::one_column}) {
+      const tests::TemporaryDirectory directory;
+      draw_pictures(directory.path(), run, {.width = width, .curves = curves}, "no-such-gnuplot");
+      const std::string script = contents(directory.path() / "figures" / "case1.gp");
+      ASSERT_TRUE(contains(script, " title say('mcs"));
+      EXPECT_EQ(contains(script, "--curves"), curves.empty() && width == FigureWidth::screen);
+    }
+  }
 }
 
 TEST(Pictures, OfARunAreRemovedAndNoOther) {

@@ -44,6 +44,21 @@ TEST(FigureRanges, AreThoseOfWhatIsVisible) {
   EXPECT_EQ(ranges.least_difference, 0.5);
 }
 
+TEST(FigureRanges, LetTheLogarithmBeginBelowTheDataAndNoLowerThanTheFloor) {
+  const transform::Solution solution;
+  const auto bottom = [&](std::vector<double> density) {
+    const results::Curve curve{"toy", Variable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
+    return logarithmic_bottom(figure_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
+  };
+  // Between two walls: a decade holds it, not six.
+  EXPECT_DOUBLE_EQ(bottom({0.35, 0.8, 0.5}), 0.1);
+  EXPECT_DOUBLE_EQ(bottom({1.3, 1.4, 1.35}), 0.1);
+  EXPECT_DOUBLE_EQ(bottom({2e-4, 1, 0.1}), 1e-4);
+  // What fades out, and what is empty somewhere, is shown down to the floor.
+  EXPECT_DOUBLE_EQ(bottom({1e-9, 1, 0.1}), kSmallestDrawnDensity);
+  EXPECT_DOUBLE_EQ(bottom({0, 1, 0.1}), kSmallestDrawnDensity);
+}
+
 TEST(FigureRanges, LeaveASpikeInNarrowBinsToTheLogarithm) {
   const transform::Solution solution;
   // The first of even bins of width 1 is divided at 1/4.

@@ -10,7 +10,14 @@ TEST(FigureText, IsWrittenForLatexAsLatexWantsIt) {
   EXPECT_EQ(latex_of("10^{-5} ≤ {/:Italic L}_1, log_{10}"),
             "10$^{-5}$ $\\le$ $L$$_{1}$, log$_{10}$");
   EXPECT_EQ(latex_of("λ E[Y²], 95 % |Δ|"), "$\\lambda$ E[Y$^2$], 95 \\% $|$$\\Delta$$|$");
+  EXPECT_EQ(latex_of("10^{−5} × −2"), "10$^{-5}$ $\\times$ $-$2");
   EXPECT_EQ(latex_of("a -- b: --curves"), "a -{}- b: -{}-curves");
+}
+
+TEST(FigureText, HasNumbersWithMinusSigns) {
+  EXPECT_EQ(power_text(-1.24e-6), "−1.2 × 10^{−6}");
+  EXPECT_EQ(power_text(3e4), "+3.0 × 10^{4}");
+  EXPECT_EQ(power_text(0), "0");
 }
 
 // A name may hold what LaTeX would take for a command.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -42,6 +43,22 @@ TEST(DensityPlots, DrawEverySolutionThatHasADensityInThreeRows) {
     EXPECT_EQ(rows, expected) << plot.id;
     EXPECT_EQ(shown, (std::set<std::string>{"epc-gaussian-n6", "fd-kf", "mcs"})) << plot.id;
   }
+}
+
+// What fades out is shown down to 1e-7, what is cut off by walls as far as it goes.
+TEST(DensityPlots, BeginTheirLogarithmBelowTheData) {
+  auto one = tests::whole_case();
+  const auto bottom = [&](std::size_t plot) {
+    const auto range =
+        tests::figure_of(density_plots(one, "case-1")[plot]).at("layout").at("yaxis2").at("range");
+    return range.at(0).get<double>();
+  };
+  EXPECT_NEAR(bottom(0), -7, 1e-9);
+  for (auto& curve : one.curves) {
+    for (double& p : curve.density) p = std::max(p, 0.35);
+  }
+  EXPECT_NEAR(bottom(0), -1, 1e-9);
+  EXPECT_NEAR(bottom(1), -1, 1e-9);
 }
 
 TEST(DensityPlots, LookAsTheirIdentitiesSay) {

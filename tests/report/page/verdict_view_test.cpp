@@ -39,6 +39,25 @@ TEST(VerdictView, ColoursACellByHowItStands) {
   EXPECT_TRUE(contains(html, "title=\"not_converged\">\u2013<sup>x</sup></td>"));
 }
 
+// A colour that no cell has needs none.
+TEST(VerdictView, SaysWhatTheColoursOfTheCellsMean) {
+  auto run = two_cases();
+  const auto key = [&] {
+    const std::string html = verdict_html(run, {"case-1", "case-2"});
+    const auto begin = html.find("key\">");
+    EXPECT_LT(html.find("class=\"matrix\""), begin);
+    EXPECT_LT(begin, html.find("<dl class=\"lines\">"));
+    return html.substr(begin, html.find("</p>", begin) - begin);
+  };
+  for (const char* colour : {"is-reference", "is-close", "is-off", "is-none"}) {
+    EXPECT_EQ(occurrences(key(), std::string("class=\"") + colour), 1u) << colour;
+  }
+  for (auto& one : run.cases) {
+    std::erase_if(one.solutions, [](const auto& s) { return !s.is_ok(); });
+  }
+  EXPECT_EQ(occurrences(key(), "is-none"), 0u);
+}
+
 TEST(DistanceStrip, HasAMarkForEachDistanceAndAWordForNone) {
   const auto run = two_cases();
   const std::string svg = distance_strip(run, records(run));
