@@ -24,6 +24,7 @@
 #include "methods/out_of_memory.hpp"
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
+#include "problem/untreated.hpp"
 #include "process/stop.hpp"
 #include "report/text/wrapped.hpp"
 #include "results/run.hpp"
@@ -104,7 +105,11 @@ cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain a
 command's options; start with `fpkcheck run`.
 Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
 2 bad input; 130 Ctrl-C, 143 SIGTERM.
+
 )");
+  std::vector<std::string_view> subjects;
+  for (const auto& untreated : problem::untreated()) subjects.push_back(untreated.subject);
+  fmt::print("{}", report::wrapped(fmt::format("Not treated: {}.", fmt::join(subjects, "; ")), 80));
 }
 
 // Every command with its help, and the subjects of `study` as commands of their own.
@@ -158,6 +163,9 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   }
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
+    if (const std::string text = problem::untreated_text(name); !text.empty()) {
+      throw InputError(fmt::format("{}: {}", parameters::in_quotes(name), text));
+    }
     throw InputError(fmt::format("{} is no command (use one of {}; --help explains)",
                                  parameters::in_quotes(name), names_of(all)));
   }

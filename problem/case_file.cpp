@@ -20,6 +20,7 @@
 #include "problem/amplitude_table.hpp"
 #include "problem/named_cases.hpp"
 #include "problem/table_setting.hpp"
+#include "problem/untreated.hpp"
 
 namespace fpkcheck::problem {
 
@@ -35,6 +36,9 @@ const parameters::Parameter& case_parameter(std::string_view key, const std::str
       names.emplace_back(parameter.name);
     }
     known.push_back(fmt::format("{}{{{}}}", section->prefix(), fmt::join(names, ", ")));
+  }
+  if (const std::string text = untreated_text(key); !text.empty()) {
+    throw InputError(fmt::format("{}: key {}: {}", where, in_quotes(key), text));
   }
   throw InputError(fmt::format("{}: unknown key {} (known keys: {})", where, in_quotes(key),
                                fmt::join(known, ", ")));

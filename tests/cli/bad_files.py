@@ -30,6 +30,7 @@ def case_files():
         "empty": "", "binary": bytes(range(128, 256)) * 10, "huge": "# a comment\n" * 200000,
         "line": "x" * 900000, "escape": "\x1b[31m[system]\n", "unknown": "[system]\ncolour = red\n",
         "section": "[colours]\ndamping = 1\n",
+        "forcing": "[system]\ndamping = 0.1\nstiffness = 1\n[forcing]\namplitude = 1\n",
         "twice": "[system]\ndamping = 1\n\ndamping = 1\n",
         "nosection": "damping = 1\n", "novalue": with_damping(""),
         "noequals": "[system]\ndamping 1\n",
