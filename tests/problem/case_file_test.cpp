@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "parameters/input_error.hpp"
+#include "problem/impulse_law.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::problem {
@@ -174,6 +175,14 @@ TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
     EXPECT_EQ(p.system.coefficients().cubic, cubic[n]);
     EXPECT_EQ(p.impulses.arrival_rate(), 1.0);
     EXPECT_NEAR(p.impulses.intensity(), intensity[n], 1e-15);
+  }
+}
+
+// It is what other case files are started from.
+TEST(CaseFile, OfCase1NamesEveryLaw) {
+  const std::string& text = find_named_case("case1")->text;
+  for (const auto& law : ImpulseLaw::known()) {
+    EXPECT_NE(text.find(law), std::string::npos) << law;
   }
 }
 
