@@ -51,25 +51,34 @@ double mean_square_velocity(const problem::Problem& problem) {
 double linear_cumulant(const problem::Problem& problem, int p, int q) {
   require_elastic(problem);
   const double c = problem.system.damping();
+  // The frequency squared; below 0 that of a creeping motion.
   const double w2 = problem.system.stiffness() - c * c / 4;
   const bool folded = problem.system.left() || problem.system.right();
   const auto& impulses = problem.impulses;
   const bool symmetric = impulses.rate_moment(1) == 0 && impulses.law().symmetric();
-  if (!problem.system.linear() || w2 <= 0 || (folded && !symmetric)) {
+  if (!problem.system.linear() || problem.system.stiffness() <= 0 || (folded && !symmetric)) {
     throw InputError(
-        "the exact cumulants hold for a linear, underdamped oscillator, with a wall under a symmetric "
-        "law only");
+        "the exact cumulants hold for a linear oscillator, with a wall under a symmetric law only");
   }
-  const double w = std::sqrt(w2);
+  const double w = std::sqrt(std::abs(w2));
+  const double slowest = w2 < 0 ? problem.system.stiffness() / (c / 2 + w) : c / 2;
   const auto response = [&](double t) {
-    const double decay = std::exp(-c * t / 2);
-    const double h = decay * std::sin(w * t) / w;
-    const double h_dot = decay * (std::cos(w * t) - c / (2 * w) * std::sin(w * t));
-    return std::pow(h, p) * std::pow(h_dot, q);
+    // e^(-ct/2) times sin(wt)/w and cos(wt), or the same of the hyperbolic functions, or t and 1.
+    double sine = std::exp(-c * t / 2) * t, cosine = std::exp(-c * t / 2);
+    if (w2 > 0) {
+      sine = std::exp(-c * t / 2) * std::sin(w * t) / w;
+      cosine *= std::cos(w * t);
+    } else if (w2 < 0) {
+      const double slow = std::exp(-slowest * t), fast = std::exp(-(c / 2 + w) * t);
+      sine = (slow - fast) / (2 * w);
+      cosine = (slow + fast) / 2;
+    }
+    return std::pow(sine, p) * std::pow(cosine - c / 2 * sine, q);
   };
-  // One Gauss-Legendre panel per half turn or decay time, until exp(-(p+q) c t / 2) is below 1e-18.
-  const double panel = std::min(std::numbers::pi / w, 2 / c);
-  const double t_end = 2 * 41.5 / (c * (p + q));
+  // One Gauss-Legendre panel per half turn or the shortest decay time, until
+  // exp(-(p+q) slowest t) is below 1e-18.
+  const double panel = w2 > 0 ? std::min(std::numbers::pi / w, 2 / c) : 1 / (c / 2 + w);
+  const double t_end = 41.5 / (slowest * (p + q));
   double integral = 0;
   for (double t = 0; t < t_end; t += panel) {
     integral += boost::math::quadrature::gauss<double, 30>::integrate(response, t, t + panel);

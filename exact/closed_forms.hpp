@@ -35,11 +35,12 @@ class WhiteNoiseDensity {
 /// @throws InputError when the restitution is not 1
 double mean_square_velocity(const problem::Problem& problem);
 
-/// Cumulants of (z, z') for the linear oscillator (mu = 0, c^2 < 4k) with r = 1 and a symmetric
-/// law, or of (y, y') without a wall under any law,
+/// Cumulants of (z, z') for the linear oscillator (mu = 0) with r = 1 and a symmetric law, or of
+/// (y, y') without a wall under any law (Campbell),
 ///
 ///     kappa(z^p z'^q) = (lambda E[Y^(p+q)] + 2D [p + q = 2]) int_0^inf h(t)^p h'(t)^q dt,
-///     h(t) = exp(-ct/2) sin(wt)/w,   w = sqrt(k - c^2/4).
+///     h(t) = exp(-ct/2) sin(wt)/w,   w^2 = k - c^2/4;
+///     h(t) = exp(-ct/2) sinh(wt)/w,  w^2 = c^2/4 - k;      h(t) = t exp(-ct/2)  for c^2 = 4k.
 ///
 /// @param p,q orders, 1 <= p + q < problem::kMomentCount
 /// @throws InputError when the problem is not of that kind

@@ -96,6 +96,26 @@ TEST(Exact, LinearCumulantsHoldUpToCriticalDamping) {
   EXPECT_NEAR(linear_cumulant(p, 0, 2), 0.1 / (2 * 1.9999), 1e-12);
 }
 
+// kappa_n of y by partial fractions, h = (e^-bt - e^-at) / (a - b).
+TEST(Exact, LinearCumulantsHoldBeyondCriticalDamping) {
+  const Problem p = tests::make_problem({.damping = 2.5, .cubic = 0, .restitution = 1, .rate = 3});
+  const double a = 2, b = 0.5, square = 1 / (2 * a) + 1 / (2 * b) - 2 / (a + b);
+  EXPECT_NEAR(linear_cumulant(p, 2, 0), 0.1 * square / std::pow(a - b, 2), 1e-12);
+  EXPECT_NEAR(linear_cumulant(p, 2, 0), 0.1 / (2 * 2.5), 1e-12);
+  EXPECT_NEAR(linear_cumulant(p, 0, 2), 0.1 / (2 * 2.5), 1e-12);
+  const double fourth =
+      1 / (4 * b) - 4 / (3 * b + a) + 6 / (2 * a + 2 * b) - 4 / (3 * a + b) + 1 / (4 * a);
+  EXPECT_NEAR(linear_cumulant(p, 4, 0), p.impulses.rate_moment(4) * fourth / std::pow(a - b, 4),
+              1e-12);
+  // On either side of c^2 = 4k, and at it: int (t e^-t)^4 dt = 4!/4^5.
+  const auto near = [](double damping) {
+    return linear_cumulant(
+        tests::make_problem({.damping = damping, .cubic = 0, .restitution = 1, .rate = 3}), 4, 0);
+  };
+  EXPECT_NEAR(near(2), p.impulses.rate_moment(4) * 24 / 1024, 1e-12);
+  EXPECT_NEAR(near(2 - 1e-6) + near(2 + 1e-6), 2 * near(2), 1e-10);
+}
+
 TEST(Exact, WhiteNoiseWithAMeanShiftsTheDensityByTheStaticDeflection) {
   const Problem p = tests::make_problem({.cubic = 0, .restitution = 1, .mean = 0.1});
   const WhiteNoiseDensity density(p);
