@@ -39,6 +39,17 @@ PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
           l1_standard_error(measured, *transform::smooth_estimate(*measure, variable))};
 }
 
+// What the tails of a discretised equation that is `ok` have below 0 is of the size of its error
+// (`min_density` tells); no probability is negative.
+void drop_negative(std::span<const Solution> solutions, std::vector<SolutionMarginal>& marginals) {
+  for (auto& [id, variable, marginal] : marginals) {
+    const Solution* solution = transform::find_solution(solutions, id);
+    if (solution == nullptr || !solution->is_ok()) continue;
+    if (solution->identity.role != transform::Role::equation) continue;
+    for (double& density : marginal.density) density = std::max(0.0, density);
+  }
+}
+
 }  // namespace
 
 Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solution> solutions) {
@@ -78,6 +89,8 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
   result.budget =
       error_budget(axes, solutions, measure == nullptr ? over_even_bins : result.smooth);
   result.limits = limits(result.budget, solutions);
+  drop_negative(solutions, result.marginals);
+  drop_negative(solutions, result.smooth);
   return result;
 }
 

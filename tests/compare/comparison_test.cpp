@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "made_up_solutions.hpp"
 
 namespace fpkcheck::compare {
@@ -51,6 +56,34 @@ TEST(Comparison, UsesTheSimulationsOwnHistogram) {
   ASSERT_EQ(used.solution, "mcs");
   EXPECT_EQ(used.marginal.density, own.density);
   EXPECT_EQ(used.marginal.lower, own.lower);
+}
+
+// By rounding a discretised tail falls below 0. Of what is not `ok` that is what one wants to see.
+TEST(Comparison, LeavesNoNegativeProbabilityInABinOfAnOk) {
+  const auto axes = comparison_axes(tests::paper_case(1));
+  auto solutions = tests::made_up_solutions(axes);
+  const auto find = [](const std::vector<SolutionMarginal>& marginals, const std::string& id) {
+    return std::ranges::find_if(marginals, [&](const auto& one) {
+      return one.solution == id && one.variable == Variable::y;
+    });
+  };
+  const auto kf = std::ranges::find(solutions, "fd-kf", [](const Solution& s) { return s.id(); });
+  ASSERT_NE(kf, solutions.end());
+  kf->estimated_marginals.clear();
+  transform::GridDensity density{axes.y_edges, axes.v_edges, {}};
+  density.averages.assign(density.ny() * density.nv(), 1e-3);
+  for (std::size_t j = 0; j < density.nv(); ++j) density.averages[20 * density.nv() + j] = -1e-9;
+  kf->density = density;
+  for (const auto status : {transform::Status::ok, transform::Status::inadmissible}) {
+    kf->status = status;
+    const auto comparison = compare_solutions(axes, solutions);
+    const double least = find(comparison.marginals, "fd-kf")->marginal.density[20];
+    if (status == transform::Status::ok) {
+      EXPECT_EQ(least, 0);
+    } else {
+      EXPECT_LT(least, 0);
+    }
+  }
 }
 
 TEST(Comparison, IsOverEvenBinsWhereThoseAtASpikeAreDivided) {
