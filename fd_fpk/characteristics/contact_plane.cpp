@@ -14,7 +14,8 @@ constexpr double kCellWidth = 0.2;  // in usual amplitudes
 // Of the usual speed: below it the impacts in contact are a cascade.
 constexpr double kContactCore = 0.02;
 // Where cells cease to shrink towards an equilibrium, of the usual amplitudes: where impulses are
-// rare, and where they leave nothing of a motion that comes so near.
+// rare, and where they leave nothing of a motion that comes so near. Cells on both sides of a well
+// leave its mean as it is; to one at a wall they shrink further, to core_at_rest().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
 // Half an impulse leads to so much, however rare they are.
@@ -23,9 +24,20 @@ double usual_speed_in_contact(const problem::Problem& problem, const problem::Sc
 }
 
 // How near to an equilibrium the motion comes before an impulse.
-double equilibrium_core(const problem::Problem& problem, const problem::Scales& scales) {
+double equilibrium_core(const problem::Problem& problem, const problem::Scales& scales,
+                        bool at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
-  return std::clamp(std::exp(-kNothingLeft / impulses), kLeastCore, kMostCore);
+  const double least =
+      at_wall ? core_at_rest(scales.velocity_deviation, usual_speed_in_contact(problem, scales))
+              : kLeastCore;
+  return std::clamp(std::exp(-kNothingLeft / impulses), least, kMostCore);
+}
+
+bool at_wall(const Flow& flow, const RestPlace& place) {
+  const auto is_at = [&](Side side) {
+    return flow.wall(side) && flow.wall(side)->position == place.y;
+  };
+  return is_at(Side::left) || is_at(Side::right);
 }
 
 struct UsualLengths {
@@ -40,7 +52,6 @@ UsualLengths usual_lengths(const problem::Problem& problem, const problem::Scale
   UsualLengths found{.speed = usual_speed_in_contact(problem, scales),
                      .core_v = kContactCore,
                      .places = rest_places(flow)};
-  const double core = equilibrium_core(problem, scales);
   for (const RestPlace& place : found.places) {
     const Reach reach = flow.reach({place.y, found.speed});
     const double length = std::max(place.y - reach.low, reach.high - place.y);
@@ -51,6 +62,7 @@ UsualLengths usual_lengths(const problem::Problem& problem, const problem::Scale
       const double height = slow * slow / (2 * std::abs(flow.force(place.y)));
       found.core_y.push_back(height / kCellWidth);
     } else {
+      const double core = equilibrium_core(problem, scales, at_wall(flow, place));
       found.core_y.push_back(core * length);
       found.core_v = std::min(found.core_v, core);
     }

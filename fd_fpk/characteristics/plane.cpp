@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "fd_fpk/characteristics/flow.hpp"
+#include "fd_fpk/characteristics/rest.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 constexpr double kWidth = 0.2;  // of cells far out, in usual amplitudes
-constexpr double kCore = 1e-3;  // where cells cease to shrink towards the origin, likewise
 // And towards other singularities, nearer by.
 constexpr double kSpikeReach = 0.25;
 constexpr double kSpikeCore = 0.005;
@@ -23,13 +23,17 @@ double pressing(const problem::Problem& problem) {
 
 // Where a mean G presses it against the wall, the oscillator bounces: it meets the wall G / 2 v
 // times per unit time, and the power D2 of the impulses is c v^2 + (1 - r^2) G v / 4.
-double usual_speed(const problem::Problem& problem) {
+double deviation_of_speed(const problem::Problem& problem) {
   const double linear = problem::equivalent_linearisation(problem).velocity_deviation;
   const double r = problem.system.restitution(), c = problem.system.damping();
   const double loss = (1 - r * r) * pressing(problem) / 8;
   const double d2 = problem.impulses.intensity() / 2;
   const double bouncing = d2 / (loss + std::sqrt(loss * loss + c * d2));
-  return std::max(std::min(linear, bouncing), 0.5 * std::sqrt(problem.impulses.law().moment(2)));
+  return std::min(linear, bouncing);
+}
+
+double usual_speed(const problem::Problem& problem) {
+  return std::max(deviation_of_speed(problem), 0.5 * std::sqrt(problem.impulses.law().moment(2)));
 }
 
 double usual_height(const problem::Problem& problem, const Flow& flow, double speed) {
@@ -84,9 +88,9 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow, d
 }
 
 // The origin, and what else is singular, once where there are two as good as one.
-std::vector<Centre> centres(double usual, std::vector<double> singular) {
+std::vector<Centre> centres(double usual, double core, std::vector<double> singular) {
   const Grading to_spike{.reach = kSpikeReach * usual, .core = kSpikeCore * usual};
-  std::vector<Centre> centres{{0, {.reach = usual, .core = kCore * usual}}};
+  std::vector<Centre> centres{{0, {.reach = usual, .core = core * usual}}};
   std::ranges::sort(singular);
   for (const double x : singular) {
     if (x > centres.back().x + 2 * to_spike.core) centres.push_back({x, to_spike});
@@ -100,11 +104,12 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
   const Flow flow(problem.system);
   const double v = usual_speed(problem), y = usual_height(problem, flow, v);
   const double width = kWidth / options.refinement;
+  const double core = core_at_rest(deviation_of_speed(problem), v);
   // What is at rest is then as sharp after an impulse.
   const Singularities singular =
       unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
-  return symmetric_grid(faces_graded_to(0, box.x1_max, width * y, centres(y, singular.y)),
-                        faces_graded_to(0, box.x2_max, width * v, centres(v, singular.v)));
+  return symmetric_grid(faces_graded_to(0, box.x1_max, width * y, centres(y, core, singular.y)),
+                        faces_graded_to(0, box.x2_max, width * v, centres(v, core, singular.v)));
 }
 
 Box generous_box(const problem::Problem& problem, const Options& options) {

@@ -8,7 +8,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// Cells for characteristics: as wide as a fifth of the usual amplitude far from the origin, a
-/// constant part of the distance to it nearer by, down to a ten thousandth, all divided by
+/// constant part of the distance to it nearer by, down to core_at_rest(), all divided by
 /// options.refinement; as narrow in v where impulses from rest lead with atoms or up to steps of their
 /// law. The usual amplitude is that of equivalent linearisation, or what half an
 /// impulse leads to where that is more.

@@ -128,6 +128,12 @@ std::vector<RestPlace> rest_places(const Flow& flow, const Grid& grid, double ra
   return places;
 }
 
+double core_at_rest(double deviation, double usual_amplitude) {
+  constexpr double kCore = 1e-3;
+  const double ratio = std::min(1.0, deviation / usual_amplitude);
+  return kCore * ratio * ratio;
+}
+
 Cascade cascade(double speed, double pressing, double restitution, double rate) {
   const double r = restitution;
   return {.survival = std::exp(-rate * 2 * speed / (pressing * (1 - r))),

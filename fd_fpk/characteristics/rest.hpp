@@ -36,6 +36,13 @@ std::vector<RestPlace> rest_places(const Flow& flow, const Grid& grid, double ra
 /// Where they are, without cells.
 std::vector<RestPlace> rest_places(const Flow& flow);
 
+/// Where cells cease to shrink towards an equilibrium, of the usual amplitude A. Its innermost cells
+/// spread what is at rest: with an impulse in few decay times that is most of the mass, while the
+/// deviation s and the mean are small against A, as the square root of the impulses per decay time
+/// and as these themselves, (s / A)^2. The cells are a thousandth of the mean, and narrower than the
+/// narrowest bins next to 0, 8e-4 s (compare/axes.cpp).
+double core_at_rest(double deviation, double usual_amplitude);
+
 /// What becomes of a motion of this speed off the wall to which it is pressed, where the force is as
 /// good as constant: speeds r^n u, in a time of 2 u / (a (1 - r)).
 struct Cascade {

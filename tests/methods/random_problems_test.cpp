@@ -66,5 +66,32 @@ TEST(RandomProblems, AnswersAreWithinTheirStatedErrors) {
   EXPECT_GT(inaccurate, tests::usually(1, 8));  // or nothing was tested
 }
 
+// Below one impulse per decay time most of the mass is close to rest, and the bins next to 0 are divided:
+// with strong losses these were off by 0.05 to 0.06 while innermost cells were wider than they.
+TEST(RandomProblems, DividedBinsCloseToRestAreAsGoodAsEvenOnes) {
+  const auto method = builtin().select("fd-kf", {{"stepper", "direct"}}).front();
+  for (const std::uint64_t number : {115, 104, 119}) {
+    if (number != 115 && !tests::thorough()) continue;
+    const auto p = tests::random_problem(number);
+    SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
+    const auto axes = compare::comparison_axes(p);
+    ASSERT_GT(axes.divisions, 0);
+    const double decay = problem::slowest_decay(problem::equivalent_linearisation(p));
+    const auto judge =
+        mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
+            .solution;
+    const ProblemResiduals residuals(p);
+    const auto solution = solve_by(method, p, {axes, {}, &residuals});
+    ASSERT_TRUE(solution.is_ok()) << solution.reason;
+    const auto apart = [&](Variable variable) {
+      const auto& edges = compare::edges(axes, variable);
+      return transform::l1(transform::marginal(solution, variable, edges),
+                           transform::marginal(judge, variable, edges));
+    };
+    EXPECT_LT(apart(Variable::y), 2 * solution.error->y_l1 + *judge.sampling->y_99);
+    EXPECT_LT(apart(Variable::ydot), 2 * solution.error->ydot_l1 + *judge.sampling->ydot_99);
+  }
+}
+
 }  // namespace
 }  // namespace fpkcheck::methods

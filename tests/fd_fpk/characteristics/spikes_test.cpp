@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "distances.hpp"
 #include "exact/closed_forms.hpp"
@@ -81,6 +84,47 @@ TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareT
       EXPECT_LT(std::abs(solution.energy_residual), 2e-3);
     }
   }
+}
+
+// Between rare impulses the motion decays by the same share in each half-cycle, whatever its size: where
+// it is small against the impulses, P(y < b) ~ b^e with e impulses per time in which it falls by e.
+// Innermost cells wider than the bins left 1 and 0.3 of the mass in the first two and less than
+// nothing in the next, and E[y] off by as much as the momentum.
+TEST(AlongCharacteristics, SpreadWhatIsNearRestAsTheMotionDecays) {
+  const double c = 1e-3, r = 0.9, rate = 1e-4;
+  const auto p = tests::make_problem({.damping = c, .cubic = 0, .restitution = r, .rate = rate});
+  const auto [solution, summary] = solve(p, {.stepper = Stepper::direct});
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  ASSERT_EQ(summary.transport, Transport::characteristics);
+  const double half_cycle = std::numbers::pi / std::sqrt(1 - c * c / 4);
+  const double exponent = rate / (c / 2 - std::log(r) / half_cycle);
+  // The bins of compare/axes.cpp: of 0.05 deviations, divided at 1/4, 1/16 and 1/64.
+  const double bin = 0.05 * 0.86;
+  const auto y =
+      transform::marginal(*solution.density, Variable::y,
+                          std::vector<double>{0, bin / 64, bin / 16, bin / 4, bin, 2 * bin});
+  double below = y.density[0] * y.width(0);
+  EXPECT_LT(below, 1);
+  for (std::size_t b = 1; b < 4; ++b) {
+    const double mass = y.density[b] * y.width(b);
+    below += mass;
+    EXPECT_NEAR(mass / (below * (1 - std::pow(4, -exponent))), 1, 0.01) << b;
+  }
+  for (const auto& [variable, end] : {std::pair{Variable::y, 1.0}, {Variable::ydot, 1.0}}) {
+    const auto fine =
+        transform::marginal(*solution.density, variable,
+                            tests::uniform_edges(variable == Variable::y ? 0 : -end, end, 997));
+    for (const double density : fine.density) EXPECT_GE(density, 0);
+  }
+  EXPECT_LT(std::abs(*summary.balances.momentum), 5e-4);
+  // Half-cycles take the same time however small they are, and the stated error holds the rest.
+  ASSERT_TRUE(summary.error);
+  EXPECT_NEAR(summary.impact_rate, 1 / half_cycle, 1e-4);
+  // Guaranteed bounds of `fpkcheck bounds`.
+  const transform::Moments& stated = summary.error->moments;
+  EXPECT_GT(solution.moments.y1 + 2 * stated.y1, 0.0470638);
+  EXPECT_GT(solution.moments.v2 + 2 * stated.v2, 0.7368703);
+  EXPECT_LT(solution.moments.v2 - 2 * stated.v2, 0.7374409);
 }
 
 // With losses the two discretisations have nothing in common but the problem.
