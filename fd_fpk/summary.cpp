@@ -21,6 +21,8 @@ void observe_faint(Observer& observer, const std::string& path, double density) 
 }
 
 void observe(Observer& observer, const ErrorEstimate& error) {
+  // Stated, and no part of the answer to which a repeated run is held: the rate is.
+  if (std::isfinite(error.impact_rate)) observer.work("error.impact_rate", error.impact_rate);
   // Of the logarithm of a quotient of small differences.
   observer.add({.path = "error.observed_order", .value = error.observed_order, .delicate = true});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {

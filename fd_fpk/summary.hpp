@@ -23,6 +23,8 @@ struct ErrorEstimate {
   transform::Moments extrapolated = {};  ///< Richardson limits
   double factor = 0;                     ///< of the last difference that is still missing
   std::vector<double> at_rest = {};      ///< of the probabilities of rest, by atom
+  double impact_rate = 0;                ///< of Summary::impact_rate; not finite where that is not
+  bool has_limit = false;                ///< the observed order is one that the scheme may have
 };
 
 /// What a run of the solver reports beyond its density.
@@ -54,6 +56,7 @@ struct Summary {
   double growth_wavenumber = 0;
   WallDensity wall{0, 0};                     ///< density on the outer walls relative to the peak
   std::optional<Extent> wider = {};           ///< what shows what the walls do, where they matter
+  transform::Moments beyond_box = {};         ///< what else is known of that: of the moments
   std::optional<ErrorEstimate> error = {};    ///< where it was asked for
   transform::BalanceResiduals balances = {};  ///< of the density, where there is one
   /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite where they end in rest.

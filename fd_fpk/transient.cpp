@@ -9,6 +9,7 @@
 
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/offered.hpp"
+#include "fd_fpk/operator/impact_rate.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
@@ -108,8 +109,10 @@ Options resolving(const problem::Problem& problem, const problem::Scales& scales
   return options;
 }
 
-Snapshot snapshot(const problem::Problem& problem, const Options& options, const Grid& grid,
+Snapshot snapshot(const problem::Problem& problem, const Options& options, const Discretisation& on,
                   const FokkerPlanckOperator& op, const Eigen::VectorXd& averages, double time) {
+  const Grid& grid = on.grid;
+  const Eigen::VectorXd change = op * averages;
   const problem::System& system = problem.system;
   const problem::Frame& frame = problem.frame;
   Snapshot s{.time = time,
@@ -118,14 +121,17 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   // U is 0 at y = 0, wherever that is.
   s.energy =
       mean_energy(system, grid, averages, order_of(options)) - system.potential()(frame.x(0));
-  const double energy_rate = mean_energy(system, grid, op * averages, order_of(options));
+  const double energy_rate = mean_energy(system, grid, change, order_of(options));
   const auto [input, dissipated] =
       problem::power(problem, options.impact,
                      energy_terms(system, moments(grid, averages, order_of(options)), grid,
                                   averages, order_of(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
-  s.impact_rate = impact_rate(system, grid, averages, order_of(options));
+  // The start is a Gaussian, bounded at the walls.
+  s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, order_of(options))
+                            : impact_rate(system, on.excitation, options.impact, grid, averages,
+                                          change, order_of(options));
   s.mass = op.mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
   s.wall = relative_wall_density(problem, grid, averages);
@@ -162,14 +168,15 @@ void judge(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
 }
 
 void step_through(const problem::Problem& problem, const Options& options,
-                  const TransientOptions& transient, const Gaussian& gaussian, const Grid& grid,
-                  const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                  TransientResult& result) {
+                  const TransientOptions& transient, const Gaussian& gaussian,
+                  const Discretisation& on, const FokkerPlanckOperator& op,
+                  Preconditioner& preconditioner, TransientResult& result) {
   constexpr long kMostSteps = 1000000;  // between two snapshots
   // Of the local error; the rest of it goes into mass that is lost.
   constexpr double kLinearTolerance = 1e-3;
   constexpr long kStepsPerFactorisation = 10000;  // L is constant: a new gamma is what asks for one
 
+  const Grid& grid = on.grid;
   const Eigen::VectorXd start = averages_of(gaussian, grid);
   LinearCvode cvode(linear_system(op, preconditioner), start,
                     {.max_order = transient.max_order,
@@ -191,7 +198,7 @@ void step_through(const problem::Problem& problem, const Options& options,
                                   reached, time, flag, cvode.message());
       break;
     }
-    result.snapshots.push_back(snapshot(problem, options, grid, op, cvode.averages(), time));
+    result.snapshots.push_back(snapshot(problem, options, on, op, cvode.averages(), time));
     judge(problem.frame, grid, result.snapshots.back(), result);
     if (transient.progress) transient.progress(static_cast<double>(n) / transient.snapshots);
   }
@@ -231,7 +238,7 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
   }
   const auto op = fokker_planck_operator(problem, on_grid, on);
   Preconditioner preconditioner(problem, on.excitation, options.impact, grid);
-  step_through(problem, on_grid, transient, start, grid, op, preconditioner, result);
+  step_through(problem, on_grid, transient, start, on, op, preconditioner, result);
   return result;
 }
 

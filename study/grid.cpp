@@ -107,7 +107,13 @@ std::string obstacle(const GridRow& coarse, const GridRow& middle, const GridRow
         "with a larger --coarsest)",
         here->nx, here->nv);
   }
-  if (fine.observed->l1 >= transform::kLeastOrderOfALimit) return "";
+  if (transform::has_limit(fine.observed->l1, fine.order)) return "";
+  if (fine.observed->l1 > fine.order) {
+    return fmt::format(
+        "the differences fall at order {:.2g}, more than a scheme of order {} explains (begin with a "
+        "larger --coarsest)",
+        fine.observed->l1, fine.order);
+  }
   return fmt::format(
       "the differences fall at order {:.2g} only, and the limit takes {} (refine the origin, or "
       "take finer levels)",

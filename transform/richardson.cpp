@@ -13,6 +13,11 @@ double order(double before, double last, double ratio) {
   return std::log(before / last) / std::log(ratio);
 }
 
+// The error of u_2 of a number whose differences these are.
+double error_of(double before, double last, double fall, double factor) {
+  return factor * std::max(std::abs(last), std::abs(before) / fall);
+}
+
 Marginal limit(const Marginal& middle, const Marginal& fine, double factor) {
   Marginal limit = fine;
   for (std::size_t k = 0; k < limit.size(); ++k) {
@@ -32,8 +37,10 @@ Level level(const Solution& solution, std::span<const double> y_edges,
 }
 
 Change change(const Level& coarser, const Level& finer) {
-  Change change{
-      .y_l1 = l1(coarser.y, finer.y), .ydot_l1 = l1(coarser.ydot, finer.ydot), .moments = {}};
+  Change change{.y_l1 = l1(coarser.y, finer.y),
+                .ydot_l1 = l1(coarser.ydot, finer.ydot),
+                .moments = {},
+                .impact_rate = finer.impact_rate - coarser.impact_rate};
   for (const auto& [name, symbol, moment, size] : kMoments) {
     change.moments.*moment = finer.moments.*moment - coarser.moments.*moment;
   }
@@ -59,22 +66,34 @@ ObservedOrders observed_orders(const Change& before, const Change& last, double 
           .v2 = of(&Moments::v2)};
 }
 
+double credible_order(double observed, int of_scheme) {
+  const double above = std::max(0.0, observed - of_scheme - kMostAboveOrder);
+  return std::clamp(std::min(observed, of_scheme - above), 1.0, std::max(1.0, 1.0 * of_scheme));
+}
+
+bool has_limit(double observed, int order_of_scheme) {
+  return observed >= kLeastOrderOfALimit && observed <= order_of_scheme + kMostAboveOrder;
+}
+
 Richardson richardson(const Change& before, const Change& last, double ratio, int order) {
+  const ObservedOrders orders = observed_orders(before, last, ratio);
   const double observed = of_both(before) / of_both(last);
   const double fall = std::clamp(observed, ratio, std::pow(ratio, order));
-  const double factor = 1 / (fall - 1);
-  Richardson result{.orders = observed_orders(before, last, ratio),
+  const double credible = 1 / (std::pow(ratio, credible_order(orders.l1, order)) - 1);
+  Richardson result{.orders = orders,
                     .fall = fall,
-                    .factor = factor,
-                    .error = {.y_l1 = last.y_l1 * factor, .ydot_l1 = last.ydot_l1 * factor}};
+                    .factor = 1 / (fall - 1),
+                    .error = {.y_l1 = last.y_l1 * credible, .ydot_l1 = last.ydot_l1 * credible}};
   for (const auto& [name, symbol, moment, size] : kMoments) {
     result.error.moments.*moment =
-        factor * std::max(std::abs(last.moments.*moment), std::abs(before.moments.*moment) / fall);
+        error_of(before.moments.*moment, last.moments.*moment, fall, credible);
   }
   for (std::size_t k = 0; k < last.at_rest.size(); ++k) {
-    result.at_rest.push_back(
-        factor * std::max(std::abs(last.at_rest[k]), std::abs(before.at_rest[k]) / fall));
+    result.at_rest.push_back(error_of(before.at_rest[k], last.at_rest[k], fall, credible));
   }
+  const double own_fall = std::clamp(std::abs(before.impact_rate / last.impact_rate), ratio, fall);
+  result.impact_rate =
+      error_of(before.impact_rate, last.impact_rate, fall, std::max(credible, 1 / (own_fall - 1)));
   return result;
 }
 

@@ -75,6 +75,14 @@ LineOperator on_inner_faces(const Line& line, int points, Bias bias, int derivat
   return assemble(line.cells() + 1, line.cells(), entries);
 }
 
+// The first cell of a stencil about cell i that does not reach across a barrier.
+int first_about(const Line& line, int i, int points, std::optional<int> barrier) {
+  const bool beyond = barrier && i >= *barrier;
+  int first = not_before(line, i - points / 2, beyond ? *barrier : 0);
+  if (barrier && !beyond) first = std::min(first, *barrier - points);
+  return not_beyond(line, first, points);
+}
+
 double value_at_zero(int a) { return a == 0 ? 1.0 : 0.0; }
 double slope_at_zero(int a) { return a == 1 ? 1.0 : 0.0; }
 
@@ -109,10 +117,7 @@ LineOperator weighted_averages(const Line& line, int points, const problem::Poly
   Triplets entries;
   const std::size_t degree = weight.degree();
   for (int i = 0; i < line.cells(); ++i) {
-    const bool beyond = barrier && i >= *barrier;
-    int first = not_before(line, i - points / 2, beyond ? *barrier : 0);
-    if (barrier && !beyond) first = std::min(first, *barrier - points);
-    first = not_beyond(line, first, points);
+    const int first = first_about(line, i, points, barrier);
     // weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division.
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {
@@ -130,6 +135,22 @@ LineOperator weighted_averages(const Line& line, int points, const problem::Poly
            exact_weights(line, first, points, line.centre(i), line.width(i), functional));
   }
   return assemble(line.cells(), line.cells(), entries);
+}
+
+LineOperator point_values(const Line& line, int points, std::span<const double> fractions,
+                          std::optional<int> barrier) {
+  Triplets entries;
+  const int of_cell = static_cast<int>(fractions.size());
+  for (int i = 0; i < line.cells(); ++i) {
+    const int first = first_about(line, i, points, barrier);
+    for (int k = 0; k < of_cell; ++k) {
+      const double xi = fractions[k] - 0.5;
+      const auto value = [xi](int a) { return std::pow(xi, a); };
+      append(entries, line, i * of_cell + k, first,
+             exact_weights(line, first, points, line.centre(i), line.width(i), value));
+    }
+  }
+  return assemble(of_cell * line.cells(), line.cells(), entries);
 }
 
 LineOperator divergence(const Line& line) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <optional>
+#include <span>
 
 #include "fd_fpk/line/line.hpp"
 #include "problem/polynomial.hpp"
@@ -33,6 +34,11 @@ LineOperator last_value(const Line& line, int points);
 /// `points` cells (odd) do not reach across the inner face `barrier`, if one is given.
 LineOperator weighted_averages(const Line& line, int points, const problem::Polynomial& weight,
                                std::optional<int> barrier = {});
+
+/// Point values within the cells: row i n + k holds the value at face(i) + fractions[k] width(i),
+/// where n is the number of fractions, shape (n cells, cells). Stencils as of weighted_averages.
+LineOperator point_values(const Line& line, int points, std::span<const double> fractions,
+                          std::optional<int> barrier = {});
 
 /// (F[f+1] - F[f]) / width, shape (cells, cells + 1).
 LineOperator divergence(const Line& line);

@@ -175,11 +175,6 @@ double local_diffusion(const problem::Problem& problem, Equation equation) {
   return problem.noise.diffusion() + (series ? problem.impulses.rate_moment(2) / 2 : 0);
 }
 
-bool loses(const std::optional<problem::Wall>& wall) {
-  constexpr double kSmallJump = 0.1;  // of the density at the wall, at x2 = 0
-  return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
-}
-
 // Where cells shrink beyond the paper's class, and how far: at walls with losses and at x2 = 0.
 // Noise takes hold of what is slow at the wall whatever the force: under it those of x1 shrink as
 // the cube of x2's (x1_grading). The long reach in both directions: with it neighbours differ by
@@ -257,6 +252,11 @@ Discretisation discretise_family(const problem::Problem& problem, const Options&
 }
 
 }  // namespace
+
+bool loses(const std::optional<problem::Wall>& wall) {
+  constexpr double kSmallJump = 0.1;
+  return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
+}
 
 Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
                    const problem::Scales& scales) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fd_fpk/operator/operator.hpp"
@@ -37,6 +38,9 @@ struct Discretisation {
 
 /// True where the joint density is unbounded at rest (problem::impulses_per_decay_time).
 bool unbounded_at_origin(const problem::Problem& problem);
+
+/// There is such a wall, and the density's jump along it at x2 = 0, 1/r^2 - 1, is more than a tenth.
+bool loses(const std::optional<problem::Wall>& wall);
 
 /// The mean of the impulses holds the oscillator so far off the wall that it hardly meets it.
 bool off_the_wall(const problem::Problem& problem);

@@ -1,7 +1,9 @@
 #include "fd_fpk/operator/observables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "fd_fpk/line/line_operators.hpp"
@@ -79,6 +81,76 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
   return result;
 }
 
+namespace {
+
+// What is missing of the moments n = 0 .. 4 for the end x of a line: int_0^inf |x + t|^n p e^(-s t) dt,
+// where p and s follow from how the logarithm of the marginal falls, and ever more steeply if it does,
+// from 0.6 to 0.2 of the way between its mean and the end, since cells next to the end miss part of
+// theirs. Under noise that is as much again; what impulses would have taken beyond the end is missing on
+// all the way back, where it would have a density of p V / v.
+std::array<double, 5> missing_moments(const Line& line, const Eigen::VectorXd& marginal, bool last,
+                                      double x, bool of_impulses) {
+  const double end = last ? line.faces().back() : line.faces().front();
+  const double mean = integral(line, marginal, 1, monomial(1)) / line.widths().dot(marginal);
+  struct Sample {
+    double distance, log;  // from the end, of the density
+  };
+  const auto sample = [&](double part) {
+    const double at = end + part * (mean - end);
+    int cell = 0;
+    while (cell + 1 < line.cells() && line.face(cell + 1) < at) ++cell;
+    constexpr double kNothing = 1e-300;
+    return Sample{std::abs(line.centre(cell) - end),
+                  std::log(std::max(kNothing, std::abs(marginal(cell))))};
+  };
+  const Sample far = sample(0.6), middle = sample(0.4), near = sample(0.2);
+  const double least = 1 / std::abs(end - mean);
+  const auto fall = [&](const Sample& from, const Sample& to) {
+    const double way = from.distance - to.distance;
+    return way > 0 ? std::max(least, (from.log - to.log) / way) : least;
+  };
+  const double steepness = fall(middle, near);
+  const double steeper = std::max(0.0, steepness - fall(far, middle));
+  const double p = std::exp(near.log - (steepness + steeper) * near.distance);
+  const double rate = steepness + 1.5 * steeper;
+  // By parts, I_n = (|x|^n p + n I_(n-1)) / s.
+  std::array<double, 5> tail{};
+  for (std::size_t n = 0; n < tail.size(); ++n) {
+    const double lower = n == 0 ? 0 : static_cast<double>(n) * tail[n - 1];
+    tail[n] = (std::pow(std::abs(x), static_cast<double>(n)) * p + lower) / rate;
+  }
+  const double way = std::abs(end - mean);
+  for (std::size_t n = 1; n < tail.size(); ++n) {
+    tail[n] *= 1 + (of_impulses ? rate * way / static_cast<double>(n) : 1);
+  }
+  return tail;
+}
+
+}  // namespace
+
+transform::Moments beyond_box(const problem::Problem& problem, const Grid& grid,
+                              const Eigen::VectorXd& averages, const transform::Moments& of_all) {
+  const auto [y, v] = marginals(grid, averages);
+  transform::Moments beyond;
+  for (const bool last : {false, true}) {
+    const auto of_v = missing_moments(grid.x2, v, last, grid.x2_max(), problem.impulses.present());
+    beyond.v1 += of_v[1];
+    beyond.v2 += of_v[2];
+    beyond.v4 += of_v[4];
+  }
+  for (const bool last : {false, true}) {
+    if ((last ? grid.x1.right() : grid.x1.left()) == Beyond::boundary) continue;
+    const double end = problem.frame.y(last ? grid.x1_max() : grid.x1_min());
+    const auto of_y = missing_moments(grid.x1, y, last, end, false);
+    // What is missing of v is missing of the displacements that it leads to.
+    const double second = beyond.v2 / of_all.v2 / 2, fourth = beyond.v4 / of_all.v4 / 2;
+    beyond.y1 += of_y[1] + second * std::abs(of_all.y1);
+    beyond.y2 += of_y[2] + second * of_all.y2;
+    beyond.y4 += of_y[4] + fourth * of_all.y4;
+  }
+  return beyond;
+}
+
 double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
                    int order) {
   const problem::Polynomial y = problem::Polynomial({0, 1}).of_shifted(frame.origin, frame.sign());
@@ -107,14 +179,6 @@ double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order,
   const int half = grid.nv() / 2;
   const LineOperator weighted = weighted_averages(grid.x2, weighting_points(order), speed, half);
   return grid.x2.widths().head(half).dot((weighted * wall).head(half));
-}
-
-double impact_rate(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
-                   int order) {
-  double rate = 0;
-  if (system.left()) rate += impact_flux(grid, averages, order, 1);
-  if (system.right()) rate += impact_flux(grid, averages, order, 1, End::right);
-  return rate;
 }
 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,

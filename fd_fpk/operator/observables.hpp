@@ -26,6 +26,12 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, in
 transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
                                     const Eigen::VectorXd& averages, int order);
 
+/// An estimate of what the moments lack, in size, because the box ends: the tails beyond, as the
+/// marginals fall before them, and what would come back from there.
+/// @param of_all the moments in the box
+transform::Moments beyond_box(const problem::Problem& problem, const Grid& grid,
+                              const Eigen::VectorXd& averages, const transform::Moments& of_all);
+
 /// E[y y'] likewise, which is 0 of what is stationary.
 double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
                    int order);
@@ -40,9 +46,6 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
 /// energy balance.
 double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power,
                    End end = End::left);
-/// The sum of it over what walls there are.
-double impact_rate(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
-                   int order);
 
 /// E[v f] of cell averages with these moments (in the grid's coordinates).
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,

@@ -40,15 +40,20 @@ std::vector<double> no_narrower(const std::vector<double>& edges, double width) 
 
 // On the cells of the finer one, where they are not narrower than what anybody looks at: on the
 // cells into which a spike falls no two grids agree.
-transform::Change change(const Solution& coarser, const Solution& finer) {
+transform::Change change(const Result& coarser, const Result& finer) {
   constexpr double kNarrowest = 0.02;  // root mean squares
-  const auto& [y_edges, v_edges, averages] = grid_of(finer);
-  const auto& moments = finer.moments;
+  const auto& [y_edges, v_edges, averages] = grid_of(finer.solution);
+  const auto& moments = finer.solution.moments;
   // E[y^2] may be that of a motion far from y = 0.
   const double extent = std::min(std::sqrt(moments.y2), y_edges.back() - y_edges.front());
   const auto y = no_narrower(y_edges, kNarrowest * extent);
   const auto v = no_narrower(v_edges, kNarrowest * std::sqrt(moments.v2));
-  return transform::change(level(coarser, y, v), level(finer, y, v));
+  const auto of = [&](const Result& result) {
+    transform::Level level = transform::level(result.solution, y, v);
+    level.impact_rate = result.summary.impact_rate;
+    return level;
+  };
+  return transform::change(of(coarser), of(finer));
 }
 
 // The options of a grid whose cells are `factor` times narrower, without automatic changes.
@@ -104,7 +109,7 @@ void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& er
   for (std::size_t k = 0; k < error.at_rest.size(); ++k) {
     fine.solution.atoms[k].stated_error = error.at_rest[k];
   }
-  if (error.observed_order >= transform::kLeastOrderOfALimit) {
+  if (error.has_limit) {
     fine.solution.extrapolation = {*coarser.density, error.factor};
   }
 }
@@ -129,9 +134,34 @@ Moments moved_by_walls(const SolveOnOneGrid& solve, const Options& of_cells, con
   return moved;
 }
 
-ErrorEstimate with_walls(ErrorEstimate error, const Moments& moved) {
-  for (const auto& named : transform::kMoments) error.moments.*named.moment += moved.*named.moment;
-  error.of_walls = moved;
+// Along characteristics the order is not known, and may be more on two levels than it is on the next. An
+// error of the moments below the part by which a balance is missed would contradict that: the power
+// taken goes as E[v^2], as E[y^2] follows it, and the mean force as E[y].
+Moments with_balances(Moments error, const Result& fine) {
+  const auto& [solution, summary] = fine;
+  if (summary.transport != Transport::characteristics) return error;
+  const double power = std::abs(solution.energy_residual);
+  const double momentum = std::abs(summary.balances.momentum.value_or(0));
+  const auto at_least = [&, &moments = solution.moments](double Moments::*moment, double part) {
+    error.*moment = std::max(error.*moment, part * std::abs(moments.*moment));
+  };
+  at_least(&Moments::y1, momentum);
+  at_least(&Moments::y2, power);
+  at_least(&Moments::v2, power);
+  at_least(&Moments::y4, 2 * power);
+  at_least(&Moments::v4, 2 * power);
+  return error;
+}
+
+// Of three levels, and of the walls of their box.
+ErrorEstimate estimate(const Options& options, const Result& coarse, const Result& middle,
+                       const Result& fine, const Moments& of_walls) {
+  ErrorEstimate error = estimate_error(coarse, middle, fine, order_of_convergence(options));
+  error.moments = with_balances(error.moments, fine);
+  for (const auto& named : transform::kMoments) {
+    error.moments.*named.moment += of_walls.*named.moment + fine.summary.beyond_box.*named.moment;
+  }
+  error.of_walls = of_walls;
   return error;
 }
 
@@ -184,7 +214,7 @@ bool better(const Result& one, const Result& other) {
          l1(*one.summary.error) < l1(*other.summary.error);
 }
 
-ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, const Solution& fine,
+ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order) {
   const transform::Change last = change(middle, fine);
   const auto known = transform::richardson(change(coarse, middle), last, kLevelRatio, order);
@@ -192,9 +222,11 @@ ErrorEstimate estimate_error(const Solution& coarse, const Solution& middle, con
           .ydot_l1 = known.error.ydot_l1,
           .moments = known.error.moments,
           .observed_order = known.orders.l1,
-          .extrapolated = transform::limit(fine.moments, last, known.factor),
+          .extrapolated = transform::limit(fine.solution.moments, last, known.factor),
           .factor = known.factor,
-          .at_rest = known.at_rest};
+          .at_rest = known.at_rest,
+          .impact_rate = known.impact_rate,
+          .has_limit = transform::has_limit(known.orders.l1, order)};
 }
 
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
@@ -208,9 +240,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   const Result coarse = solve(coarsest, Answer::none_yet);
   if (middle.solution.density && coarse.solution.density) {
     add_estimate(fine, middle.solution,
-                 with_walls(estimate_error(coarse.solution, middle.solution, fine.solution,
-                                           order_of_convergence(options)),
-                            moved_by_walls(solve, coarsest, coarse)));
+                 estimate(options, coarse, middle, fine, moved_by_walls(solve, coarsest, coarse)));
     judge_error(options, fine);
   }
   return fine;
@@ -248,9 +278,7 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
     if (!coarse) coarse = solve(before, Answer::stands);
     if (!coarse->solution.density) break;
     add_estimate(fine, middle.solution,
-                 with_walls(estimate_error(coarse->solution, middle.solution, fine.solution,
-                                           order_of_convergence(options)),
-                            best.summary.error->of_walls));
+                 estimate(options, *coarse, middle, fine, best.summary.error->of_walls));
     judge_error(options, fine);
     coarse = std::exchange(middle, fine);
     if (better(fine, best)) best = std::move(fine);
@@ -304,10 +332,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       last[2] = std::move(result);
     }
     if (last[0]) {
-      const auto error =
-          with_walls(estimate_error(last[0]->solution, last[1]->solution, last[2]->solution,
-                                    order_of_convergence(options)),
-                     of_walls);
+      const auto error = estimate(options, *last[0], *last[1], *last[2], of_walls);
       add_estimate(*last[2], last[1]->solution, error);
       if (worst(error, last[2]->solution.moments) <= *options.tolerance) {
         if (options.stepper == Stepper::direct) {

@@ -13,15 +13,15 @@ namespace fpkcheck::fd_fpk {
 /// finer one. An estimate and no bound: it has been low by up to a factor of 2.5.
 /// @param order of the scheme
 /// @pre all three have a density
-ErrorEstimate estimate_error(const transform::Solution& coarse, const transform::Solution& middle,
-                             const transform::Solution& fine, int order);
+ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
+                             int order);
 
 /// Solves one problem with given options on one grid.
 using SolveOnOneGrid = std::function<Result(const Options&, Answer so_far)>;
 
 /// The solution on the grid of the options, with its error estimated from grids of cells wider by
 /// transform::kLevelRatio and its square (direct solves). The solution carries its extrapolation
-/// where the observed order is at least transform::kLeastOrderOfALimit.
+/// where transform::has_limit says so of the observed order.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
                                  Answer so_far = Answer::none_yet);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fd_fpk/operator/impact_rate.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
@@ -72,15 +73,17 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
 }
 
 void observe(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
-             const Grid& grid, const Eigen::VectorXd& averages, Result& result) {
+             const DirectSolution& direct, const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
+  const auto& [grid, excitation, length, refusal] = direct.discretisation;
   const int order = order_of(options);
   solution.density = grid_density(grid, averages);
   solution.moments = physical_moments(problem.frame, grid, averages, order);
   solution.mass = grid.areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
   summary.wall = relative_wall_density(scales, grid, averages);
-  summary.impact_rate = impact_rate(problem.system, grid, averages, order);
+  summary.impact_rate = impact_rate(problem.system, excitation, options.impact, grid, averages,
+                                    direct.op * averages, order);
   solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
   summary.balances = balance_residuals(problem, grid, averages, order,
                                        momentum_at_walls(problem.system, grid, averages, order));
@@ -143,9 +146,11 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
   const auto density = stationary_density(direct, problem, options, deadline, result);
   if (density) {
     const Grid& grid = direct.discretisation.grid;
-    observe(problem, surroundings.scales, options, grid, *density, result);
+    observe(problem, surroundings.scales, options, direct, *density, result);
     if (problem::of_the_paper(problem)) {
       summary.wider = wider_extent(problem, options, grid, summary.wall);
+    } else {
+      summary.beyond_box = beyond_box(problem, grid, *density, solution.moments);
     }
     judge_box(problem.frame, grid, result);
     judge_resolution(options, result);

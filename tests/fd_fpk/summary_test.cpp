@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,9 @@ TEST(Summary, IsObservedInTheOrderOfSummaryFiles) {
   EXPECT_EQ(paths(observations({})), kWithoutEstimate);
   auto with_estimate = kWithoutEstimate;
   with_estimate.insert(with_estimate.end(),
-                       {"error.observed_order", "error.extrapolated.y1", "error.extrapolated.y2",
-                        "error.extrapolated.y4", "error.extrapolated.v1", "error.extrapolated.v2",
-                        "error.extrapolated.v4"});
+                       {"error.impact_rate", "error.observed_order", "error.extrapolated.y1",
+                        "error.extrapolated.y2", "error.extrapolated.y4", "error.extrapolated.v1",
+                        "error.extrapolated.v2", "error.extrapolated.v4"});
   EXPECT_EQ(paths(observations({.error = ErrorEstimate{}})), with_estimate);
 }
 
@@ -80,6 +81,19 @@ TEST(Summary, TellsTheAnswerFromTheWork) {
   }
   EXPECT_EQ(find(all, "wall_density.y")->least_scale, 1e-6);
   EXPECT_EQ(number(all, "wall_density.ydot"), 2e-9);
+}
+
+// The rate is a part of the answer, its error a statement; of infinitely many impacts there is neither.
+TEST(Summary, TheImpactRateHasAnErrorWhereThereIsOne) {
+  const auto of = [](double rate, double error) {
+    return observations({.error = ErrorEstimate{.impact_rate = error}, .impact_rate = rate});
+  };
+  const auto all = of(0.3, 2e-4);
+  EXPECT_EQ(number(all, "error.impact_rate"), 2e-4);
+  EXPECT_EQ(find(all, "error.impact_rate")->kind, transform::Kind::work);
+  const auto infinite = of(HUGE_VAL, NAN);
+  EXPECT_EQ(find(infinite, "error.impact_rate"), nullptr);
+  EXPECT_EQ(find(infinite, "impact_rate"), nullptr);
 }
 
 TEST(Summary, ALimitIsJudgedByTheSizeOfItsMoment) {

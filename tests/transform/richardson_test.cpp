@@ -79,6 +79,23 @@ TEST(Richardson, DoesNotExtrapolateByMoreThanTheSchemeHas) {
   EXPECT_NEAR(of_order(7).richardson(2).factor, 1, 1e-13);  // 1 / (sqrt(2)^2 - 1)
 }
 
+TEST(Richardson, ErrorsAreByACredibleOrder) {
+  EXPECT_EQ(credible_order(4.5, 5), 4.5);
+  EXPECT_EQ(credible_order(5 + kMostAboveOrder, 5), 5);
+  EXPECT_NEAR(credible_order(7 + kMostAboveOrder, 5), 3, 1e-12);
+  EXPECT_EQ(credible_order(22.4, 2), 1);
+  EXPECT_EQ(credible_order(-3, 5), 1);
+  // Differences that fall by 2^7 from a coarsest level that is far off.
+  Sequence levels = of_order(3);
+  levels.coarse = at(1, 3, 3);
+  const Richardson known = levels.richardson(3);
+  EXPECT_GT(known.orders.l1, 3 + kMostAboveOrder + 2);
+  EXPECT_GE(known.error.y_l1, levels.last().y_l1 / (kLevelRatio - 1) * (1 - 1e-12));
+  EXPECT_FALSE(has_limit(known.orders.l1, 3));
+  EXPECT_TRUE(has_limit(3, 3));
+  EXPECT_FALSE(has_limit(1, 3));
+}
+
 TEST(Richardson, DoesNotExtrapolateASequenceThatDoesNotConvergeBeyondFirstOrder) {
   const Sequence diverging{at(0.5, 3), at(1 / kLevelRatio, 3), at(1, 3)};
   EXPECT_NEAR(diverging.richardson(5).factor, 1 / (kLevelRatio - 1), 1e-12);

@@ -35,10 +35,16 @@ transform::Solution wave(double amplitude) {
   return solution;
 }
 
+Result on_grid(double amplitude, double impact_rate = 0) {
+  Result result{.solution = wave(amplitude), .summary = {}};
+  result.summary.impact_rate = impact_rate;
+  return result;
+}
+
 TEST(ErrorEstimate, IsTheRestOfAGeometricSeries) {
   // Errors 16 e, 4 e, e: order 4 at the ratio sqrt 2.
   const double e = 0.001;
-  const auto error = estimate_error(wave(16 * e), wave(4 * e), wave(e), 5);
+  const auto error = estimate_error(on_grid(16 * e), on_grid(4 * e), on_grid(e), 5);
   EXPECT_NEAR(error.observed_order, 4, 1e-9);
   EXPECT_NEAR(error.y_l1, 8 * e, 1e-12);  // |amplitude| over an area of 8
   EXPECT_NEAR(error.moments.y2, e, 1e-12);
@@ -48,11 +54,35 @@ TEST(ErrorEstimate, IsTheRestOfAGeometricSeries) {
 
 TEST(ErrorEstimate, DoesNotTakeChanceAgreementForAccuracy) {
   // The last two agree by chance: the difference before and the order of the scheme bound it.
-  const auto error = estimate_error(wave(0.016), wave(0.001), wave(0.001), 5);
+  const auto error = estimate_error(on_grid(0.016), on_grid(0.001), on_grid(0.001), 5);
   EXPECT_GT(error.moments.y2, 0.5 * 0.015 / std::pow(2, 2.5) / std::pow(2, 2.5));
   // Differences that do not fall at all are no convergence.
-  const auto stalled = estimate_error(wave(0.001), wave(0.003), wave(0.001), 5);
+  const auto stalled = estimate_error(on_grid(0.001), on_grid(0.003), on_grid(0.001), 5);
   EXPECT_GT(stalled.moments.y2, 0.002);
+}
+
+// A coarsest grid that does not resolve the density: 14 is no order of a scheme of the fifth, and no
+// reason to take a fifth of the last difference for the error.
+TEST(ErrorEstimate, IsNotMadeByAnOrderThatTheSchemeCannotHave) {
+  const auto error = estimate_error(on_grid(0.129), on_grid(0.002), on_grid(0.001), 5);
+  EXPECT_GT(error.observed_order, 13);
+  EXPECT_GE(error.y_l1, 8 * 0.001 / (transform::kLevelRatio - 1) * (1 - 1e-12));
+  EXPECT_GE(error.moments.y2, 0.001 / (transform::kLevelRatio - 1) * (1 - 1e-12));
+  EXPECT_FALSE(error.has_limit);
+  // Where errors cancel a scheme has somewhat more than its order.
+  const auto cancelling = estimate_error(on_grid(0.001 * std::pow(2, 6.5)),
+                                         on_grid(0.001 * std::pow(2, 3.25)), on_grid(0.001), 5);
+  EXPECT_NEAR(cancelling.observed_order, 6.5, 0.5);
+  EXPECT_TRUE(cancelling.has_limit);
+}
+
+// Of a rate whose differences fall with the order 1.4 of a singularity beside marginals of order 4.
+TEST(ErrorEstimate, OfTheImpactRateIsByItsOwnOrderWhereThatIsLower) {
+  const double e = 0.001, q = std::pow(2, 0.7);
+  const auto error = estimate_error(on_grid(16 * e, 1 + e * q * q), on_grid(4 * e, 1 + e * q),
+                                    on_grid(e, 1 + e), 5);
+  EXPECT_NEAR(error.impact_rate, e, 1e-9);
+  EXPECT_NEAR(error.moments.y2, e, 1e-12);
 }
 
 TEST(ErrorEstimate, IsOfTheSizeOfTheErrorWhereTheSolutionIsKnown) {

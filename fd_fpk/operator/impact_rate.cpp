@@ -1,0 +1,162 @@
+#include "fd_fpk/operator/impact_rate.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "fd_fpk/line/line_operators.hpp"
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/wall_test_function.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Three Gauss-Legendre points of a cell.
+constexpr int kPoints = 3;
+const double kOffset = std::sqrt(0.6) / 2;
+const std::array<double, kPoints> kFractions{0.5 - kOffset, 0.5, 0.5 + kOffset};
+constexpr std::array<double, kPoints> kWeights{5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+double at(const Line& line, int cell, int point) {
+  return line.face(cell) + kFractions[point] * line.width(cell);
+}
+
+// A wall, and coordinates from it: d = sign (x - position) >= 0, and w = sign v away from it.
+struct SeenFromWall {
+  double position;
+  double sign;
+  double distance(double x) const { return sign * (x - position); }
+  double speed(double v) const { return sign * v; }
+};
+
+class Balance {
+ public:
+  Balance(const problem::System& system, const Excitation& excitation, problem::Impact impact,
+          const Grid& grid, int order)
+      : system_(system),
+        excitation_(excitation),
+        impact_(impact),
+        grid_(grid),
+        order_(order),
+        of_x1_(point_values(grid.x1, weighting_points(order), kFractions)),
+        of_x2_(point_values(grid.x2, weighting_points(order), kFractions)) {}
+
+  double rate(End end, const Eigen::VectorXd& averages, const Eigen::VectorXd& change) const {
+    const bool left = end == End::left;
+    const problem::Wall& wall = left ? *system_.left() : *system_.right();
+    const SeenFromWall from{wall.position, left ? 1.0 : -1.0};
+    const WallTestFunction h(excitation_.diffusion, from.sign * force(wall.position, 0),
+                             wall.restitution);
+    double balance = integral(averages, [&](double x, double v) {
+      return h.remainder(from.distance(x), from.speed(v), from.sign * force(x, v));
+    });
+    Eigen::VectorXd source = -change;
+    if (excitation_.exchange.size() > 0) {
+      columns(source).noalias() += excitation_.exchange * columns(averages);
+    }
+    balance -=
+        integral(source, [&](double x, double v) { return h(from.distance(x), from.speed(v)); });
+    if (const auto& other = left ? system_.right() : system_.left()) {
+      balance -= raised_by(*other, left ? End::right : End::left, from, h, averages);
+    }
+    const double log_of_loss =
+        impact_ == problem::Impact::map ? std::log(wall.restitution) : wall.restitution - 1;
+    return balance / (WallTestFunction::kStepAtWall + log_of_loss);
+  }
+
+ private:
+  Eigen::Map<const Eigen::MatrixXd> columns(const Eigen::VectorXd& averages) const {
+    return {averages.data(), grid_.nv(), grid_.nx()};
+  }
+  Eigen::Map<Eigen::MatrixXd> columns(Eigen::VectorXd& averages) const {
+    return {averages.data(), grid_.nv(), grid_.nx()};
+  }
+
+  double force(double x, double v) const {
+    return system_.force()(x) + v * (system_.damping_polynomial()(x) + system_.rayleigh() * v * v) -
+           excitation_.drift;
+  }
+
+  // The integral of weight p, of the averages of p.
+  template <class Weight>
+  double integral(const Eigen::VectorXd& averages, const Weight& weight) const {
+    const Eigen::MatrixXd p = of_x2_ * columns(averages) * of_x1_.transpose();
+    double sum = 0;
+    for (int i = 0; i < grid_.nx(); ++i) {
+      for (int a = 0; a < kPoints; ++a) {
+        const double x = at(grid_.x1, i, a);
+        double of_column = 0;
+        for (int j = 0; j < grid_.nv(); ++j) {
+          double of_cell = 0;
+          for (int b = 0; b < kPoints; ++b) {
+            of_cell +=
+                kWeights[b] * p(j * kPoints + b, i * kPoints + a) * weight(x, at(grid_.x2, j, b));
+          }
+          of_column += grid_.x2.width(j) * of_cell;
+        }
+        sum += grid_.x1.width(i) * kWeights[a] * of_column;
+      }
+    }
+    return sum;
+  }
+
+  // What impacts on the other wall add to E[h] per unit time.
+  double raised_by(const problem::Wall& other, End end, const SeenFromWall& from,
+                   const WallTestFunction& h, const Eigen::VectorXd& averages) const {
+    const int half = grid_.nv() / 2;
+    const LineOperator to_wall =
+        end == End::left ? end_value(grid_.x1, order_) : last_value(grid_.x1, order_);
+    const Eigen::VectorXd p = point_values(grid_.x2, weighting_points(order_), kFractions, half) *
+                              (columns(averages) * to_wall.transpose());
+    const double distance = from.distance(other.position), r = other.restitution;
+    // Of the paper's impact: the flux f returns as f(w) + (1-r) d(w f)/dw, by parts.
+    const auto raise = [&](double u) {
+      const double before = h(distance, u);
+      return impact_ == problem::Impact::map
+                 ? h(distance, -r * u) - before
+                 : h(distance, -u) + (1 - r) * u * h.slope(distance, -u) - before;
+    };
+    const int first = end == End::left ? 0 : half;
+    double sum = 0;
+    for (int j = first; j < first + half; ++j) {
+      for (int b = 0; b < kPoints; ++b) {
+        const double v = at(grid_.x2, j, b);
+        sum += grid_.x2.width(j) * kWeights[b] * std::abs(v) * p(j * kPoints + b) *
+               raise(from.speed(v));
+      }
+    }
+    return sum;
+  }
+
+  const problem::System& system_;
+  const Excitation& excitation_;
+  problem::Impact impact_;
+  const Grid& grid_;
+  int order_;
+  LineOperator of_x1_, of_x2_;
+};
+
+}  // namespace
+
+double impact_rate(const problem::System& system, const Excitation& excitation,
+                   problem::Impact impact, const Grid& grid, const Eigen::VectorXd& averages,
+                   const Eigen::VectorXd& change, int order) {
+  std::optional<Balance> balance;
+  const auto of = [&](const std::optional<problem::Wall>& wall, End end) {
+    if (!wall) return 0.0;
+    if (excitation.diffusion == 0 || !loses(*wall))
+      return impact_flux(grid, averages, order, 1, end);
+    if (!balance) balance.emplace(system, excitation, impact, grid, order);
+    return balance->rate(end, averages, change);
+  };
+  return of(system.left(), End::left) + of(system.right(), End::right);
+}
+
+double flux_into_walls(const problem::System& system, const Grid& grid,
+                       const Eigen::VectorXd& averages, int order) {
+  return (system.left() ? impact_flux(grid, averages, order, 1) : 0) +
+         (system.right() ? impact_flux(grid, averages, order, 1, End::right) : 0);
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,110 @@
+#include "fd_fpk/operator/impact_rate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "family.hpp"
+#include "fd_fpk/linear/null_vector.hpp"
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "problem/scales.hpp"
+#include "thorough.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using problem::Problem;
+using problem::System;
+
+struct Rates {
+  double stated;  ///< impact_rate()
+  double flux;    ///< of the extrapolation to the walls
+};
+
+Rates rates(const Problem& given, Impact impact, double origin_refinement,
+            double refinement = 0.7) {
+  const Problem p = tests::in_frame(given);
+  const Options options{
+      .impact = impact, .refinement = refinement, .origin_refinement = origin_refinement};
+  const auto scales = problem::scales(p);
+  const Discretisation on = discretise(p, options, initial_box(p, scales, options));
+  const auto op = fokker_planck_operator(p, options, on);
+  Preconditioner preconditioner(p, on.excitation, impact, on.grid);
+  const auto found = null_vector(op, preconditioner, gaussian_start(on.grid, p, scales)).averages;
+  if (!found) return {NAN, NAN};
+  const int order = order_of(options);
+  return {
+      .stated = impact_rate(p.system, on.excitation, impact, on.grid, *found, op * *found, order),
+      .flux = flux_into_walls(p.system, on.grid, *found, order)};
+}
+
+// Losses, forces at the walls, skew impulses beside noise, damping by y and y'.
+Problem of_everything() {
+  Problem p = tests::with_impulses(
+      System({.damping = 0.1,
+              .van_der_pol = 0.2,
+              .rayleigh = 0.1,
+              .constant = 0.4,
+              .stiffness = 1,
+              .cubic = 0.3},
+             {.left = -0.3, .left_restitution = 0.85, .right = 1, .right_restitution = 0.9}),
+      problem::ImpulseTrain({.arrival_rate = 2, .law = "laplace", .intensity = 0.3, .mean = 0.1}));
+  p.noise = {0.2};
+  return p;
+}
+
+// Of mild losses the flux converges quickly enough to be a reference: with the power 2 - beta, 1.8 here.
+TEST(ImpactRate, IsTheLimitOfTheFluxIntoTheWalls) {
+  for (const Impact impact : {Impact::map, Impact::delta}) {
+    if (impact == Impact::delta && !tests::thorough()) continue;
+    constexpr double kFine = 1.4;
+    const Rates coarse = rates(of_everything(), impact, 12, kFine),
+                fine = rates(of_everything(), impact, 48, kFine);
+    EXPECT_NEAR(fine.flux / fine.stated, 1, 1e-5);
+    EXPECT_NEAR(coarse.stated / fine.stated, 1, 5e-6);
+    EXPECT_GT(std::abs(coarse.flux / fine.stated - 1), 5e-5);
+  }
+}
+
+// Seen from the other side the walls change places.
+TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
+  const System both(
+      {.damping = 0.1, .stiffness = 1},
+      {.left = -0.5, .left_restitution = 0.6, .right = 0.5, .right_restitution = 0.8});
+  const System other(
+      {.damping = 0.1, .stiffness = 1},
+      {.left = -0.5, .left_restitution = 0.8, .right = 0.5, .right_restitution = 0.6});
+  // Any density in motion, and the same seen from the other side.
+  const auto rate = [](const System& system, bool mirrored) {
+    const Problem p = tests::in_frame(tests::with_noise(system, 0.2));
+    const Options options{.refinement = 0.7, .origin_refinement = 16};
+    const auto scales = problem::scales(p);
+    const Discretisation on = discretise(p, options, initial_box(p, scales, options));
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(on.grid.size(), 0, 1).array().sin() + 0.3;
+    Eigen::VectorXd averages = gaussian_start(on.grid, p, scales).cwiseProduct(x);
+    if (mirrored) {
+      averages = gaussian_start(on.grid, p, scales).cwiseProduct(Eigen::VectorXd(x.reverse()));
+    }
+    const auto op = fokker_planck_operator(p, options, on);
+    return impact_rate(p.system, on.excitation, Impact::map, on.grid, averages, op * averages,
+                       order_of(options));
+  };
+  const double one = rate(both, false);
+  EXPECT_GT(one, 0);
+  EXPECT_NEAR(rate(other, true), one, 1e-8 * one);
+}
+
+// Without losses, or without noise, it is the flux.
+TEST(ImpactRate, IsTheFluxWhereTheDensityIsBounded) {
+  const System elastic({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 1});
+  const auto under_noise = rates(tests::with_noise(elastic, 0.2), Impact::map, 1);
+  EXPECT_EQ(under_noise.stated, under_noise.flux);
+  const System losing({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.7});
+  const auto under_impulses =
+      rates(tests::with_impulses(losing, tests::gaussian_impulses(2, 0.2)), Impact::map, 16);
+  EXPECT_EQ(under_impulses.stated, under_impulses.flux);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
