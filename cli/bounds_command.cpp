@@ -30,11 +30,12 @@ Guaranteed lower and upper bounds of stationary expectations of the oscillator u
 themselves (equation kf, exact impact): E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and the momentum of
 the impacts w1 = int u^2 p(0,-u) du. They trust no solver: an approximate solution of the backward
 equation is checked by outward-rounded interval arithmetic. docs/bounds.md has theorem and proof.
-Exit code 0 when all are as narrow as asked for, 1 when they are not or there are none.
+Exit code 0 when all are as narrow as asked for, 1 when they are not (the last line names the limit:
+--seconds, or the finest grid) or there are none.
 
 examples:
   fpkcheck bounds case1
-  fpkcheck bounds case1 --width 1e-6 --seconds 60
+  fpkcheck bounds case1 --width 5e-6 --seconds 60
   fpkcheck bounds case1 --bin ydot:0.5:0.3          an average of p(y') about 0.5
 )";
 

@@ -33,7 +33,8 @@ struct LeastSquaresProblem {
 };
 
 /// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once:
-/// scaled normal equations with a small ridge, factorised by blocks, and refined. V is fitted to f
+/// conjugate gradients with the scaled normal equations, a small ridge added and factorised by blocks,
+/// as preconditioner. V is fitted to f
 /// and to 1; the residuals e_f, e_1 give U = <e_1, e_f> / <e_1, e_1>.
 /// @param functions f(y, v)
 /// @throws FitBrokeDown (dual/backward/normal_equations.hpp)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace fpkcheck::dual {
@@ -55,21 +56,42 @@ ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restit
       SplineBasis(graded_breaks(u, grid.speed_cells, grid.finest * u, grid.even * u)), restitution);
 }
 
-Grid grid_of_level(int level, Smoothness integrand) {
+WidthLimit width_limit(const Functional& functional) {
+  if (!breaks(functional).empty()) return WidthLimit::knots;
+  const PowerMean* const mean = std::get_if<PowerMean>(&functional);
+  return mean != nullptr && mean->power > 2 ? WidthLimit::tails : WidthLimit::origin;
+}
+
+std::span<const Grid> grids_for(WidthLimit limit) {
   // V has a conical point at the origin: the error falls with the cells there as long as they are
-  // the worst. Much finer ones than these cost digits of the normal equations.
-  static constexpr Grid kSmooth[kLevels] = {{16, 16, 3e-3, 0.3, 7},
-                                            {22, 22, 1e-3, 0.2, 7.5},
-                                            {28, 28, 3e-4, 0.2, 8},
-                                            {40, 40, 6e-5, 0.2, 8},
-                                            {56, 56, 1.5e-5, 0.15, 8.5}};
+  // the worst. Finer ones than the last cost more digits of the normal equations than they give.
+  static constexpr Grid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
+                                     {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
+                                     {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
+                                     {72, 72, 2.5e-6, 0.15, 8}};
+  // Higher powers lose these digits first: in the end cells are wider at the origin and the box is
+  // larger.
+  static constexpr Grid kTails[] = {kOrigin[0],
+                                    kOrigin[1],
+                                    kOrigin[2],
+                                    kOrigin[3],
+                                    kOrigin[4],
+                                    {56, 56, 6e-5, 0.1, 9.5},
+                                    {64, 64, 3e-5, 0.12, 9.5}};
   // The motion carries the knots of a bin all over the phase plane.
-  static constexpr Grid kPiecewise[kLevels] = {{20, 28, 3e-2, 0.1, 6},
-                                               {28, 40, 3e-2, 0.1, 6},
-                                               {36, 50, 3e-2, 0.1, 6},
-                                               {50, 70, 2e-2, 0.1, 6},
-                                               {64, 90, 1e-2, 0.1, 6}};
-  return integrand == Smoothness::smooth ? kSmooth[level] : kPiecewise[level];
+  static constexpr Grid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
+                                    {28, 40, 3e-2, 0.1, 6},
+                                    {36, 50, 3e-2, 0.1, 6},
+                                    {50, 70, 2e-2, 0.1, 6},
+                                    {64, 90, 1e-2, 0.1, 6}};
+  switch (limit) {
+    case WidthLimit::origin:
+      return kOrigin;
+    case WidthLimit::tails:
+      return kTails;
+    default:
+      return kKnots;
+  }
 }
 
 }  // namespace fpkcheck::dual

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "dual/bounds/functional.hpp"
 #include "dual/bounds/weight.hpp"
 #include "dual/spline/impact_basis.hpp"
 
@@ -10,6 +13,8 @@ struct Grid {
   int y_cells, speed_cells;
   double finest, even;  ///< of graded_breaks, in units of the ends
   double edge;          ///< G at the edges of the box, in units of the weight's h0
+
+  bool operator==(const Grid&) const = default;
 };
 
 /// What stands at the ends of the box in y, or beyond them: the motion may leave it at an open end,
@@ -25,15 +30,17 @@ SplineBasis displacement_basis(const Grid& grid, const Weight& weight,
 Ends ends_of(const SplineBasis& displacement, const problem::System& system);
 ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution);
 
-/// What limits the accuracy of V.
-enum class Smoothness {
-  smooth,    ///< a polynomial integrand: the conical point at the origin
-  piecewise  ///< the knots of a smooth bin
+/// What limits the width of bounds on a grid.
+enum class WidthLimit {
+  origin,  ///< a power up to 2, and w1: the conical point of V at the origin
+  tails,   ///< a higher power: the edges of the box, and rounding where V is large
+  knots    ///< the knots of a smooth bin
 };
+WidthLimit width_limit(const Functional& functional);
 
-/// Grids of the ladder, from the coarsest on.
-inline constexpr int kLevels = 5;
-Grid grid_of_level(int level, Smoothness integrand);
+/// The grids for such functionals, from the coarsest on; those of the origin and of the tails begin
+/// alike.
+std::span<const Grid> grids_for(WidthLimit limit);
 /// A grid takes less than this many times the time of the one before.
 inline constexpr double kCostRatio = 2.5;
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <variant>
 
 #include "dual/bounds/one_grid.hpp"
 #include "exact/closed_forms.hpp"
@@ -18,9 +19,8 @@ const Functional kMeanSquareVelocity = PowerMean{Axis::velocity, 2};
 
 std::vector<Enclosure> on_level(const problem::Problem& problem, int level,
                                 const std::vector<Functional>& functionals) {
-  const Smoothness kind =
-      breaks(functionals[0]).empty() ? Smoothness::smooth : Smoothness::piecewise;
-  return bounds_on_grid(problem, weight(problem, 12), grid_of_level(level, kind), functionals, 2);
+  const Grid grid = grids_for(width_limit(functionals[0]))[static_cast<std::size_t>(level)];
+  return bounds_on_grid(problem, weight(problem, 12), grid, functionals, 2);
 }
 
 TEST(Bounds, OfCase1HoldTheTruthAndExcludeFaults) {
@@ -114,8 +114,8 @@ TEST(Bounds, DoNotDependOnTheNumberOfThreads) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<Functional> both{kMeanSquare, kMeanSquareVelocity};
   const Weight tau = weight(problem, 12);
-  const auto one = bounds_on_grid(problem, tau, grid_of_level(0, Smoothness::smooth), both, 1);
-  const auto two = bounds_on_grid(problem, tau, grid_of_level(0, Smoothness::smooth), both, 2);
+  const auto one = bounds_on_grid(problem, tau, grids_for(WidthLimit::origin)[0], both, 1);
+  const auto two = bounds_on_grid(problem, tau, grids_for(WidthLimit::origin)[0], both, 2);
   for (std::size_t i = 0; i < both.size(); ++i) {
     EXPECT_EQ(one[i].lower, two[i].lower);
     EXPECT_EQ(one[i].upper, two[i].upper);
@@ -130,14 +130,31 @@ TEST(Bounds, AreRefinedUntilTheWidthAskedForIsMet) {
   EXPECT_EQ(narrow.status, BoundsStatus::ok);
   EXPECT_LE(narrow.each[0].value.half_width(), 1e-5);
   EXPECT_GT(narrow.grids.size(), 1u);
-  EXPECT_LT(narrow.grids.size(), static_cast<std::size_t>(kLevels));
+  EXPECT_LT(narrow.grids.size(), grids_for(WidthLimit::origin).size());
 
   options.half_width = 1e-12;
   options.seconds = 0;
   const Bounds wide = bounds(problem::load_case("case1"), options);
   EXPECT_EQ(wide.status, BoundsStatus::width_not_met);
   EXPECT_EQ(wide.grids.size(), 1u);
-  EXPECT_FALSE(wide.reason.empty());
+  EXPECT_NE(wide.reason.find("--seconds"), std::string::npos) << wide.reason;
+}
+
+// Beyond the grids that all powers have in common each goes on where it is limited.
+TEST(FinestBounds, AreOfAMillionthBelowTheFourthPowerOfTheVelocity) {
+  Options options;
+  options.relative_half_width = 1e-6;
+  options.seconds = 1e9;
+  const Bounds all = bounds(problem::load_case("case1"), options);
+  for (const Bound& bound : all.each) {
+    const auto* const power = std::get_if<PowerMean>(&bound.functional);
+    const bool hardest = power != nullptr && power->axis == Axis::velocity && power->power == 4;
+    EXPECT_LT(bound.value.half_width() / bound.value.middle(), hardest ? 6e-6 : 1e-6)
+        << name(bound.functional);
+  }
+  EXPECT_EQ(all.status, BoundsStatus::width_not_met);
+  EXPECT_NE(all.reason.find("grid is offered for E[y'^4]; ask for --width"), std::string::npos)
+      << all.reason;
 }
 
 TEST(Bounds, AreRefusedForOverdampedMotionAndForWrongOptions) {

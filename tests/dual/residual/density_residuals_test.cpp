@@ -71,7 +71,7 @@ TEST(DensityResiduals, LeadAnyDensityIntoTheGuaranteedBounds) {
        {tests::paper_case(1),
         tests::make_problem({.restitution = 0.7, .mean = 0.1, .law = "uniform"})}) {
     const auto bounds = bounds_on_grid(problem, weight(problem, 12),
-                                       grid_of_level(0, Smoothness::smooth), functionals, 1);
+                                       grids_for(WidthLimit::origin)[0], functionals, 1);
     const auto found = DensityResiduals(problem).of(bell());
     for (std::size_t k = 0; k < functionals.size(); ++k) {
       const double value = found.corrected.*moments[k];
