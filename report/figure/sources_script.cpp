@@ -128,8 +128,8 @@ std::string colour_axis(double limit) {
     tics.push_back(fmt::format("{} {:.4f}", gnuplot_text(value), signed_root(k * step, limit)));
   }
   const std::string unit = power == 0 ? "" : with_minus(fmt::format(", 10^{{{}}}", power));
-  return fmt::format("set cblabel {}\nset cbtics ({})\n",
-                     gnuplot_text("error per area" + unit), fmt::join(tics, ", "));
+  return fmt::format("set cblabel {}\nset cbtics ({})\n", gnuplot_text("error per area" + unit),
+                     fmt::join(tics, ", "));
 }
 
 std::string source_panel(const Case& one, const std::string& id, std::size_t column,
