@@ -123,8 +123,8 @@ Refined refined(const problem::Problem& problem, const Options& options) {
     if (groups.empty()) return result;
     for (const auto& [grid, numbers] : groups) {
       const double expected = elapsed() + kCostRatio * before[numbers.front()];
-      const auto end_all = [&](const End& end) {
-        for (const std::size_t i : numbers) result.ends[i] = end;
+      const auto end_all = [&result, &ended = numbers](const End& end) {
+        for (const std::size_t i : ended) result.ends[i] = end;
       };
       if (level > 0 && expected > options.seconds) {
         end_all({End::Cause::time, expected});
