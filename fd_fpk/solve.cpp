@@ -86,7 +86,8 @@ class Solver {
     if (first.solution.is_ok() && (along || good(first))) return first;
     // A tolerance that one has missed the other will not meet in less time.
     if (options_.tolerance && first.solution.density) return first;
-    // Impulses shorter than cells are lost in them, and a box that was given is the same for both.
+    // Characteristics between so many impulses visit too many cells, and a box that was given is the
+    // same for both.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && per_decay_time > kMostFrequent)) return first;
     Result second = by(along ? Transport::upwind : Transport::characteristics, deadline_,

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <variant>
 #include <vector>
 
-#include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 
 namespace fpkcheck::methods {
@@ -22,49 +24,69 @@ std::optional<double> accuracy_of(const Method& method) {
   return std::nullopt;
 }
 
-void state_distance(const Solution& reference, const Distance& distance, double accuracy,
-                    Solution& solution) {
-  if (solution.status == transform::Status::inaccurate && !solution.error) {
-    solution.status = transform::Status::ok;
-    solution.reason.clear();
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+// How far a solution's marginals are from the reference's, in L1; nothing of one that it lacks.
+struct Distance {
+  std::optional<double> y, ydot;
+
+  explicit operator bool() const { return y || ydot; }
+};
+
+void state_distance(const Solution& reference, const Distance& distance, Solution& solution) {
+  const auto with_its_own = [&](const std::optional<double>& l1, Variable variable) {
+    return l1 ? *l1 + compare::own_error(reference, variable) : kUnknown;
+  };
+  transform::StatedError error{.y_l1 = with_its_own(distance.y, Variable::y),
+                               .ydot_l1 = with_its_own(distance.ydot, Variable::ydot)};
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    error.moments.*moment = std::abs(solution.moments.*moment - reference.moments.*moment);
+    if (reference.error) error.moments.*moment += reference.error->moments.*moment;
   }
-  solution.error = transform::StatedError{
-      .y_l1 = distance.y + compare::own_error(reference, Variable::y),
-      .ydot_l1 = distance.ydot + compare::own_error(reference, Variable::ydot)};
-  transform::hold_to(
-      accuracy,
-      fmt::format(
-          "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} in p(y')",
-          reference.id(), distance.y, distance.ydot),
-      solution);
+  solution.error = error;
 }
 
-void state_errors_by_reference(const std::vector<Method>& methods,
-                               const compare::ComparisonAxes& axes,
-                               const ProblemResiduals& residuals,
-                               std::vector<Solution>& solutions) {
-  std::vector<std::size_t> without_error;
-  for (std::size_t m = 0; m < solutions.size(); ++m) {
-    const Solution& solution = solutions[m];
-    if (accuracy_of(methods[m]) && solution.density && !solution.error) without_error.push_back(m);
-  }
-  if (without_error.empty()) return;
-  const Solution* reference = compare::reference(solutions);
-  compare::Comparison comparison;
-  if (reference != nullptr) comparison = compare::compare_solutions(axes, solutions);
-  for (const std::size_t m : without_error) {
-    Solution& solution = solutions[m];
-    const double accuracy = *accuracy_of(methods[m]);
-    const auto l1 = [&](Variable variable) -> std::optional<double> {
-      if (reference == nullptr) return std::nullopt;
-      return compare::l1_between(comparison.pairs, solution.id(), reference->id(), variable);
+}  // namespace
+
+void complete_errors(const std::vector<Method>& methods, const compare::ComparisonAxes& axes,
+                     const ProblemResiduals& residuals, std::vector<Solution>& solutions,
+                     const compare::Comparison* known) {
+  const Solution* const reference = compare::reference(solutions);
+  std::optional<compare::Comparison> own;
+  const auto distance = [&](const Solution& solution) -> Distance {
+    if (reference == nullptr) return {};
+    if (known == nullptr) known = &own.emplace(compare::compare_solutions(axes, solutions));
+    const auto l1 = [&](Variable variable) {
+      return compare::l1_between(known->pairs, solution.id(), reference->id(), variable);
     };
-    const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
-    if (y && ydot) {
-      state_distance(*reference, {*y, *ydot}, accuracy, solution);
-    } else if (solution.is_ok()) {
-      state_measured_error(residuals, accuracy, solution);
+    return {l1(Variable::y), l1(Variable::ydot)};
+  };
+  for (std::size_t m = 0; m < solutions.size(); ++m) {
+    Solution& solution = solutions[m];
+    const auto accuracy = solution.error ? std::nullopt : accuracy_of(methods[m]);
+    if (accuracy && solution.density) {
+      if (const Distance found = distance(solution); found.y && found.ydot) {
+        if (solution.status == transform::Status::inaccurate) {  // only for want of an error
+          solution.status = transform::Status::ok;
+          solution.reason.clear();
+        }
+        state_distance(*reference, found, solution);
+        transform::hold_to(
+            *accuracy,
+            fmt::format(
+                "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} "
+                "in p(y')",
+                reference->id(), *found.y, *found.ydot),
+            solution);
+      } else if (solution.is_ok()) {
+        state_measured_error(residuals, *accuracy, solution);
+      }
+    } else if (solution.is_ok() && &solution != reference && !transform::states_error(solution)) {
+      if (const Distance found = distance(solution)) state_distance(*reference, found, solution);
     }
+    transform::require_stated_error(solution);
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "compare/comparison.hpp"
 #include "methods/method.hpp"
 #include "methods/problem_residuals.hpp"
 
@@ -10,23 +12,19 @@ namespace fpkcheck::methods {
 /// The accuracy that a closure is held to; nothing where it is not, or is no closure.
 std::optional<double> accuracy_of(const Method& method);
 
-/// How far a solution's marginals are from the reference's, in L1.
-struct Distance {
-  double y, ydot;
-};
-
-/// Gives a closure the error that its distance to the reference and what that does not know of
-/// itself make together (the triangle inequality). If it is ok, but off by more, it becomes
-/// `inaccurate`; if it is `inaccurate` only because its residuals gave no error, it is ok first.
-void state_distance(const transform::Solution& reference, const Distance& distance, double accuracy,
-                    transform::Solution& solution);
-
-/// Of closures without an error, whose residuals are not offered or gave none: they are held to their
-/// accuracy by the reference among the solutions, if there is one, and are `inaccurate` if not.
-/// @param methods that they are of, in their order
-void state_errors_by_reference(const std::vector<Method>& methods,
-                               const compare::ComparisonAxes& axes,
-                               const ProblemResiduals& residuals,
-                               std::vector<transform::Solution>& solutions);
+/// Completes what the solutions of one problem state of their errors, when all of them are there; none
+/// stays `ok` without a stated error.
+/// - Closures without an error, whose residuals are not offered, were not asked for or gave none, have
+///   their distance to the reference among the solutions and what it states of itself together (the
+///   triangle inequality). Those that were `inaccurate` only for want of an error are ok first; off by
+///   more than their accuracy, or without a reference, they are `inaccurate`.
+/// - So have all others that are ok and state none (a density of one's own, a closure of one's own):
+///   nobody asked for an accuracy, but without a reference they are `inaccurate`.
+/// @param methods that the solutions are of, in their order
+/// @param known the comparison of the solutions, if there is one already
+void complete_errors(const std::vector<Method>& methods, const compare::ComparisonAxes& axes,
+                     const ProblemResiduals& residuals,
+                     std::vector<transform::Solution>& solutions,
+                     const compare::Comparison* known = nullptr);
 
 }  // namespace fpkcheck::methods

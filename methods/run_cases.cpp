@@ -66,7 +66,7 @@ class Run {
   void finish(std::size_t p) {
     std::vector<Solution> solutions;
     for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
-    state_errors_by_reference(methods_, axes_[p], residuals_[p], solutions);
+    complete_errors(methods_, axes_[p], residuals_[p], solutions);
     cases_[p] = results::make_case(problems_[p], axes_[p], std::move(solutions));
     if (case_listener_) case_listener_(*cases_[p]);
   }
@@ -105,6 +105,11 @@ Solution solve_by(const Method& method, const problem::Problem& problem, const S
   }
   solution.identity = method.identity;
   solution.options = method.options;
+  // Of others, what is there beside them may measure it (complete_errors).
+  const auto role = method.identity.role;
+  if (role == transform::Role::equation || role == transform::Role::simulation) {
+    transform::require_stated_error(solution);
+  }
   return solution;
 }
 

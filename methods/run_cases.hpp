@@ -25,7 +25,8 @@ struct RunProgress {
 using ProgressListener = std::function<void(const RunProgress&)>;
 
 /// Solves a problem by a method on the axes of its case; the solution knows who it is and what was
-/// asked for. Where memory does not suffice it has failed for that reason.
+/// asked for. Where memory does not suffice it has failed for that reason. Of a density equation or a
+/// simulation it is not `ok` without a stated error; of others complete_errors() sees to that.
 transform::Solution solve_by(const Method& method, const problem::Problem& problem,
                              const Setting& setting);
 

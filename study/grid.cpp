@@ -146,6 +146,14 @@ std::optional<MarginalL1> l1(const std::optional<Level>& one, const std::optiona
   return MarginalL1{transform::l1(one->y, other->y), transform::l1(one->ydot, other->ydot)};
 }
 
+// A grid alone estimates no error: it is what the grids tend to that measures it.
+void state_error(GridRow& row) {
+  if (row.l1) {
+    row.solution.error = transform::StatedError{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
+  }
+  transform::require_stated_error(row.solution);
+}
+
 fd_fpk::Options of_grids(const GridStudyOptions& options) {
   return {.equation = options.equation, .impact = options.impact};
 }
@@ -191,13 +199,17 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     std::ranges::move(grids, std::back_inserter(study.rows));
   }
   const auto& truth = study.truth().density;
-  for (auto& row : study.rows) row.l1 = l1(row.density, truth);
+  for (auto& row : study.rows) {
+    row.l1 = l1(row.density, truth);
+    state_error(row);
+  }
   for (auto& one : study.limits) one.l1 = l1(one.density, truth);
   if (!truth) return study;  // nothing to measure others by
   if (study.limits.size() > 1) study.known_to = study.limits.end()[-2].l1;
   for (const auto& method : others) {
     auto solution = solving.solve(method);
     const auto distance = l1(solving.density(solution), truth);
+    transform::require_stated_error(solution);
     study.others.push_back({std::move(solution), distance});
   }
   return study;

@@ -3,11 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace fpkcheck::transform {
 
+bool states_error(const Solution& solution) {
+  const auto& sampling = best_sampling(solution);
+  return std::ranges::all_of(kVariables, [&](Variable variable) {
+    const bool estimated = std::ranges::any_of(
+        solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
+    if (!solution.density && !solution.had_density && !estimated) return true;  // no such marginal
+    if (solution.error && std::isfinite(l1(*solution.error, variable))) return true;
+    return sampling && std::isfinite(expected(*sampling, variable).value_or(HUGE_VAL));
+  });
+}
+
+void require_stated_error(Solution& solution) {
+  if (!solution.is_ok() || states_error(solution)) return;
+  solution.status = Status::inaccurate;
+  solution.reason = "the solution states no error (nothing here measures it)";
+}
+
 void hold_to(double accuracy, const std::string& reason, Solution& solution) {
+  require_stated_error(solution);
   if (!solution.is_ok() || !solution.error) return;
   if (std::max(solution.error->y_l1, solution.error->ydot_l1) <= accuracy) return;
   solution.status = Status::inaccurate;

@@ -124,8 +124,15 @@ struct Solution {
   bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
 
-/// Makes an ok solution whose stated error of p(y) or p(y') is larger than `accuracy`, in L1,
-/// `inaccurate`.
+/// Whether a solution states an error, its method's estimate or that of chance, of each marginal that
+/// it has.
+bool states_error(const Solution& solution);
+
+/// Makes an ok solution that states no error `inaccurate`: `ok` says how far it is off.
+void require_stated_error(Solution& solution);
+
+/// The same, and of an ok solution whose stated error of p(y) or p(y') is larger than `accuracy`, in
+/// L1.
 /// @param reason why it is, without what was asked for
 void hold_to(double accuracy, const std::string& reason, Solution& solution);
 

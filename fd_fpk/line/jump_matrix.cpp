@@ -1,6 +1,7 @@
 #include "fd_fpk/line/jump_matrix.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <vector>
@@ -12,6 +13,8 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 constexpr int kFaces = 8;  // of an interpolation stencil: degree 7
+
+constexpr int kMoments = 8;  // degree of the polynomial through the faces around one
 
 // Calls visit(y, weight) for a rule on [a, b] whose panels are no longer than `longest`.
 template <class Visitor>
@@ -28,19 +31,55 @@ void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
   }
 }
 
-// What the jumps do to the cumulative: column f of `moved` holds the weights of C_0 .. C_cells in
-// the cumulative after the jump at face f.
+// What the jumps do to the cumulative: column f of `change` holds the weights of C_0 .. C_cells in
+// the change of the cumulative at face f.
 Eigen::MatrixXd as_generator(const Line& line, const CumulativeInterpolation& cumulative,
-                             const Eigen::MatrixXd& moved) {
+                             const Eigen::MatrixXd& change) {
   const int cells = line.cells();
   Eigen::MatrixXd masses(cells, cells);  // what cell j (average 1) brings to cell i
   for (int i = 0; i < cells; ++i) {
-    masses.row(i) = cumulative.on_averages(moved.col(i + 1) - moved.col(i)).transpose();
+    masses.row(i) = cumulative.on_averages(change.col(i + 1) - change.col(i)).transpose();
   }
-  const Eigen::RowVectorXd kept = masses.colwise().sum();
+  const Eigen::RowVectorXd lost = masses.colwise().sum();
   Eigen::MatrixXd generator = masses;
-  generator.diagonal() -= kept.transpose();
+  generator.diagonal() -= lost.transpose();
   return line.widths().cwiseInverse().asDiagonal() * generator;
+}
+
+// Whether the impulses stay among the faces around this one: E[Y^8]^(1/8) is below each cell there.
+bool stays_among_neighbours(const Line& line, int face, double length) {
+  for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
+    if (length >= line.width(cell)) return false;
+  }
+  return true;
+}
+
+// Adds E[C(face - Y)] - C(face) by the polynomial through the faces around this one: the sum of
+// (-1)^k E[Y^k]/k! times its derivatives at the face, k = 1 .. kMoments.
+void add_moments(const Line& line, int face, const problem::ImpulseLaw& law,
+                 Eigen::Ref<Eigen::VectorXd> weights) {
+  constexpr int kAround = kMoments / 2;
+  const double unit = line.width(face);
+  std::array<double, kMoments + 1> moments;  // of -Y / unit
+  for (int k = 0; k <= kMoments; ++k) moments[k] = law.moment(k) / std::pow(-unit, k);
+  for (int a = -kAround; a <= kAround; ++a) {
+    if (face + a <= 0) continue;  // C = 0 there and before
+    // prod_{b != a} (z - z_b) / (z_a - z_b) by its coefficients
+    const auto at = [&](int b) { return (line.face(face + b) - line.face(face)) / unit; };
+    std::array<double, kMoments + 1> coefficients{1};
+    int degree = 0;
+    for (int b = -kAround; b <= kAround; ++b) {
+      if (b == a) continue;
+      const double scale = 1 / (at(a) - at(b));
+      for (int k = ++degree; k > 0; --k) {
+        coefficients[k] = scale * (coefficients[k - 1] - at(b) * coefficients[k]);
+      }
+      coefficients[0] *= -scale * at(b);
+    }
+    double weight = 0;
+    for (int k = 1; k <= kMoments; ++k) weight += coefficients[k] * moments[k];
+    weights(std::min(face + a, line.cells())) += weight;
+  }
 }
 
 // Adds E[C(face - Y); Y in [from, to]] for the continuous part of a law with density f.
@@ -74,25 +113,34 @@ void add_piece(const Line& line, const CumulativeInterpolation& cumulative, doub
 
 Eigen::MatrixXd shift_matrix(const Line& line, double amplitude) {
   const CumulativeInterpolation cumulative(line, kFaces, Beyond::vacuum);
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(line.cells() + 1, line.cells() + 1);
-  for (int f = 0; f <= line.cells(); ++f) cumulative.add(line.face(f) - amplitude, 1, moved.col(f));
-  return as_generator(line, cumulative, moved);
+  Eigen::MatrixXd change = Eigen::MatrixXd::Zero(line.cells() + 1, line.cells() + 1);
+  for (int f = 0; f <= line.cells(); ++f) {
+    cumulative.add(line.face(f) - amplitude, 1, change.col(f));
+    change(f, f) -= 1;
+  }
+  return as_generator(line, cumulative, change);
 }
 
 Eigen::MatrixXd jump_matrix(const Line& line, const problem::ImpulseLaw& law) {
   const CumulativeInterpolation cumulative(line, kFaces, Beyond::vacuum);
   const auto pieces = law.smooth_pieces();
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(line.cells() + 1, line.cells() + 1);
+  Eigen::MatrixXd change = Eigen::MatrixXd::Zero(line.cells() + 1, line.cells() + 1);
+  const double length = std::pow(law.moment(kMoments), 1.0 / kMoments);
   for (int f = 0; f <= line.cells(); ++f) {
+    if (stays_among_neighbours(line, f, length)) {
+      add_moments(line, f, law, change.col(f));
+      continue;
+    }
     for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
       add_piece(line, cumulative, line.face(f), law, pieces[piece], pieces[piece + 1],
-                moved.col(f));
+                change.col(f));
     }
     for (const auto& [amplitude, probability] : law.atoms()) {
-      cumulative.add(line.face(f) - amplitude, probability, moved.col(f));
+      cumulative.add(line.face(f) - amplitude, probability, change.col(f));
     }
+    change(f, f) -= 1;
   }
-  return as_generator(line, cumulative, moved);
+  return as_generator(line, cumulative, change);
 }
 
 }  // namespace fpkcheck::fd_fpk

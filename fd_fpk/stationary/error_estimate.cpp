@@ -181,6 +181,11 @@ Result given_up(Result best, const Options& options, const std::string& reason) 
 // A level takes at least as many times as long as the one before, more where the last did.
 constexpr double kSlower = 2.5;
 
+// Whether two levels are one grid, of the fewest cells that there are: they show no error.
+bool are_the_same(const Summary& one, const Summary& other) {
+  return one.nx > 0 && one.nx == other.nx && one.nv == other.nv;
+}
+
 // What a grid takes, about, by its cells: what is hoped for is then the same on any machine, and
 // whatever runs beside it.
 double usual_seconds(const Summary& on) {
@@ -238,11 +243,13 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   const Result middle = solve(direct(refined(used, 1 / kLevelRatio)), Answer::none_yet);
   const Options coarsest = direct(refined(used, 1 / (kLevelRatio * kLevelRatio)));
   const Result coarse = solve(coarsest, Answer::none_yet);
-  if (middle.solution.density && coarse.solution.density) {
+  const bool same =
+      are_the_same(coarse.summary, middle.summary) || are_the_same(middle.summary, fine.summary);
+  if (middle.solution.density && coarse.solution.density && !same) {
     add_estimate(fine, middle.solution,
                  estimate(options, coarse, middle, fine, moved_by_walls(solve, coarsest, coarse)));
-    judge_error(options, fine);
   }
+  judge_error(options, fine);
   return fine;
 }
 
@@ -331,7 +338,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       std::rotate(last.begin(), last.begin() + 1, last.end());
       last[2] = std::move(result);
     }
-    if (last[0]) {
+    if (last[0] && !are_the_same(last[0]->summary, last[1]->summary)) {
       const auto error = estimate(options, *last[0], *last[1], *last[2], of_walls);
       add_estimate(*last[2], last[1]->solution, error);
       if (worst(error, last[2]->solution.moments) <= *options.tolerance) {

@@ -58,7 +58,14 @@ void judge_balances(Result& result) {
 
 void judge_error(const Options& options, Result& result) {
   auto& [solution, summary] = result;
-  if (solution.status != Status::ok || !summary.error) return;
+  if (solution.status != Status::ok) return;
+  if (!summary.error) {
+    solution.status = Status::inaccurate;
+    solution.reason =
+        "the discretisation error is not estimated: there are no two coarser grids with a density "
+        "(refine, or allow more time by max-seconds)";
+    return;
+  }
   const double l1 = std::max(summary.error->y_l1, summary.error->ydot_l1);
   if (l1 <= options.accuracy) return;
   solution.status = Status::inaccurate;

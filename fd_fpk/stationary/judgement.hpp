@@ -18,7 +18,8 @@ void judge_resolution(const Options& options, Result& result);
 void judge_balances(Result& result);
 inline constexpr double kBalances = 1e-4;
 
-/// The same of one whose estimated error in L1 is larger than the accuracy asked for: `inaccurate`.
+/// The same of one whose estimated error in L1 is larger than the accuracy asked for, or that has no
+/// estimate: `inaccurate`.
 void judge_error(const Options& options, Result& result);
 
 }  // namespace fpkcheck::fd_fpk

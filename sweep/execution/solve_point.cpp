@@ -114,16 +114,11 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     }
   }
   if (reference != nullptr) result.reference = reference->id();
-  for (std::size_t m = 0; m < solutions.size(); ++m) {
-    Solution& solution = solutions[m];
+  methods::complete_errors(plan.methods, axes, residuals, solutions,
+                           reference != nullptr || plan.marginals ? &comparison : nullptr);
+  for (const Solution& solution : solutions) {
     const auto l1 =
         reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
-    const auto accuracy = solution.error ? std::nullopt : methods::accuracy_of(plan.methods[m]);
-    if (accuracy && l1) {
-      methods::state_distance(*reference, {l1->y, l1->ydot}, *accuracy, solution);
-    } else if (accuracy && by_reference) {
-      methods::state_measured_error(residuals, *accuracy, solution);
-    }
     result.methods.push_back(kept_of(solution));
     result.methods.back().l1 = l1;
     if (reference != nullptr) result.methods.back().budget = budget_of(solution, comparison.budget);

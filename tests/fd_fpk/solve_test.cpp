@@ -262,12 +262,39 @@ TEST(Solve, DoesNotDependOnTheUnitOfTime) {
   }
 }
 
-TEST(Solve, RefusesGridsThatCannotDoWithWhatIsNeeded) {
-  // sigma = 3e-4 against cells of 0.1.
-  const auto frequent = solve(tests::make_problem({.rate = 1e6}), direct(Equation::kf)).solution;
-  EXPECT_EQ(frequent.status, Status::failed);
-  EXPECT_NE(frequent.reason.find("solve white"), std::string::npos) << frequent.reason;
+// At a given intensity the fourth cumulant of the velocity is what is left of frequent impulses, as
+// 1 / rate; on cells 300 times as wide as an impulse too.
+TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
+  const auto problem = [](double rate, double cubic) {
+    return tests::make_problem({.cubic = cubic, .restitution = 1, .rate = rate});
+  };
+  const auto of = [&](double rate, double cubic, Equation equation) {
+    return solve(problem(rate, cubic), direct(equation)).solution.moments;
+  };
+  const auto linear = of(1e4, 0, Equation::white);
+  for (const double rate : {1e3, 1e4, 1e5}) {
+    const double cumulant = exact::linear_cumulant(problem(rate, 0), 0, 4);
+    EXPECT_NEAR((of(rate, 0, Equation::kf).v4 - linear.v4) / cumulant, 1, 1e-2) << rate;
+  }
+  const double white = of(1e4, 0.1, Equation::white).y2;
+  const double at_1e3 = of(1e3, 0.1, Equation::kf).y2 - white,
+               at_1e4 = of(1e4, 0.1, Equation::kf).y2 - white;
+  EXPECT_NEAR(at_1e3 / at_1e4, 10, 0.1);
+}
 
+// Where impacts take energy too: a grid for impulses that come one by one is off by 1.5e-4 there.
+TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
+  const auto p = [](double rate) {
+    return tests::make_problem({.restitution = 0.5, .rate = rate});
+  };
+  const auto white = solve(p(1), direct(Equation::white));
+  const auto kf = solve(p(1e8), direct(Equation::kf));
+  ASSERT_EQ(kf.solution.status, Status::ok) << kf.solution.reason;
+  EXPECT_EQ(kf.summary.nx, white.summary.nx);
+  EXPECT_NEAR(kf.solution.moments.y2, white.solution.moments.y2, 1e-7);
+}
+
+TEST(Solve, RefusesGridsThatCannotDoWithWhatIsNeeded) {
   Options many = direct(Equation::kf);
   many.refinement = 10;
   const auto huge = solve(tests::paper_case(1), many).solution;

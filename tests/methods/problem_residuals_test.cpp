@@ -172,7 +172,7 @@ TEST(MeasuredError, IsTheDistanceToTheReferenceWhereResidualsGiveNone) {
   const ProblemResiduals residuals(wells.problem);
   state_measured_error(residuals, 0.02, solutions[0]);
   ASSERT_EQ(solutions[0].status, Status::inaccurate);
-  state_errors_by_reference(methods, compare::comparison_axes(wells.problem), residuals, solutions);
+  complete_errors(methods, compare::comparison_axes(wells.problem), residuals, solutions);
   EXPECT_EQ(solutions[0].status, Status::ok) << solutions[0].reason;
   EXPECT_EQ(solutions[0].reason, "");
   ASSERT_TRUE(solutions[0].error);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fd_fpk/line/excitation.hpp"
+#include "laws.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -104,6 +105,27 @@ TEST(WellPosedness, JumpsPadeAndWhiteNoiseNeverGrow) {
       growth(0.1, 60, [&](const Line& line) { return kramers_moyal_pade(impulses, line, 6); }).rate,
       0.0);
   EXPECT_LT(growth(0.05, 20, [&](const Line&) { return white_noise(impulses); }).rate, 0.0);
+}
+
+// Of any law and length: also where they begin to act by their moments.
+TEST(WellPosedness, JumpsOfAnyLengthNeverGrow) {
+  for (const auto& name : tests::laws_by_name()) {
+    for (const double skewness : {0.0, 0.3, 2.0}) {
+      if (skewness > 0 && name != "gamma") continue;
+      problem::ImpulseParameters parameters{
+          .arrival_rate = 1, .law = name, .intensity = 1, .mean = 0};
+      if (skewness > 0) parameters.skewness = skewness;
+      const problem::ImpulseTrain impulses(parameters);
+      const double length = std::pow(impulses.law().moment(8), 1.0 / 8);
+      for (const double cells : {0.999, 0.5, 0.1, 1e-3}) {
+        const double width = length / cells;
+        const Growth found =
+            largest_growth(Line::uniform(-20 * width, width, 41),
+                           jumps(impulses, Line::uniform(-20 * width, width, 41)), 6);
+        EXPECT_LE(found.rate, 1e-9) << name << " " << skewness << " " << cells;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -318,5 +318,17 @@ TEST(ErrorEstimate, OptionsThatContradictATolerance) {
   EXPECT_THROW(solve(tests::paper_case(1), {.tolerance = 0.0}), InputError);
 }
 
+// Levels with the same cells would show no error at all.
+TEST(ErrorEstimate, IsNoneOfLevelsThatHaveTheSameCells) {
+  const auto p = tests::paper_case(1);
+  const auto coarsest = solve(p, {.stepper = Stepper::direct, .refinement = 0.01});
+  EXPECT_NE(coarsest.solution.status, transform::Status::ok);
+  const auto coarse = solve(p, {.stepper = Stepper::direct, .refinement = 0.3});
+  ASSERT_TRUE(coarse.solution.error);
+  const auto fine = solve(p, {.stepper = Stepper::direct});
+  EXPECT_GT(coarse.solution.error->moments.y2,
+            0.5 * std::abs(coarse.solution.moments.y2 - fine.solution.moments.y2));
+}
+
 }  // namespace
 }  // namespace fpkcheck::fd_fpk

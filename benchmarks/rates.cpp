@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "compare/axes.hpp"
+#include "exact/closed_forms.hpp"
+#include "fd_fpk/solve.hpp"
+#include "methods/builtin.hpp"
+#include "methods/run_cases.hpp"
+#include "scan_of_rates.hpp"
+#include "transform/solution.hpp"
+
+// Case 1 with impulses of one intensity at all rates, of all laws, with several restitutions: which
+// methods say `ok`, whether each of these states an error, and whether the error is within it. The
+// judge is fd-kf on cells narrower by two; with r = 1 E[y'^2] is known exactly.
+//
+//   fpkcheck_rates [--rates 1e-4,..] [--laws gaussian,..] [--restitutions 0.5,..] [--methods fd]
+//                  [--max-seconds 20] [--verbose]
+namespace fpkcheck::benchmarks {
+namespace {
+
+using transform::Solution;
+using transform::Variable;
+
+struct Settings {
+  tests::ScanOfRates scan = {};
+  std::string methods = "fd,epc";
+  double max_seconds = 20;
+  bool verbose = false;
+};
+
+// What a method's answers of all problems came to.
+struct Tally {
+  int ok = 0, silent = 0, judged = 0, beyond = 0;
+  double worst = 0, worst_ratio = 0;
+};
+
+// Of the full problem: other equations are not judged by it.
+bool solves_the_problem(const Solution& solution) {
+  return solution.identity.role != transform::Role::equation ||
+         (solution.identity.equation == problem::Equation::kf &&
+          solution.identity.impact == problem::Impact::map);
+}
+
+std::optional<Solution> judge(const problem::Problem& problem) {
+  constexpr double kFiner = 2, kSeconds = 300;
+  for (const auto transport :
+       {std::optional<fd_fpk::Transport>(), std::optional(fd_fpk::Transport::characteristics)}) {
+    try {
+      auto solution = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct,
+                                              .transport = transport,
+                                              .refinement = kFiner,
+                                              .max_seconds = kSeconds})
+                          .solution;
+      if (solution.is_ok()) return solution;
+    } catch (const std::exception&) {  // the other transport is not for this problem
+    }
+  }
+  return std::nullopt;
+}
+
+// The largest of the errors of p(y) and p(y'), and of E[y'^2] where it is known, over what is
+// stated. What the judge states of itself is taken off.
+struct Judged {
+  double l1 = 0, ratio = 0;
+};
+Judged judged(const problem::Problem& problem, const Solution& solution, const Solution& judge,
+              const compare::ComparisonAxes& axes) {
+  Judged result;
+  for (const auto variable : transform::kVariables) {
+    const auto& edges = compare::edges(axes, variable);
+    const double l1 = transform::l1(transform::marginal(solution, variable, edges),
+                                    transform::marginal(judge, variable, edges));
+    const double own = transform::l1(*judge.error, variable);
+    result.l1 = std::max(result.l1, l1);
+    result.ratio = std::max(result.ratio, (l1 - own) / transform::l1(*solution.error, variable));
+  }
+  if (problem.system.restitution() == 1 && solution.identity.role == transform::Role::equation) {
+    constexpr double kRounding = 1e-6;
+    const double off =
+        std::abs(solution.moments.v2 - exact::mean_square_velocity(problem)) - kRounding;
+    result.ratio = std::max(result.ratio, off / solution.error->moments.v2);
+  }
+  return result;
+}
+
+void add(const problem::Problem& problem, const Solution& solution,
+         const std::optional<Solution>& judge, const compare::ComparisonAxes& axes,
+         const Settings& settings, Tally& tally) {
+  constexpr double kAllowed = 2;
+  std::string text;
+  const bool states = transform::states_error(solution);
+  if (solution.is_ok()) {
+    ++tally.ok;
+    if (!states) ++tally.silent;
+  }
+  if (solution.error) {
+    text = fmt::format("{:.1e} {:.1e}", solution.error->y_l1, solution.error->ydot_l1);
+  }
+  if (solution.is_ok() && states && judge && solution.error && solves_the_problem(solution)) {
+    const Judged found = judged(problem, solution, *judge, axes);
+    ++tally.judged;
+    tally.worst = std::max(tally.worst, found.l1);
+    tally.worst_ratio = std::max(tally.worst_ratio, found.ratio);
+    if (found.ratio > kAllowed) ++tally.beyond;
+    text += fmt::format("  L1 {:.1e}, {:.2g} of what is stated", found.l1, found.ratio);
+  }
+  if (!settings.verbose) return;
+  fmt::print("  {:18} {:>13} {:.1f} s  {}  {}\n", solution.id(), name(solution.status),
+             solution.seconds, text, solution.reason);
+  std::fflush(stdout);
+}
+
+int run(const Settings& settings) {
+  const auto registry = methods::builtin();
+  const auto methods = registry.select(settings.methods, {{"max_seconds", settings.max_seconds}});
+  std::vector<Tally> tallies(methods.size());
+  int problems = 0;
+  for (const auto& problem : settings.scan.problems()) {
+    const auto axes = compare::even_axes(compare::comparison_axes(problem));
+    const auto judging = judge(problem);
+    if (settings.verbose) {
+      fmt::print("{} ({})\n", problem.name, judging ? "judged" : "no judge");
+    }
+    const auto solved = methods::run_cases({problem}, methods, 1, {}).front();
+    ++problems;
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      add(problem, solved.solutions[m], judging, axes, settings, tallies[m]);
+    }
+  }
+  fmt::print("\n{:18} {:>8} {:>5} {:>13} {:>7} {:>9} {:>12} {:>18}\n", "method", "problems", "ok",
+             "no statement", "judged", "worst L1", "> stated x 2", "worst over stated");
+  int silent = 0;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const Tally& t = tallies[m];
+    silent += t.silent;
+    fmt::print("{:18} {:>8} {:>5} {:>13} {:>7} {:>9.1e} {:>12} {:>18.2g}\n", methods[m].id(),
+               problems, t.ok, t.silent, t.judged, t.worst, t.beyond, t.worst_ratio);
+  }
+  return silent == 0 ? 0 : 1;
+}
+
+std::vector<std::string> words(const std::string& list) {
+  std::vector<std::string> all;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');) all.push_back(word);
+  return all;
+}
+
+std::vector<double> numbers(const std::string& list) {
+  std::vector<double> all;
+  for (const auto& word : words(list)) all.push_back(std::stod(word));
+  return all;
+}
+
+}  // namespace
+}  // namespace fpkcheck::benchmarks
+
+int main(int argc, char** argv) {
+  namespace po = boost::program_options;
+  using fpkcheck::benchmarks::numbers, fpkcheck::benchmarks::words;
+  fpkcheck::benchmarks::Settings settings;
+  std::string rates, laws, restitutions;
+  po::options_description options("fpkcheck_rates: case 1 with impulses at all rates");
+  options.add_options()("help", "this text")("rates", po::value(&rates), "by commas")(
+      "laws", po::value(&laws), "by commas")("restitutions", po::value(&restitutions), "by commas")(
+      "methods", po::value(&settings.methods), "as `fpkcheck run --methods` takes them")(
+      "max-seconds", po::value(&settings.max_seconds), "of an answer")(
+      "verbose", po::bool_switch(&settings.verbose), "every answer");
+  try {
+    po::variables_map given;
+    po::store(po::parse_command_line(argc, argv, options), given);
+    po::notify(given);
+    if (given.count("help") > 0) {
+      std::cout << options;
+      return 0;
+    }
+    if (!rates.empty()) settings.scan.rates = numbers(rates);
+    if (!laws.empty()) settings.scan.laws = words(laws);
+    if (!restitutions.empty()) settings.scan.restitutions = numbers(restitutions);
+    return fpkcheck::benchmarks::run(settings);
+  } catch (const std::exception& error) {
+    std::cerr << "fpkcheck_rates: " << error.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "problem/problem.hpp"
+
+namespace fpkcheck::tests {
+
+/// What a scan of case 1 goes through: impulses of the same intensity, from those that come once in
+/// a thousand decay times to those that cannot be told from white noise.
+struct ScanOfRates {
+  std::vector<double> rates{1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5};
+  std::vector<std::string> laws{"gaussian", "laplace",     "two_point",
+                                "uniform",  "exponential", "gamma"};
+  std::vector<double> restitutions{0.5, 0.9, 1};
+
+  std::vector<problem::Problem> problems() const {
+    std::vector<problem::Problem> all;
+    for (const double rate : rates) {
+      for (const auto& law : laws) {
+        for (const double r : restitutions) {
+          all.emplace_back(
+              fmt::format("rate {:g}, {}, r = {:g}", rate, law, r),
+              problem::System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = r}),
+              problem::ImpulseTrain(
+                  {.arrival_rate = rate, .law = law, .intensity = 0.1, .mean = 0}));
+        }
+      }
+    }
+    return all;
+  }
+};
+
+}  // namespace fpkcheck::tests
