@@ -91,8 +91,8 @@ Description<Options> make_description() {
       .add(
           "max_seconds", &O::max_seconds,
           {"S",
-           "no finer grid is begun that would end later, and none goes on: the best answer until then "
-           "(in a run 20)"},
+           "time limit: no finer grid is begun that would end later, none goes on, and the best answer "
+           "until then stands (in a run 20)"},
           positive())
       .with_fallback(Options{}.max_seconds)
       .add("tolerance", &O::tolerance,

@@ -90,8 +90,7 @@ class Solver {
     // same for both.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && per_decay_time > kMostFrequent)) return first;
-    Result second = by(along ? Transport::upwind : Transport::characteristics, deadline_,
-                       first.solution.density ? Answer::stands : Answer::none_yet);
+    Result second = by(along ? Transport::upwind : Transport::characteristics, deadline_);
     return better(second, first) ? second : first;
   }
 
@@ -104,7 +103,7 @@ class Solver {
 
   Result by(Transport transport) const { return by(transport, deadline_); }
 
-  Result by(Transport transport, const Deadline& deadline, Answer so_far = Answer::none_yet) const {
+  Result by(Transport transport, const Deadline& deadline) const {
     Options options = options_;
     options.transport = transport;
     // Characteristics have no order to choose.
@@ -119,20 +118,20 @@ class Solver {
     if (family && transport == Transport::upwind) {
       constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
       options.wall_density *= problem_.impulses.present() ? kTailsOfImpulses : kTails;
-      surroundings.box = stationary_box(problem_, surroundings.scales, options, deadline, so_far);
+      surroundings.box = stationary_box(problem_, surroundings.scales, options, deadline);
     }
-    const auto on_one_grid = [&](const Options& grid, Answer before) {
+    const auto on_one_grid = [&](const Options& grid) {
       return transport == Transport::characteristics
-                 ? solve_along_characteristics(problem_, scales_, grid, deadline, before)
-                 : solve_on_one_grid(problem_, surroundings, grid, deadline, before);
+                 ? solve_along_characteristics(problem_, scales_, grid, deadline)
+                 : solve_on_one_grid(problem_, surroundings, grid, deadline);
     };
-    if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline, so_far);
+    if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
     if (grid_is_free(options)) {
       const Aim aim = family ? Aim{.until_ok = true} : Aim{};
-      return solve_within(on_one_grid, options, deadline, aim, so_far);
+      return solve_within(on_one_grid, options, deadline, aim);
     }
-    if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options, so_far);
-    return on_one_grid(options, so_far);
+    if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options);
+    return on_one_grid(options);
   }
 
   const problem::Problem& problem_;

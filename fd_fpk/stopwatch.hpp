@@ -33,13 +33,4 @@ class Deadline {
   double seconds_;
 };
 
-/// Whether there is an answer already: it stands where the next is not there at the deadline. What
-/// is the first one takes as long as it takes.
-enum class Answer { none_yet, stands };
-
-/// When what would be the next answer is given up.
-inline Deadline giving_up(const Deadline& deadline, Answer so_far) {
-  return so_far == Answer::stands ? deadline : Deadline::none();
-}
-
 }  // namespace fpkcheck::fd_fpk

@@ -76,9 +76,9 @@ double most_energy(const problem::System& system, const problem::Polynomial& pot
 
 // Holds the stationary density, the start, and what a start at rest or at the wall turns into.
 Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
-           const Gaussian& start) {
+           const Gaussian& start, const Deadline& deadline) {
   const auto& system = problem.system;
-  Box box = stationary_box(problem, scales, options, Deadline(options.max_seconds));
+  Box box = stationary_box(problem, scales, options, deadline);
   const problem::UndampedOrbits orbits(problem);
   const double energy = most_energy(system, orbits.potential(), start);
   const auto swings = orbits.swings(energy);
@@ -167,10 +167,22 @@ void judge(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
   }
 }
 
+// Cells that are as narrow as the start and the stationary density want, unless there are so many that
+// stepping through time takes minutes: mass that settles in wells, or that rare impulses leave at rest,
+// is narrower than any grid. What the cells then do not resolve, the bars say.
+Discretisation affordable(const problem::Problem& problem, const Box& box, Options& options) {
+  constexpr double kAffordable = 10000;
+  Discretisation on = discretise(problem, options, box);
+  if (options.nx || options.nv || on.cells <= kAffordable) return on;
+  options.refinement *= std::sqrt(kAffordable / on.cells);
+  return discretise(problem, options, box);
+}
+
 void step_through(const problem::Problem& problem, const Options& options,
                   const TransientOptions& transient, const Gaussian& gaussian,
                   const Discretisation& on, const FokkerPlanckOperator& op,
-                  Preconditioner& preconditioner, TransientResult& result) {
+                  Preconditioner& preconditioner, const Deadline& deadline,
+                  TransientResult& result) {
   constexpr long kMostSteps = 1000000;  // between two snapshots
   // Of the local error; the rest of it goes into mass that is lost.
   constexpr double kLinearTolerance = 1e-3;
@@ -178,7 +190,7 @@ void step_through(const problem::Problem& problem, const Options& options,
 
   const Grid& grid = on.grid;
   const Eigen::VectorXd start = averages_of(gaussian, grid);
-  LinearCvode cvode(linear_system(op, preconditioner), start,
+  LinearCvode cvode(within(deadline, linear_system(op, preconditioner)), start,
                     {.max_order = transient.max_order,
                      .relative_tolerance = transient.relative_tolerance,
                      .absolute_tolerance = transient.relative_tolerance * start.maxCoeff(),
@@ -191,7 +203,16 @@ void step_through(const problem::Problem& problem, const Options& options,
   for (int n = 0; n <= transient.snapshots && result.status == Status::ok; ++n) {
     const double time =
         n == transient.snapshots ? transient.until : n * (transient.until / transient.snapshots);
-    const auto [flag, reached] = n == 0 ? LinearCvode::Reached{0, 0} : cvode.advance(time);
+    LinearCvode::Reached to{0, 0};
+    try {
+      if (n > 0) to = cvode.advance(time);
+    } catch (const OutOfTime&) {
+      result.status = Status::not_converged;
+      result.reason = fmt::format(
+          "max_seconds are over before t = {:.4g} (take more of them, or fewer cells)", time);
+      break;
+    }
+    const auto [flag, reached] = to;
     if (flag < 0) {
       result.status = Status::not_converged;
       result.reason = fmt::format("CVODE stopped at t = {:.4g} on the way to {:.4g} (flag {}): {}",
@@ -219,9 +240,10 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
   result.start_mean_displacement = frame.y(start.mean_displacement);
   result.start_mean_velocity = frame.v(start.mean_velocity);
 
-  const Box box = box_of(problem, scales, options, start);
-  const Options on_grid = resolving(problem, scales, options, box.lengths, start);
-  const Discretisation on = discretise(problem, on_grid, box);
+  const Deadline deadline(options.max_seconds);
+  const Box box = box_of(problem, scales, options, start, deadline);
+  Options on_grid = resolving(problem, scales, options, box.lengths, start);
+  const Discretisation on = affordable(problem, box, on_grid);
   const Grid& grid = on.grid;
   result.regularisation_length = on.regularisation_length;
   if (!on.refusal.empty()) {
@@ -238,7 +260,7 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
   }
   const auto op = fokker_planck_operator(problem, on_grid, on);
   Preconditioner preconditioner(problem, on.excitation, options.impact, grid);
-  step_through(problem, on_grid, transient, start, on, op, preconditioner, result);
+  step_through(problem, on_grid, transient, start, on, op, preconditioner, deadline, result);
   return result;
 }
 

@@ -52,7 +52,7 @@ struct TransientResult {
 /// stepped by CVODE: BDF of variable step and order, GMRES preconditioned by KLU.
 ///
 /// What the options leave free of box and grid is made to hold and to resolve both the stationary
-/// density and the start with all that its energy can turn into. Options::stepper,
+/// density and the start with all that its energy can turn into, as far as 10 000 cells do. Options::stepper,
 /// residual_tolerance are not used. Options::order must be 3 or 5: other operators have growing
 /// modes.
 ///

@@ -70,6 +70,14 @@ LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preco
                        Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
 }
 
+LinearSystem within(const Deadline& deadline, LinearSystem system) {
+  system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
+    if (deadline.is_over()) throw OutOfTime();
+    return times(p);
+  };
+  return system;
+}
+
 struct LinearCvode::Handles {
   QuietContext context;
   Callbacks callbacks;

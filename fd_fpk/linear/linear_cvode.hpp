@@ -7,6 +7,7 @@
 #include "fd_fpk/linear/linear_map.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -18,6 +19,13 @@ struct LinearSystem {
 };
 /// @param op,preconditioner must outlive the system
 LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
+
+/// Thrown out of a step that is under way at a deadline: one step may take as long as many products.
+struct OutOfTime {};
+
+/// The same system, whose products throw OutOfTime after the deadline.
+/// @param deadline must outlive it
+LinearSystem within(const Deadline& deadline, LinearSystem system);
 
 /// How CVODE steps; what is left out is as CVODE has it.
 struct BdfControl {

@@ -125,6 +125,14 @@ double cells_over(double length, double step, const Grading& grading, double ref
   return std::max(fewest, std::ceil(graded_cells(length, step, grading) - 1e-9));
 }
 
+Discretisation no_grid(const Box& box, std::string refusal, double cells) {
+  return {.grid = make_grid(1, 2, box.x1_max, box.x2_max),
+          .excitation = {},
+          .regularisation_length = 0,
+          .refusal = std::move(refusal),
+          .cells = cells};
+}
+
 // Why a grid cannot be made or would not do; empty when it can.
 std::string objection(const problem::Problem& problem, const Options& options, const Box& box,
                       double nx, double nv) {
@@ -251,16 +259,19 @@ Discretisation discretise_family(const problem::Problem& problem, const Options&
     faces = faces_between_walls(system, box, step, gradings.x1, options.nx);
     refusal = objection(problem, options, box, static_cast<double>(faces.size() - 1), nv);
   }
-  if (!refusal.empty()) {
-    return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};
-  }
+  if (!refusal.empty()) return no_grid(box, std::move(refusal), about * nv);
   Grid grid = symmetric_grid(std::move(faces),
                              graded_faces(box.x2_max, static_cast<int>(nv) / 2, gradings.x2),
                              system.left() ? Beyond::boundary : Beyond::vacuum,
                              system.right() ? Beyond::boundary : Beyond::vacuum);
   const double length = regularisation_length(problem, options, grid.x2);
   Excitation terms = excitation(problem, options, grid.x2, length);
-  return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};
+  const double cells = grid.size();
+  return {.grid = std::move(grid),
+          .excitation = std::move(terms),
+          .regularisation_length = length,
+          .refusal = "",
+          .cells = cells};
 }
 
 }  // namespace
@@ -391,15 +402,18 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
                         ? *options.nv
                         : 2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation,
                                          of_x2, options.refinement);
-  const std::string refusal = objection(problem, options, box, nx, nv);
-  if (!refusal.empty()) {
-    return {.grid = make_grid(1, 2, box.x1_max, box.x2_max), .excitation = {}, .refusal = refusal};
-  }
+  std::string refusal = objection(problem, options, box, nx, nv);
+  if (!refusal.empty()) return no_grid(box, std::move(refusal), nx * nv);
   Grid grid =
       make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max, of_x1, of_x2);
   const double length = regularisation_length(problem, options, grid.x2);
   Excitation terms = excitation(problem, options, grid.x2, length);
-  return {.grid = std::move(grid), .excitation = std::move(terms), .regularisation_length = length};
+  const double cells = grid.size();
+  return {.grid = std::move(grid),
+          .excitation = std::move(terms),
+          .regularisation_length = length,
+          .refusal = "",
+          .cells = cells};
 }
 
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,

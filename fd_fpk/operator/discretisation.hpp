@@ -34,6 +34,7 @@ struct Discretisation {
   double regularisation_length = 0;  ///< l of km4 as used, else 0
   /// Why there is no such grid and what to do; empty when there is one.
   std::string refusal = {};
+  double cells = 0;  ///< that it has, or would have
 };
 
 /// True where the joint density is unbounded at rest (problem::impulses_per_decay_time).

@@ -31,11 +31,11 @@ struct Stationary {
 };
 
 Stationary stationary_in(const problem::Problem& problem, const problem::Scales& scales,
-                         const Options& options, const Box& box, const Deadline& given_up) {
+                         const Options& options, const Box& box, const Deadline& deadline) {
   Grid grid = problem::of_the_paper(problem) ? characteristic_grid(problem, options, box)
                                              : contact_grid(problem, scales, options, box);
   StationaryMasses found =
-      stationary_masses(problem, scales, grid, kCharacteristicsPerCell, given_up);
+      stationary_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
   return {.grid = std::move(grid), .found = std::move(found)};
 }
 
@@ -74,7 +74,7 @@ double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible
 // A box that holds all but a negligible part, found on wide cells; after the deadline one that
 // holds all but kMostAtEnd, without which there would be no answer.
 Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
-           const Deadline& deadline, Answer so_far) {
+           const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
   // Where a good part has arrived at the end of the box.
   constexpr double kMuch = 1e-3, kMuchWider = 3;
@@ -90,7 +90,7 @@ Box box_of(const problem::Problem& problem, const problem::Scales& scales, const
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
     const Stopwatch stopwatch;
-    const Stationary on = stationary_in(problem, scales, coarse, box, giving_up(deadline, so_far));
+    const Stationary on = stationary_in(problem, scales, coarse, box, deadline);
     if (!on.found.masses) return box;
     const Sums masses = sums(on);
     const double y = end_of(on.grid.x1, masses.of_y, kNegligible);
@@ -169,13 +169,12 @@ void observe(const problem::Problem& problem, const problem::Scales& scales, con
 }  // namespace
 
 Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
-                                   const Options& options, const Deadline& deadline,
-                                   Answer so_far) {
+                                   const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
-  const Box box = box_of(problem, scales, options, deadline, so_far);
+  const Box box = box_of(problem, scales, options, deadline);
   const Stopwatch stopwatch;
-  const Stationary on = stationary_in(problem, scales, options, box, giving_up(deadline, so_far));
+  const Stationary on = stationary_in(problem, scales, options, box, deadline);
   summary.nx = on.grid.nx();
   summary.nv = on.grid.nv();
   summary.x1_max = on.grid.x1_max();

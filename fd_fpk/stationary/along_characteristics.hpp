@@ -14,7 +14,6 @@ namespace fpkcheck::fd_fpk {
 /// is all there is, and it is exact; the density may be unbounded at the origin. As solve_on_one_grid
 /// otherwise.
 Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
-                                   const Options& options, const Deadline& deadline,
-                                   Answer so_far = Answer::none_yet);
+                                   const Options& options, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

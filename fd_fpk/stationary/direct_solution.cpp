@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastReduction = 1e-4;
 
 DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& scales,
-                        const Options& options, const Box& box, const Deadline& given_up) {
+                        const Options& options, const Box& box, const Deadline& deadline) {
   Discretisation discretisation = discretise(problem, options, box);
   if (!discretisation.refusal.empty()) {
     std::string refusal = discretisation.refusal;
@@ -29,7 +29,7 @@ DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& 
                                 options.impact, grid, order_of(options));
   const Eigen::VectorXd start = gaussian_start(grid, problem, scales);
   auto [averages, iterations, failure, krylov_seconds] =
-      null_vector(op, preconditioner, start, given_up);
+      null_vector(op, preconditioner, start, deadline);
   const bool converged = averages && op.residual(*averages) < kLeastReduction * op.residual(start);
   return {.discretisation = std::move(discretisation),
           .scales = scales,
@@ -48,14 +48,14 @@ DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& 
 // when the time is over, until the box is not too small to be an answer.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::Scales& scales, const Options& options,
-                                        const Deadline& deadline, Answer so_far, Box& box) {
+                                        const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
   constexpr double kSlower = 1.5;  // the wider box, about
   WallDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
     const Stopwatch stopwatch;
-    DirectSolution direct = solve_in(problem, scales, options, box, giving_up(deadline, so_far));
+    DirectSolution direct = solve_in(problem, scales, options, box, deadline);
     if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(scales, direct.discretisation.grid, *direct.averages);
@@ -86,8 +86,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
 // on rings a grid made by them shows it too wide, and ripples at the walls of the box. So a grid
 // made by the lengths that it shows follows, until they stay.
 void find_box_and_lengths(const problem::Problem& problem, const problem::Scales& scales,
-                          const Options& coarse, const Deadline& deadline, Answer so_far,
-                          Box& box) {
+                          const Options& coarse, const Deadline& deadline, Box& box) {
   constexpr int kMostTimes = 4;
   constexpr double kSame = 0.9;
   const Box first = box;
@@ -95,8 +94,7 @@ void find_box_and_lengths(const problem::Problem& problem, const problem::Scales
     const Lengths before = box.lengths;
     box = first;
     box.lengths = before;
-    const DirectSolution found =
-        solve_in_wide_enough_box(problem, scales, coarse, deadline, so_far, box);
+    const DirectSolution found = solve_in_wide_enough_box(problem, scales, coarse, deadline, box);
     if (!found.averages || !found.converged) return;
     box.lengths = lengths_of(found.discretisation.grid, *found.averages, scales);
     if (box.lengths.x1 >= kSame * before.x1 && box.lengths.x2 >= kSame * before.x2) return;
@@ -116,12 +114,12 @@ bool resolved(const problem::Problem& problem, const Options& options,
 }  // namespace
 
 Box stationary_box(const problem::Problem& problem, const Options& options,
-                   const Deadline& deadline, Answer so_far) {
-  return stationary_box(problem, problem::scales(problem), options, deadline, so_far);
+                   const Deadline& deadline) {
+  return stationary_box(problem, problem::scales(problem), options, deadline);
 }
 
 Box stationary_box(const problem::Problem& problem, const problem::Scales& scales,
-                   const Options& options, const Deadline& deadline, Answer so_far) {
+                   const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   Box box = initial_box(problem, scales, options);
   const bool look_at_lengths = !problem::of_the_paper(problem);
@@ -132,29 +130,28 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
     coarse.order = kHighOrder;  // lower ones smear tails on such a grid
     coarse.origin_refinement = 1;
     if (look_at_lengths) {
-      find_box_and_lengths(problem, scales, coarse, deadline, so_far, box);
+      find_box_and_lengths(problem, scales, coarse, deadline, box);
     } else {
-      solve_in_wide_enough_box(problem, scales, coarse, deadline, so_far, box);
+      solve_in_wide_enough_box(problem, scales, coarse, deadline, box);
     }
   }
   return box;
 }
 
 DirectSolution solve_directly(const problem::Problem& problem, const Surroundings& surroundings,
-                              const Options& options, const Deadline& deadline, Answer so_far) {
+                              const Options& options, const Deadline& deadline) {
   constexpr int kRefinements = 2;
   constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
   constexpr double kRefinement = 1.5;
   constexpr double kSlower = 5;  // a grid so much finer, about
   const problem::Scales& scales = surroundings.scales;
-  Box box = surroundings.box ? *surroundings.box
-                             : stationary_box(problem, scales, options, deadline, so_far);
+  Box box =
+      surroundings.box ? *surroundings.box : stationary_box(problem, scales, options, deadline);
   Options on_grid = options;
   std::optional<DirectSolution> coarser;
   for (int refinement = 0;; ++refinement) {
     const Stopwatch stopwatch;
-    DirectSolution direct = solve_in_wide_enough_box(problem, scales, on_grid, deadline,
-                                                     coarser ? Answer::stands : so_far, box);
+    DirectSolution direct = solve_in_wide_enough_box(problem, scales, on_grid, deadline, box);
     if (coarser && !direct.averages && deadline.is_over()) return std::move(*coarser);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
     if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||

@@ -39,10 +39,9 @@ struct Surroundings {
 /// stationary density on them is negligible; after the deadline, until it is below kMostOnWall.
 /// Beyond the paper's class with the lengths of that density.
 Box stationary_box(const problem::Problem& problem, const Options& options,
-                   const Deadline& deadline, Answer so_far = Answer::none_yet);
+                   const Deadline& deadline);
 Box stationary_box(const problem::Problem& problem, const problem::Scales& scales,
-                   const Options& options, const Deadline& deadline,
-                   Answer so_far = Answer::none_yet);
+                   const Options& options, const Deadline& deadline);
 
 /// The direct solution in a box whose walls carry no density, on a grid that resolves it, as far as
 /// the options leave box and grid free:
@@ -52,7 +51,6 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
 /// - an automatic grid is refined, at a spike at the origin first, while the density exceeds
 ///   kAutomaticGridBars and the time lasts; what is not there at the deadline is given up.
 DirectSolution solve_directly(const problem::Problem& problem, const Surroundings& surroundings,
-                              const Options& options, const Deadline& deadline,
-                              Answer so_far = Answer::none_yet);
+                              const Options& options, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -125,7 +125,7 @@ Moments moved_by_walls(const SolveOnOneGrid& solve, const Options& of_cells, con
   options.x2_max = summary.wider->box.x2_max;
   options.nx = summary.wider->nx;
   options.nv = summary.wider->nv;
-  const Result wider = solve(options, Answer::none_yet);
+  const Result wider = solve(options);
   if (!wider.solution.density) return moved;
   for (const auto& named : transform::kMoments) {
     moved.*named.moment =
@@ -234,15 +234,14 @@ ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const R
           .has_limit = transform::has_limit(known.orders.l1, order)};
 }
 
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
-                                 Answer so_far) {
-  Result fine = solve(options, so_far);
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options) {
+  Result fine = solve(options);
   if (!fine.solution.density) return fine;
   const Options used = as_used(options, fine.summary);
   // What is left is quicker, and an answer that does not know its error is none.
-  const Result middle = solve(direct(refined(used, 1 / kLevelRatio)), Answer::none_yet);
+  const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
   const Options coarsest = direct(refined(used, 1 / (kLevelRatio * kLevelRatio)));
-  const Result coarse = solve(coarsest, Answer::none_yet);
+  const Result coarse = solve(coarsest);
   const bool same =
       are_the_same(coarse.summary, middle.summary) || are_the_same(middle.summary, fine.summary);
   if (middle.solution.density && coarse.solution.density && !same) {
@@ -254,10 +253,10 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 }
 
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
-                    const Aim& aim, Answer so_far) {
+                    const Aim& aim) {
   double slower = kSlower;
   const Stopwatch stopwatch;
-  Result best = solve_with_error_estimate(solve, options, so_far);
+  Result best = solve_with_error_estimate(solve, options);
   if (!best.summary.error) return best;
   // The three grids together took about 1 + 1/2.5 + 1/6 times as long as the finest, and the wider
   // box twice as long as the last.
@@ -278,11 +277,11 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
     if (!deadline.allows(slower * seconds)) break;
     level = refined(level, kLevelRatio);
     const Stopwatch of_level;
-    Result fine = solve(level, Answer::stands);
+    Result fine = solve(level);
     slower = std::max(kSlower, of_level.seconds() / seconds);
     seconds = of_level.seconds();
     if (!fine.solution.density) break;
-    if (!coarse) coarse = solve(before, Answer::stands);
+    if (!coarse) coarse = solve(before);
     if (!coarse->solution.density) break;
     add_estimate(fine, middle.solution,
                  estimate(options, *coarse, middle, fine, best.summary.error->of_walls));
@@ -294,7 +293,7 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
 }
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const Deadline& deadline, Answer so_far) {
+                          const Deadline& deadline) {
   constexpr double kFirst = 0.5;          // refinement of the coarsest grid
   constexpr double kOrdersMissing = 1.5;  // when the origin is held to limit the order
   // Of the tolerance, what the walls may take: finer cells do not mend it, a wider box does.
@@ -316,7 +315,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       return stop(fmt::format("about {:.2g} s, more than max_seconds leaves", slower * seconds));
     }
     const Stopwatch of_level;
-    Result result = solve(direct(level), last[2] || estimated ? Answer::stands : so_far);
+    Result result = solve(direct(level));
     slower = std::max(kSlower, seconds > 0 ? of_level.seconds() / seconds : 0);
     seconds = of_level.seconds();
     if (!result.solution.density) {
@@ -347,7 +346,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
           return *last[2];
         }
         level.stepper = options.stepper;
-        Result stepped = solve(level, Answer::stands);
+        Result stepped = solve(level);
         if (!stepped.solution.density && deadline.is_over()) stepped = *last[2];
         if (stepped.solution.density) add_estimate(stepped, last[1]->solution, error);
         judge_error(options, stepped);

@@ -17,13 +17,12 @@ ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const R
                              int order);
 
 /// Solves one problem with given options on one grid.
-using SolveOnOneGrid = std::function<Result(const Options&, Answer so_far)>;
+using SolveOnOneGrid = std::function<Result(const Options&)>;
 
 /// The solution on the grid of the options, with its error estimated from grids of cells wider by
 /// transform::kLevelRatio and its square (direct solves). The solution carries its extrapolation
 /// where transform::has_limit says so of the observed order.
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
-                                 Answer so_far = Answer::none_yet);
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
 
 /// The error in L1 that the automatic grid is made for where it can be had in time.
 inline constexpr double kUsualAccuracy = 1e-4;
@@ -38,7 +37,7 @@ struct Aim {
 /// either that many cells usually take but a part of the time, or the solution is not `ok` yet. One
 /// that is not there at the deadline is given up.
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
-                    const Aim& aim, Answer so_far = Answer::none_yet);
+                    const Aim& aim);
 
 /// Whether the one is ok and the other is not, or has an error estimate, or the smaller one.
 bool better(const Result& one, const Result& other);
@@ -50,6 +49,6 @@ bool better(const Result& one, const Result& other);
 /// the deadline or the number of cells allows does not meet it. The solution carries its
 /// extrapolation as above.
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const Deadline& deadline, Answer so_far = Answer::none_yet);
+                          const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -75,7 +75,7 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
 void observe(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
              const DirectSolution& direct, const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
-  const auto& [grid, excitation, length, refusal] = direct.discretisation;
+  const auto& [grid, excitation, length, refusal, cells] = direct.discretisation;
   const int order = order_of(options);
   solution.density = grid_density(grid, averages);
   solution.moments = physical_moments(problem.frame, grid, averages, order);
@@ -112,7 +112,7 @@ void describe(const Discretisation& discretisation, Summary& summary) {
 }  // namespace
 
 Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& surroundings,
-                         const Options& options, const Deadline& deadline, Answer so_far) {
+                         const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
   // Growth depends on the velocity step alone, so it is judged before anything is solved.
@@ -133,7 +133,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
     return result;
   }
 
-  DirectSolution direct = solve_directly(problem, surroundings, options, deadline, so_far);
+  DirectSolution direct = solve_directly(problem, surroundings, options, deadline);
   describe(direct.discretisation, summary);
   summary.order = order_of(options);
   summary.refinement = direct.refinement;

@@ -12,7 +12,6 @@ namespace fpkcheck::fd_fpk {
 /// be believed; Options::error_estimate and tolerance are for who calls this on several grids. Its
 /// identity is left to them too. The statuses are those of solve().
 Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& surroundings,
-                         const Options& options, const Deadline& deadline,
-                         Answer so_far = Answer::none_yet);
+                         const Options& options, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -3,16 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
-
-namespace {
-struct OutOfTime {};
-}  // namespace
 
 March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                             const Eigen::VectorXd& start, double tolerance, double decay_time,
@@ -44,13 +39,7 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   const double factored_before = preconditioner.factor_seconds();
   March march;
   march.residual = op.residual(start);
-  LinearSystem system = linear_system(op, preconditioner);
-  // One step may take as long as many products.
-  system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
-    if (deadline.is_over()) throw OutOfTime();
-    return times(p);
-  };
-  LinearCvode cvode(std::move(system), start,
+  LinearCvode cvode(within(deadline, linear_system(op, preconditioner)), start,
                     {.max_order = 1,
                      .relative_tolerance = kRelativeTolerance,
                      .absolute_tolerance = absolute_tolerance,

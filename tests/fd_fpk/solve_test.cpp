@@ -234,7 +234,7 @@ TEST(Solve, DoesNotPassOffAnUnresolvedDensity) {
     free.error_estimate = true;
     Options upwind = free;
     upwind.transport = Transport::upwind;
-    upwind.max_seconds = 1;
+    upwind.refine_unresolved = false;
     const auto unresolved = solve(p, upwind).solution;
     EXPECT_EQ(unresolved.status, Status::inadmissible) << unresolved.min_density;
     EXPECT_NE(unresolved.reason.find("refine"), std::string::npos) << unresolved.reason;

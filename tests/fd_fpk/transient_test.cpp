@@ -182,6 +182,23 @@ TEST(Transient, DoesNotStepTheIllPosedEquation) {
   EXPECT_TRUE(result.snapshots.empty());
 }
 
+// A start so narrow that cells of its width would be more than a million.
+TEST(Transient, CellsOfItsOwnAreNeverTooMany) {
+  const auto result = integrate(
+      linear(), {},
+      {.until = 1e-4, .snapshots = 1, .start_displacement = 1e-2, .start_velocity = 1e-2});
+  EXPECT_NE(result.status, Status::failed) << result.reason;
+  EXPECT_FALSE(result.snapshots.empty());
+}
+
+TEST(Transient, EndsWithTheTimeThereIs) {
+  const auto result =
+      integrate(linear(), {.refinement = 0.3, .max_seconds = 1e-6}, {.until = 1, .snapshots = 1});
+  EXPECT_EQ(result.status, Status::not_converged);
+  EXPECT_EQ(result.snapshots.size(), 1u);  // of the start
+  EXPECT_NE(result.reason.find("max_seconds"), std::string::npos) << result.reason;
+}
+
 TEST(Transient, RefusesWhatItCannotUse) {
   EXPECT_THROW(integrate(linear(), {}, {.until = -1}), InputError);
   EXPECT_THROW(integrate(linear(), {.order = 7}, {.until = 1}), InputError);

@@ -160,7 +160,7 @@ TEST(ErrorEstimate, AToleranceWidensTheBoxAsFarAsTheSecondMomentsTake) {
 // A solver whose error falls with the given order on uniform grids, with the fifth on graded ones,
 // down to cells half as wide as the automatic ones, where it gives up.
 SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& asked) {
-  return [=, &asked](const Options& options, Answer) {
+  return [=, &asked](const Options& options) {
     asked.push_back(options);
     Result result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
@@ -224,7 +224,7 @@ TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
 
 TEST(ErrorEstimate, OneLargerThanTheAccuracyAskedForIsInaccurate) {
   for (const double amplitude : {0.0008, 0.004}) {  // L1 of p(y): 8 times that
-    const auto solve_one = [&](const Options& options, Answer) {
+    const auto solve_one = [&](const Options& options) {
       Result result;
       result.solution = wave(amplitude * std::pow(options.refinement, -4));
       result.solution.status = Status::ok;
@@ -242,7 +242,7 @@ TEST(ErrorEstimate, FinerGridsFollowWhereTheirCellsAreFewEnough) {
   constexpr double kSeconds = 10;
   const auto levels_from = [&](int cells, Transport transport) {
     std::vector<double> refinements;
-    const auto solve_one = [&](const Options& options, Answer) {
+    const auto solve_one = [&](const Options& options) {
       refinements.push_back(options.refinement);
       Result result;
       result.summary.refinement = options.refinement;
@@ -264,7 +264,7 @@ TEST(ErrorEstimate, FinerGridsFollowWhereTheirCellsAreFewEnough) {
 
 // The first graded grid has no density: what the uniform ones reached is the result.
 TEST(ErrorEstimate, WhatWasReachedBeforeTheGradingIsNotLost) {
-  const auto solve_one = [](const Options& options, Answer) {
+  const auto solve_one = [](const Options& options) {
     Result result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
     if (result.summary.origin_refinement > 1) {
