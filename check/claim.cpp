@@ -34,6 +34,11 @@ double allowed(const Claim& was, const Claim& is) {
   return expected + was.allowed * std::max(deviation, 0.0);
 }
 
+bool is_error(const Claim& claim) {
+  return claim.kind == FigureKind::simulated_error || claim.name == kStatedError ||
+         claim.part == kStatedError;
+}
+
 }  // namespace
 
 const Part& Part::begin(FigureKind kind, const Value& what, const std::string& outer) const {
@@ -94,7 +99,7 @@ std::vector<Figure> held_against(const std::string& case_name, const Claims& bas
   }
   for (const Claim& is : now) {
     if (was_index.contains({is.solution, is.name})) continue;
-    if (is.kind == FigureKind::simulated_error) continue;
+    if (is_error(is)) continue;
     add(is, "missing", "there", kInfinity, 0, is.is_head);
   }
   return figures;

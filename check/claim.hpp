@@ -28,6 +28,8 @@ using Claims = std::vector<Claim>;
 
 /// The part of a solution that all of it belongs to.
 inline constexpr const char* kWhole = "solution";
+/// The part that has the errors which a solution states of itself.
+inline constexpr const char* kStatedError = "stated error";
 
 /// Adds the claims on a part of a solution.
 struct Part {

@@ -90,7 +90,7 @@ Claims solution_claims(const Solution& s, const Tolerances& tolerances) {
   whole.word("status", std::string(name(s.status)));
   const Part density = part("density", s.has_density() ? "one" : "none");
   if (s.has_density()) add_density(s, tolerances, density);
-  if (s.error) add_stated_error(s, tolerances, part("stated error"));
+  if (s.error) add_stated_error(s, tolerances, part(kStatedError));
   if (s.standard_errors) add_standard_errors(*s.standard_errors, part("standard errors"));
   if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));

@@ -84,7 +84,11 @@ void complete_errors(const std::vector<Method>& methods, const compare::Comparis
         state_measured_error(residuals, *accuracy, solution);
       }
     } else if (solution.is_ok() && &solution != reference && !transform::states_error(solution)) {
-      if (const Distance found = distance(solution)) state_distance(*reference, found, solution);
+      if (const Distance found = distance(solution)) {
+        state_distance(*reference, found, solution);
+      } else if (methods[m].identity.role == transform::Role::closure) {
+        state_measured_error(residuals, HUGE_VAL, solution);
+      }
     }
     transform::require_stated_error(solution);
   }

@@ -18,8 +18,9 @@ std::optional<double> accuracy_of(const Method& method);
 ///   their distance to the reference among the solutions and what it states of itself together (the
 ///   triangle inequality). Those that were `inaccurate` only for want of an error are ok first; off by
 ///   more than their accuracy, or without a reference, they are `inaccurate`.
-/// - So have all others that are ok and state none (a density of one's own, a closure of one's own):
-///   nobody asked for an accuracy, but without a reference they are `inaccurate`.
+/// - So have all others that are ok and state none (a density of one's own, closures that are held to no
+///   accuracy); without a reference closures have what their residuals measure, and others are
+///   `inaccurate`.
 /// @param methods that the solutions are of, in their order
 /// @param known the comparison of the solutions, if there is one already
 void complete_errors(const std::vector<Method>& methods, const compare::ComparisonAxes& axes,

@@ -132,6 +132,12 @@ TEST(Claim, ErrorsThatTheBaselineLacksAreNotMissed) {
   const Claim error = number(1, FigureKind::simulated_error);
   EXPECT_TRUE(held_against("case", {}, {error}).empty());
   EXPECT_EQ(held_against("case", {error}, {}).size(), 1u);
+  Claims stated;
+  Part{stated, "s", kStatedError}
+      .begin(FigureKind::status)
+      .number("error of E[y]", FigureKind::detail, 1e-3, 1e-8);
+  EXPECT_TRUE(held_against("case", {}, stated).empty());
+  EXPECT_FALSE(held_against("case", stated, {}).empty());
 }
 
 }  // namespace
