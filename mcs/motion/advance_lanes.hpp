@@ -20,11 +20,11 @@ void receive_impulse(const Motion& motion, Stream& stream) {
   const double before = b.v;
   b.v += b.amplitude;
   if constexpr (kRecords) {
-    const double counted = motion.splitting ? motion.splitting->weight(b.level) : 1.0;
+    const double counted = motion.splitting ? motion.splitting->weight(b) : 1.0;
     const auto turned = [&](double from, double to) { return from > 0 && to < 0; };
     if (turned(before, b.v)) stream.record.peaks[(*motion.y_bins)(b.y)] += counted;
     if (turned(b.v, before) && b.y > 0) stream.record.troughs[(*motion.y_bins)(b.y)] += counted;
-    if (stream.whole()) ++stream.record.impulses;
+    ++(stream.whole() ? stream.record.impulses : stream.record.branch_impulses);
     stream.record.work +=
         counted * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
     if (motion.deposit) {
@@ -70,7 +70,7 @@ struct Lanes {
       a[2].at[i] = b.until_impulse;
       a[3].at[i] = b.until_sample;
       a[4].at[i] = b.remaining;
-      a[5].at[i] = motion.splitting ? motion.splitting->weight(b.level) : 1.0;
+      a[5].at[i] = motion.splitting ? motion.splitting->weight(b) : 1.0;
     }
     y = load<Real>(a[0].at);
     v = load<Real>(a[1].at);

@@ -9,7 +9,7 @@ namespace {
 
 /// What the stream's branch counts.
 inline double weight_of(const GeneralMotion& motion, const Stream& stream) {
-  return motion.splitting ? motion.splitting->weight(stream.branch.level) : 1.0;
+  return motion.splitting ? motion.splitting->weight(stream.branch) : 1.0;
 }
 
 /// A change of the velocity from without: what it does to the maxima and minima of y.
@@ -29,7 +29,7 @@ inline void receive_general_impulse(const GeneralMotion& motion, Stream& stream)
   stream.general.bouncing = -1;
   note_turn(motion, stream, before, b.v);
   if (motion.records) {
-    if (stream.whole()) ++stream.record.impulses;
+    ++(stream.whole() ? stream.record.impulses : stream.record.branch_impulses);
     stream.record.work +=
         weight_of(motion, stream) * (b.amplitude * before + b.amplitude * b.amplitude / 2);
   }

@@ -25,7 +25,7 @@ namespace {
 
 // Of any version, and of this one.
 constexpr std::string_view kEveryFirstLine = "fpkcheck mcs checkpoint ";
-constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 3\n";
+constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 4\n";
 
 /// FNV-1a.
 std::uint64_t checksum(std::string_view text) {

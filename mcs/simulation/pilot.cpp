@@ -40,18 +40,20 @@ Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
                                                                          plan.excitation.interval) /
                                  plan.sampling_interval) +
       1;
+  Simulation simulation(problem, pilot);
+  simulation.burn_in();
   std::vector<double> thresholds;
   for (int n = 0; n < kMostPilots; ++n) {
     const Splitting splitting(potential, thresholds, largest);
-    Simulation simulation(problem, pilot, &splitting);
-    simulation.burn_in();
+    simulation.split_by(splitting);
     simulation.round();
     std::vector<double> energies(splitting.energy_bins().bins() + 2);
     for (const Stream& stream : simulation.streams()) {
       std::ranges::transform(energies, stream.record.energies, energies.begin(), std::plus{});
     }
-    auto next = thresholds_from(splitting.energy_bins(), energies,
-                                kFewestVisits * splitting.weight(splitting.levels()), kRarest);
+    auto next =
+        thresholds_from(splitting.energy_bins(), energies,
+                        kFewestVisits * std::pow(Splitting::kCopies, -splitting.levels()), kRarest);
     const bool further = next.size() > thresholds.size();
     if (further || n == 0) thresholds = std::move(next);
     if (!further) break;

@@ -136,6 +136,11 @@ void Simulation::begin_any(const problem::Problem& problem, const Splitting* spl
   }
 }
 
+void Simulation::split_by(const Splitting& splitting) {
+  (general_ ? general_->splitting : motion_->splitting) = &splitting;
+  for (Stream& stream : streams_) stream.record.energies.clear();
+}
+
 void Simulation::burn_in() { move(false, plan_->burn_in); }
 
 void Simulation::round() {

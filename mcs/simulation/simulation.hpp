@@ -29,6 +29,10 @@ class Simulation {
   /// have simulated comes by load_part.
   void share(int part, int parts);
 
+  /// From now on branches are split by other thresholds; energies are counted anew.
+  /// @param splitting must outlive the simulation
+  void split_by(const Splitting& splitting);
+
   void burn_in();
   void round();
 

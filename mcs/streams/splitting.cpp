@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace fpkcheck::mcs {
@@ -15,6 +16,11 @@ std::vector<double> energy_edges(double largest) {
   return edges;
 }
 
+/// Branch::split with the thresholds first + 1 .. last set.
+std::uint64_t bits(int first, int last) {
+  return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
+}
+
 }  // namespace
 
 Splitting::Splitting(const problem::Polynomial& potential, std::vector<double> thresholds,
@@ -22,6 +28,7 @@ Splitting::Splitting(const problem::Polynomial& potential, std::vector<double> t
     : potential_(potential),
       thresholds_(std::move(thresholds)),
       energy_bins_(energy_edges(largest_energy)) {
+  if (thresholds_.size() > kMostThresholds) thresholds_.resize(kMostThresholds);
   for (std::size_t i = 0; i <= thresholds_.size(); ++i) {
     weights_.push_back(std::pow(kCopies, -static_cast<double>(i)));
   }
@@ -33,22 +40,27 @@ int Splitting::level(double energy) const {
   return static_cast<int>(std::ranges::upper_bound(thresholds_, energy) - thresholds_.begin());
 }
 
+bool Splitting::may_split(const StreamRecord& record) const {
+  const auto most = static_cast<std::uint64_t>(kImpulsesPerLevel * levels());
+  return record.branch_impulses < kFreeImpulses + most * record.impulses;
+}
+
 void Splitting::split(Stream& stream, int from, bool at_impulse) const {
+  const int to = stream.branch.level, first = std::max(from, to - kMostSplits);
+  if (!may_split(stream.record)) return;
+  stream.branch.split |= bits(first, to);
   const Branch origin = stream.branch;
   const GeneralBranch general = stream.general;
-  stream.waiting.push_back({origin, general});
+  stream.waiting.push_back({.branch = origin, .general = general});
   // Above threshold i + 1 each of the branches made so far becomes kCopies.
-  std::size_t branches = 1;
-  for (int i = from; i < origin.level; ++i) {
-    for (std::size_t n = 0; n < branches * (kCopies - 1); ++n) {
-      Branch copy = origin;
-      const Impulse next = stream.source.next();
-      if (at_impulse)
-        copy.until_impulse = next.waiting;  // else they share the time, not what comes
-      copy.amplitude = next.amplitude;
-      copy.floor = i + 1;
-      stream.waiting.push_back({copy, general});
-    }
+  int branches = 1;
+  for (int i = first; i < to; ++i) {
+    Branch copy = origin;
+    copy.floor = i + 1;
+    stream.waiting.push_back({.branch = copy,
+                              .general = general,
+                              .copies = branches * (kCopies - 1),
+                              .at_impulse = at_impulse});
     branches *= kCopies;
   }
   follow_next(stream);
@@ -59,7 +71,9 @@ void Splitting::after_impulse(Stream& stream) const {
   const double now = energy(branch);
   const int before = branch.level;
   branch.level = level(now);
-  stream.record.energies[energy_bins_(now)] += weight(branch.level);
+  branch.split &= bits(0, branch.level);
+  // The state counts once, before it is split.
+  stream.record.energies[energy_bins_(now)] += weight(branch);
   if (branch.level > before) {
     split(stream, before, true);
   } else if (branch.level < branch.floor) {
@@ -69,15 +83,24 @@ void Splitting::after_impulse(Stream& stream) const {
 
 void Splitting::begin(Stream& stream) const {
   stream.record.energies.resize(energy_bins_.bins() + 2);
-  stream.branch.level = std::min(level(energy(stream.branch)), levels());
+  stream.branch.level = level(energy(stream.branch));
   stream.branch.floor = 0;
+  stream.branch.split = 0;
   if (stream.branch.level > 0) split(stream, 0, false);
 }
 
 void follow_next(Stream& stream) {
-  stream.branch = stream.waiting.back().branch;
-  stream.general = stream.waiting.back().general;
-  stream.waiting.pop_back();
+  WaitingBranch& next = stream.waiting.back();
+  stream.branch = next.branch;
+  stream.general = next.general;
+  if (next.copies > 0) {
+    const Impulse impulse = stream.source.next();
+    // Copies made between impulses share the time of the next impulse, not its amplitude.
+    if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
+    stream.branch.amplitude = impulse.amplitude;
+    --next.copies;
+  }
+  if (next.copies == 0) stream.waiting.pop_back();
 }
 
 std::vector<double> thresholds_from(const BinFinder& bins, const std::vector<double>& energies,

@@ -48,10 +48,11 @@ struct StreamRecord {
   std::array<double, kPowers.size()> powers{};
   double samples = 0;
   double impacts = 0;
-  double impact_speed = 0;     ///< sum of |v| over impacts
-  double impact_energy = 0;    ///< sum of v^2 over impacts
-  double work = 0;             ///< of the impulses, see Excitation::work
-  std::uint64_t impulses = 0;  ///< of the stream itself, without its branches
+  double impact_speed = 0;            ///< sum of |v| over impacts
+  double impact_energy = 0;           ///< sum of v^2 over impacts
+  double work = 0;                    ///< of the impulses, see Excitation::work
+  std::uint64_t impulses = 0;         ///< of the stream itself, without its branches
+  std::uint64_t branch_impulses = 0;  ///< of its branches alone
   std::uint64_t flights = 0;
   /// Energies right after impulses, by the bins of the splitting; empty without.
   std::vector<double> energies{};
@@ -74,6 +75,7 @@ void for_each_sum(Record& record, Visit visit) {
   visit(record.impact_energy);
   visit(record.work);
   visit(record.impulses);
+  visit(record.branch_impulses);
   visit(record.flights);
   visit(record.histogram.weights());
   visit(record.peaks);
@@ -99,6 +101,8 @@ struct Branch {
   double remaining;  ///< time
   int level = 0;     ///< of the splitting
   int floor = 0;     ///< the branch ends where its level falls below
+  /// Bit i: threshold i + 1 made kCopies branches of one on the way to this level (Splitting).
+  std::uint64_t split = 0;
 };
 
 /// What a trajectory has besides where the oscillator is not the paper's.
@@ -109,10 +113,13 @@ struct GeneralBranch {
   double bouncing = -1;
 };
 
-/// A branch of a stream that is to be followed.
+/// A branch of a stream that is to be followed, or several that begin alike.
 struct WaitingBranch {
   Branch branch;
   GeneralBranch general;
+  /// How many, each with an impulse to come of its own; 0: the branch as it is.
+  int copies = 0;
+  bool at_impulse = false;  ///< the time until that impulse is their own, too
 };
 
 /// One realisation with its random numbers and what it has seen.
@@ -120,7 +127,8 @@ struct Stream {
   Branch branch;
   ImpulseSource source;
   StreamRecord record;
-  std::vector<WaitingBranch> waiting{};  ///< branches to be followed, the stream itself first
+  /// Branches to be followed, the stream itself first; no more than Splitting states.
+  std::vector<WaitingBranch> waiting{};
   GeneralBranch general{};
   NoiseSource noise{0, 0};  ///< for Gaussian noise
 

@@ -2,9 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
+#include "mcs/estimate/stream_weights.hpp"
 #include "paper_cases.hpp"
+#include "statistics.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -18,6 +26,19 @@ Stream stream_at(const problem::Problem& problem, double y, double v) {
       .record = StreamRecord(bins, bins)};
 }
 
+/// Follows every branch without moving it: how many there are, and the sum of what they count.
+struct Followed {
+  std::size_t branches = 1;
+  double weight = 0;
+
+  Followed(const Splitting& splitting, Stream& stream) : weight(splitting.weight(stream.branch)) {
+    for (; !stream.whole(); ++branches) {
+      follow_next(stream);
+      weight += splitting.weight(stream.branch);
+    }
+  }
+};
+
 // U(y) + v^2/2 of k = 1, mu = 4 at (1, 1) is 1/2 + 1 + 1/2 = 2.
 TEST(Splitting, MakesFourBranchesForOneAboveEachEnergy) {
   const auto problem = tests::make_problem({.cubic = 4});
@@ -27,9 +48,11 @@ TEST(Splitting, MakesFourBranchesForOneAboveEachEnergy) {
     const Splitting splitting(problem.system.potential(), thresholds[levels], 100);
     Stream stream = stream_at(problem, 1, 1);
     splitting.begin(stream);
-    EXPECT_EQ(stream.waiting.size() + 1, copies[levels]);
     EXPECT_EQ(stream.branch.level, static_cast<int>(levels));
-    EXPECT_EQ(splitting.weight(stream.branch.level), 1 / static_cast<double>(copies[levels]));
+    EXPECT_EQ(splitting.weight(stream.branch), 1 / static_cast<double>(copies[levels]));
+    const Followed all(splitting, stream);
+    EXPECT_EQ(all.branches, copies[levels]);
+    EXPECT_EQ(all.weight, 1);
   }
 }
 
@@ -38,11 +61,10 @@ TEST(Splitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   const Splitting splitting(problem.system.potential(), {1.9}, 100);
   Stream stream = stream_at(problem, 1, 1);
   splitting.begin(stream);
-  ASSERT_EQ(stream.waiting.size(), 3u);
   stream.branch.v = 0;  // E = 1.5
   splitting.after_impulse(stream);
-  EXPECT_EQ(stream.waiting.size(), 2u);
   EXPECT_EQ(stream.branch.level, 1);  // the next one
+  EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
 
 // Where the oscillator is not the paper's.
@@ -52,13 +74,119 @@ TEST(Splitting, BranchesGoOnBouncingWhereTheyBegan) {
   Stream stream = stream_at(problem, 1, 1);
   stream.general.bouncing = 0.25;
   splitting.begin(stream);
-  ASSERT_EQ(stream.waiting.size(), 3u);
+  ASSERT_FALSE(stream.whole());
   while (!stream.whole()) {
     EXPECT_EQ(stream.general.bouncing, 0.25);
     stream.general.bouncing = -1;
     follow_next(stream);
   }
   EXPECT_EQ(stream.general.bouncing, 0.25);
+}
+
+// A law with long tails crosses all of them at once; 4^12 branches would be 17 million.
+TEST(Splitting, AnImpulseAcrossManyEnergiesMakes64Branches) {
+  const auto problem = tests::make_problem({.cubic = 4});
+  std::vector<double> thresholds;
+  for (int i = 0; i < 12; ++i) thresholds.push_back(0.1 * (i + 1));
+  const Splitting splitting(problem.system.potential(), thresholds, 100);
+  Stream stream = stream_at(problem, 1, 0);
+  stream.branch.v = 1;  // E = 2
+  splitting.begin(stream);
+  EXPECT_EQ(stream.branch.level, 12);
+  EXPECT_LE(stream.waiting.size(), 4u);
+  const Followed all(splitting, stream);
+  EXPECT_EQ(all.branches, 64u);
+  EXPECT_EQ(all.weight, 1);
+}
+
+/// A chain v -> a v + jump, whose jumps have a density with long tails, in place of an oscillator: time
+/// averages over `steps` steps of one stream, by weights.
+struct Walk {
+  double weight = 0;
+  std::array<double, 3> above{};  // of the speeds kSpeeds
+  std::size_t most_waiting = 0;
+  std::uint64_t impulses = 0, branch_impulses = 0;
+
+  static constexpr std::array<double, 3> kSpeeds{2, 4, 7};
+
+  Walk(const Splitting& splitting, int steps, std::uint64_t seed) {
+    boost::random::mt19937_64 engine(seed);
+    boost::random::uniform_01<double> unit;
+    const auto problem = tests::make_problem({});
+    Stream stream = stream_at(problem, 0, 0);
+    stream.branch.remaining = steps;
+    splitting.begin(stream);
+    for (;;) {
+      Branch& branch = stream.branch;
+      if (branch.remaining <= 0) {
+        if (stream.whole()) break;
+        follow_next(stream);
+        continue;
+      }
+      branch.remaining -= 1;
+      const double counted = splitting.weight(branch) / steps;
+      weight += counted;
+      for (std::size_t k = 0; k < above.size(); ++k)
+        above[k] += branch.v > kSpeeds[k] ? counted : 0;
+      branch.v = 0.8 * branch.v - (unit(engine) < 0.2 ? std::log(1 - unit(engine)) : 0);
+      ++(stream.whole() ? stream.record.impulses : stream.record.branch_impulses);
+      splitting.after_impulse(stream);
+      most_waiting = std::max(most_waiting, stream.waiting.size());
+    }
+    impulses = stream.record.impulses;
+    branch_impulses = stream.record.branch_impulses;
+  }
+};
+
+struct Walks {
+  Estimate weight{};
+  std::array<Estimate, Walk::kSpeeds.size()> above{};
+  std::size_t most_waiting = 0;
+  double most_for_one = 0;  // impulses of branches for one of the stream, beyond the free ones
+
+  Walks(const std::vector<double>& thresholds, int count, int steps) {
+    const Splitting splitting(problem::Polynomial({0, 0, 0.5}), thresholds, 1e4);
+    std::vector<double> weights;
+    std::array<std::vector<double>, Walk::kSpeeds.size()> all;
+    for (int k = 0; k < count; ++k) {
+      const Walk walk(splitting, steps, static_cast<std::uint64_t>(k + 1));
+      weights.push_back(walk.weight);
+      for (std::size_t i = 0; i < all.size(); ++i) all[i].push_back(walk.above[i]);
+      most_waiting = std::max(most_waiting, walk.most_waiting);
+      const double beyond =
+          static_cast<double>(walk.branch_impulses) - static_cast<double>(Splitting::kFreeImpulses);
+      most_for_one = std::max(most_for_one, beyond / static_cast<double>(walk.impulses));
+    }
+    weight = plain_estimate(weights);
+    std::ranges::transform(all, above.begin(), [](const auto& of) { return plain_estimate(of); });
+  }
+};
+
+// Thresholds a quarter of the probability apart, and far too close to each other: there are no more
+// branches than are allowed, and what they count is what a chain without them sees.
+TEST(Splitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
+  std::vector<double> apart, close;
+  for (int i = 0; i < 12; ++i) {
+    apart.push_back(std::pow(2 + 1.6 * i, 2) / 2);
+    close.push_back(std::pow(1 + 0.4 * i, 2) / 2);
+  }
+  const Walks plain({}, 100, 20000);
+  EXPECT_EQ(plain.most_waiting, 0u);
+  for (const auto& thresholds : {apart, close}) {
+    SCOPED_TRACE(thresholds == close ? "close" : "apart");
+    const Walks split(thresholds, 100, 1000);
+    EXPECT_LE(split.most_waiting, 12u * 15u / 2);
+    EXPECT_LT(split.most_for_one, 1.1 * 12 * Splitting::kImpulsesPerLevel);
+    if (thresholds == close) {  // or nothing was tested
+      EXPECT_GT(split.most_for_one, 0.8 * 12 * Splitting::kImpulsesPerLevel);
+    }
+    tests::expect_near(split.weight.mean, 1, split.weight.standard_error, "all");
+    for (std::size_t i = 0; i < split.above.size(); ++i) {
+      const Estimate &one = split.above[i], &other = plain.above[i];
+      tests::expect_near(one.mean, other.mean, std::hypot(one.standard_error, other.standard_error),
+                         "tail");
+    }
+  }
 }
 
 // Energies with P(E > e) = exp(-e): a quarter of them passes from one threshold to the next.
