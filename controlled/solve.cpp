@@ -68,7 +68,8 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   if (simulation.progress) {
     simulation.progress = [&](const mcs::Progress& at) {
       const bool fitted = prepared.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      options.simulation.progress({.fraction = fitted ? at.fraction : 0, .error = at.error});
+      // What is left of the errors is known in the end alone; the plain ones are a thousand times it.
+      options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }
   mcs::Result simulated = mcs::solve(problem, simulation);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "mcs/estimate/density_estimate.hpp"
@@ -14,41 +15,48 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Options::target_error, as far as it has come.
-double current_error(const Simulation& simulation) {
+/// The errors of the present estimates.
+struct Errors {
+  double y_l1, ydot_l1;  ///< expected, by chance
+  double target;         ///< Options::target_error, as far as it has come
+};
+
+Errors current_errors(const Simulation& simulation) {
   const StreamWeights weights(excess_powers(simulation));
-  double error = 0;
+  const auto l1 = [&](transform::Variable variable) {
+    return expected_l1(estimate_marginal(simulation, weights, variable, 1).errors);
+  };
+  Errors now{
+      .y_l1 = l1(transform::Variable::y), .ydot_l1 = l1(transform::Variable::ydot), .target = 0};
+  now.target = std::max(now.y_l1, now.ydot_l1);
   for (const auto& [p, q] : {std::pair{2, 0}, std::pair{0, 2}}) {
     const Estimate e = weights.estimate(moments(simulation, p, q));
-    error = std::max(error, e.standard_error / e.mean);
+    now.target = std::max(now.target, e.standard_error / e.mean);
   }
-  for (const auto variable : transform::kVariables) {
-    error =
-        std::max(error, expected_l1(estimate_marginal(simulation, weights, variable, 1).errors));
-  }
-  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+  if (!std::isfinite(now.target)) now.target = std::numeric_limits<double>::infinity();
+  return now;
 }
 
 /// How far a simulation has come.
 struct Reached {
-  double fraction;  ///< of the way; may be more than 1
-  double error;     ///< 0 where nobody asks
-  bool goal;        ///< the samples and the error that were asked for
+  double fraction;               ///< of the way; may be more than 1
+  std::optional<Errors> errors;  ///< where anyone asks
+  bool goal;                     ///< the samples and the error that were asked for
 };
 
 Reached reached(const Simulation& simulation, const Options& options) {
   Reached now{.fraction = static_cast<double>(simulation.rounds()) /
                           static_cast<double>(simulation.plan().rounds),
-              .error = 0,
+              .errors = {},
               .goal = false};
   if (simulation.rounds() == 0) return now;
   now.goal = options.target_error || options.samples;
   // What is known here alone tells no error.
   if (options.team.parts > 1) return now;
-  if (options.target_error || options.progress) now.error = current_error(simulation);
+  if (options.target_error || options.progress) now.errors = current_errors(simulation);
   if (options.target_error) {
-    now.fraction = std::max(now.fraction, std::pow(*options.target_error / now.error, 2));
-    now.goal = now.goal && now.error <= *options.target_error;
+    now.fraction = std::max(now.fraction, std::pow(*options.target_error / now.errors->target, 2));
+    now.goal = now.goal && now.errors->target <= *options.target_error;
   }
   if (options.samples) {
     const double samples = effective_samples(simulation, 0, 2);
@@ -84,7 +92,12 @@ Ending go_on(Simulation& simulation, const Options& options, CheckpointWriter& c
   for (bool first = true;; first = false) {
     const Reached now = reached(simulation, options);
     if (options.progress && !first) {
-      options.progress({.fraction = std::min(now.fraction, 1.0), .error = now.error});
+      Progress at{.fraction = std::min(now.fraction, 1.0)};
+      if (now.errors) {
+        at.y_l1 = now.errors->y_l1;
+        at.ydot_l1 = now.errors->ydot_l1;
+      }
+      options.progress(at);
     }
     if (auto end = ending(simulation, options, now)) {
       checkpoints.write_last(fingerprint, simulation);

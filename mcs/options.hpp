@@ -22,10 +22,11 @@ using problem::Equation;
 /// How far a simulation has come.
 struct Progress {
   double fraction;  ///< of the way to what was asked for, estimated
-  double error;     ///< so far: see Options::target_error
+  /// Expected L1 error of p(y) and p(y') by chance so far, as Solution::sampling states of the result;
+  /// nothing where this process has a part of the streams only.
+  std::optional<double> y_l1{}, ydot_l1{};
 };
 
-/// How to simulate. Nothing means automatic.
 /// A simulation that several processes share: each moves a part of the streams.
 struct Team {
   int part = 0, parts = 1;

@@ -48,7 +48,11 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
   on_axes.y_edges = setting.axes.y_edges;
   on_axes.v_edges = setting.axes.v_edges;
   on_axes.progress = [&](const mcs::Progress& at) {
-    if (setting.progress) setting.progress(at.fraction, fmt::format("error {:.1e}", at.error));
+    if (!setting.progress) return;
+    setting.progress(at.fraction, at.y_l1 && at.ydot_l1
+                                      ? fmt::format("L1 by chance {:.1e} in p(y), {:.1e} in p(y')",
+                                                    *at.y_l1, *at.ydot_l1)
+                                      : std::string());
   };
   if (options.controlled) return controlled::solve(problem, {.simulation = on_axes});
   return mcs::solve(problem, on_axes).solution;

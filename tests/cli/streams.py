@@ -28,7 +28,9 @@ def main():
 
     with tempfile.TemporaryDirectory() as work:
         usual = os.path.join(work, "usual")
-        expect(run(program, usual, "").returncode == 0, "the usual run failed")
+        piped = run(program, usual, "")
+        expect(piped.returncode == 0, "the usual run failed")
+        expect("\x1b" not in piped.stdout + piped.stderr, "escape sequences go into a pipe")
         for name, suffix in {"closed": ">&- 2>&-", "all closed": "<&- >&- 2>&-",
                              "no reader": "| true", "head": "2>&1 | head -1",
                              "quiet": "-q >&- 2>&-"}.items():
