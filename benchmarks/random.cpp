@@ -1,7 +1,11 @@
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +17,7 @@
 
 #include "compare/axes.hpp"
 #include "compare/rest_atoms.hpp"
+#include "mcs/offered.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
 #include "methods/in_frame.hpp"
@@ -29,6 +34,10 @@
 // whether its stated errors hold.
 //
 //   fpkcheck_random [--count 200] [--first 0] [--family] [--methods fd-kf] [--keep DIR] [--verbose]
+//
+// With --tails: time and memory of the splitting simulation of each, and how far its tails reach.
+//
+//   fpkcheck_random --tails --family --count 40
 namespace fpkcheck::benchmarks {
 namespace {
 
@@ -49,6 +58,7 @@ struct Settings {
   // takes hours: their number makes up for the shorter time.
   double events = 4e8;
   bool family = false;  // of any oscillator, not of the paper's class alone
+  bool tails = false;   // print_tails in place of everything else
 };
 
 // What the simulation knows of a problem.
@@ -255,7 +265,95 @@ std::vector<int> numbers_of(const Settings& settings) {
   return numbers;
 }
 
+problem::Problem problem_of(int number, const Settings& settings) {
+  const auto seed = static_cast<std::uint64_t>(number);
+  return settings.family ? tests::random_member(seed) : tests::random_problem(seed);
+}
+
+const mcs::Options kTails{.tails = true};
+
+bool has_tails(const problem::Problem& problem) {
+  return mcs::objection(problem, kTails).empty() &&
+         mcs::splitting_objection(problem, kTails).empty();
+}
+
+// The lowest density, relative to the peak, whose 95 % interval is within +-half of it.
+double lowest_known(const Marginal& marginal) {
+  const double peak = *std::ranges::max_element(marginal.density);
+  double lowest = 1;
+  for (std::size_t b = 0; b < marginal.size(); ++b) {
+    if (compare::known_well(marginal, b) && marginal.density[b] > 0) {
+      lowest = std::min(lowest, marginal.density[b] / peak);
+    }
+  }
+  return lowest;
+}
+
+void solve_tails(const problem::Problem& problem) {
+  const auto solution = methods::solve_in_frame(
+      problem, {compare::comparison_axes(problem), {}},
+      [](const problem::Problem&) { return std::string(); },
+      [&](const problem::Problem& seen, const methods::Setting& there) {
+        mcs::Options options = kTails;
+        options.y_edges = there.axes.y_edges;
+        options.v_edges = there.axes.v_edges;
+        return mcs::solve(seen, options).solution;
+      });
+  fmt::print("  {:14}", name(solution.status));
+  for (const auto& [variable, marginal] : solution.estimated_marginals) {
+    fmt::print(" {:>8.1e}", lowest_known(marginal));
+  }
+  const auto levels = std::ranges::count_if(solution.observations, [](const auto& o) {
+    return o.path.starts_with("splitting_thresholds[");
+  });
+  fmt::print(" {:2} energies {}\n", levels, solution.reason);
+}
+
+// Each in a process of its own, whose memory is its own, and ended before it takes the machine's.
+void print_tails(const Settings& settings) {
+  constexpr rlim_t kMostBytes = rlim_t{4} << 30;
+  double most_megabytes = 0, longest = 0;
+  int solved = 0, number = settings.first;
+  for (; solved < settings.count; ++number) {
+    const auto problem = problem_of(number, settings);
+    if (!has_tails(problem)) continue;
+    ++solved;
+    const auto begin = std::chrono::steady_clock::now();
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0) {
+      const rlimit memory{kMostBytes, kMostBytes};
+      setrlimit(RLIMIT_AS, &memory);
+      try {
+        solve_tails(problem);
+      } catch (const std::exception& error) {
+        fmt::print("  {}\n", error.what());
+      }
+      std::fflush(stdout);
+      _exit(0);
+    }
+    int status = 0;
+    rusage used{};
+    wait4(child, &status, 0, &used);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double processor = static_cast<double>(used.ru_utime.tv_sec) +
+                             1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+    const double megabytes = static_cast<double>(used.ru_maxrss) / 1024;
+    most_megabytes = std::max(most_megabytes, megabytes);
+    longest = std::max(longest, seconds);
+    fmt::print("{:12} {:6.1f} s {:6.1f} s of processors {:7.0f} MB {}\n", problem.name, seconds,
+               processor, megabytes, problem::parameters_text(problem));
+  }
+  fmt::print("{} of {} problems have tails: at most {:.1f} s and {:.0f} MB\n", solved,
+             number - settings.first, longest, most_megabytes);
+}
+
 int run(const Settings& settings) {
+  if (settings.tails) {
+    print_tails(settings);
+    return 0;
+  }
   const auto registry = methods::builtin();
   parameters::Values options;
   if (!settings.transport.empty()) options.push_back({"transport", settings.transport});
@@ -265,8 +363,7 @@ int run(const Settings& settings) {
   std::vector<Judge> judges;
   std::vector<std::vector<Answer>> answers;
   for (const int number : numbers_of(settings)) {
-    const auto seed = static_cast<std::uint64_t>(number);
-    problems.push_back(settings.family ? tests::random_member(seed) : tests::random_problem(seed));
+    problems.push_back(problem_of(number, settings));
     if (problem::features(problems.back()).collapse) {  // no solver has an answer, nor a judge
       problems.pop_back();
       continue;
@@ -304,7 +401,9 @@ int main(int argc, char** argv) {
       "verbose", po::bool_switch(&settings.verbose), "every answer")(
       "events", po::value(&settings.events), "of a simulation at most")(
       "family", po::bool_switch(&settings.family),
-      "any oscillator, not of the paper's class alone");
+      "any oscillator, not of the paper's class alone")(
+      "tails", po::bool_switch(&settings.tails),
+      "time and memory of `fpkcheck mcs --tails` of the first `count` that it treats");
   try {
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);

@@ -84,6 +84,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
       solution = without_control(std::move(simulated.solution), why.what());
     }
   }
+  mcs::require_accuracy(options.simulation, solution);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;

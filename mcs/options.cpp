@@ -52,6 +52,12 @@ const Description<Options>& description() {
                "go on until the relative standard errors of E[y^2] and E[y'^2] and the expected L1 "
                "errors of the densities are below E"},
               strictly_between(0, 1))
+          .add(
+              "accuracy", &Options::accuracy,
+              {"L1",
+               "largest error of p(y) and of p(y') by chance, in 99 runs of 100, that is ok, in L1"},
+              positive().because("no simulation is exact"))
+          .with_fallback(Options{}.accuracy)
           .add("seed", &Options::seed,
                {"S",
                 "seed of the simulation; the same seed gives the same result for any number of "

@@ -36,19 +36,24 @@ struct Team {
   std::function<std::vector<std::string>(const std::string& own)> gather = {};
 };
 
+/// How to simulate. Nothing means automatic.
 struct Options {
   /// What drives the oscillator: `kf`, the impulses themselves, paper (3), or `white`, Gaussian
   /// white noise of the same mean and intensity.
   Equation equation = Equation::kf;
   /// Simulated time over all streams, rounded up to whole rounds; automatic: 1.6e6 decay times of
   /// the slowest mode of equivalent linearisation (2/c_eq below critical damping), 1/32 of it with
-  /// `tails`, 1/8 with `controlled`, and no end where `samples` or `target_error` is given.
+  /// `tails`, 1/8 with `controlled`, and no end where `samples` or `target_error` is given. Less
+  /// where that would take more than some seconds, but enough for `accuracy` if that takes a
+  /// minute or so (simulation/durations.hpp).
   std::optional<double> time{};
   /// Effective samples of y'^2 to be reached (Summary::effective_samples).
   std::optional<double> samples{};
   /// Error to be reached: the largest of the relative standard errors of E[y^2] and E[y'^2] and
   /// the expected L1 distances of the marginals by chance.
   std::optional<double> target_error{};
+  /// Largest L1 error of p(y) and of p(y') by chance, in 99 runs of 100, of a solution that is ok.
+  double accuracy = 0.02;
   std::uint64_t seed = 1;  ///< below 2^63
   /// Automatic: one per processor. The results do not depend on it.
   std::optional<int> threads{};

@@ -266,20 +266,41 @@ std::vector<StreamDeposit> deposits(const Simulation& simulation) {
   return all;
 }
 
+/// Why the burn-in is too short; empty where it is not.
+std::string burn_in_reason(const Plan& plan, const Options& options) {
+  const auto text = [&](const std::string& cause, const char* action) {
+    return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
+                       action);
+  };
+  switch (plan.burn_in_limit) {
+    case BurnInLimit::impulses:
+      return text(fmt::format("impulses are frequent against the decay ({:.2g} per unit time)",
+                              1 / plan.excitation.interval),
+                  options.tails ? "give more --time"
+                                : "give more --time, or simulate their limit (--equation white)");
+    case BurnInLimit::wells:
+      return text("the wells are rarely left, and their masses may be those of the start",
+                  "give more --time");
+    case BurnInLimit::decay:
+      return text("the motion loses its energy slowly", "give more --time");
+    case BurnInLimit::none:
+      break;
+  }
+  return "";
+}
+
 /// @param unreached why the simulation did not come to what was asked for; empty when it did
-void judge(const Plan& plan, const Summary& summary, transform::Solution& solution,
-           const std::string& unreached) {
+void judge(const Plan& plan, const Options& options, const Summary& summary,
+           transform::Solution& solution, const std::string& unreached) {
   constexpr std::uint64_t kFewestImpulses = 10;  // of a stream
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
   solution.status = unreached.empty() ? transform::Status::ok : transform::Status::not_converged;
   solution.reason = unreached;
   const auto streams = static_cast<std::uint64_t>(summary.streams);
-  if (plan.general && !plan.general->mixed) {
+  if (plan.burn_in_limit != BurnInLimit::none) {
     solution.status = transform::Status::not_converged;
-    solution.reason =
-        "the burn-in is too short for the slowest deviation to decay (what the wells hold may be what "
-        "was started with) give more --time";
+    solution.reason = burn_in_reason(plan, options);
   }
   const bool has_impulses = std::isfinite(plan.excitation.interval);
   if (has_impulses && summary.impulses < kFewestImpulses * streams) {
@@ -339,6 +360,18 @@ bool gather(const Team& team, Simulation& simulation) {
 
 }  // namespace
 
+void require_accuracy(const Options& options, transform::Solution& solution) {
+  const auto& sampling = transform::best_sampling(solution);
+  if (!solution.is_ok() || !sampling) return;
+  const double y = sampling->y_99.value_or(0), ydot = sampling->ydot_99.value_or(0);
+  if (y <= options.accuracy && ydot <= options.accuracy) return;
+  solution.status = transform::Status::inaccurate;
+  solution.reason = fmt::format(
+      "the errors by chance exceed the accuracy {:g}: 1 run of 100 is off by more than L1 {:.2g} in "
+      "p(y) or {:.2g} in p(y'); give more --time",
+      options.accuracy, y, ydot);
+}
+
 void require_solvable(const problem::Problem& problem, const Options& options) {
   const Plan plan = make_plan(problem, options);
   require_shareable(options);
@@ -392,7 +425,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
           "without --tails, or with more --streams)";
     }
   }
-  judge(plan, summary, solution, unreached);
+  judge(plan, options, summary, solution, unreached);
+  if (!options.controlled) require_accuracy(options, solution);
   solution.observations = observations(summary);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

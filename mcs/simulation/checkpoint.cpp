@@ -89,7 +89,7 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
       text += fmt::format(" {:a} {:a}", by, probability);
   }
   if (plan.general) {
-    const auto& [scales, o, kicks, power, rests, mixed] = *plan.general;
+    const auto& [scales, o, kicks, power, rests, wells] = *plan.general;
     text += fmt::format("; of {:a} {:a} {:a}", fmt::join(o.force, " "),
                         fmt::join(s.damping_polynomial().coefficients(), " "), o.rayleigh);
     for (const auto& w : {o.left, o.right}) {

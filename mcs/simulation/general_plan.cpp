@@ -46,7 +46,8 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
           .kicks = general_kicks(problem, scales, diffusion,
                                  options.white_step.value_or(automatic_kick_step(problem.system))),
           .power = problem::total_intensity(problem) / 2,
-          .rests = features.rests_in_contact && diffusion == 0};
+          .rests = features.rests_in_contact && diffusion == 0,
+          .wells = features.wells};
 }
 
 }  // namespace fpkcheck::mcs

@@ -15,11 +15,9 @@ struct GeneralPlan {
   GeneralKicks kicks;
   double power;  ///< D + lambda E[Y^2]/2, what noise and impulses bring
   bool rests;    ///< the law has atoms of rest in contact
-  /// The burn-in is long enough for the masses of the wells to forget their start.
-  bool mixed = true;
+  int wells;     ///< Features::wells
 };
 
-/// All but `mixed`.
 /// @throws InputError where the options ask for what such an oscillator does not have
 GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options);
 

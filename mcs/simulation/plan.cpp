@@ -18,20 +18,14 @@ namespace {
 constexpr double kMostSamples = 1e15;  // of a stream
 
 constexpr int kAutomaticBins = 140;
-constexpr double kAutomaticExtent = 7;    // standard deviations
-constexpr double kAutomaticTime = 1.6e6;  // slowest decay times: L1 noise of p(y), p(y') about 6e-4
-constexpr double kTailsShare = 1.0 / 32;  // of it: the branches take several times as long
-constexpr double kControlledShare = 1.0 / 8;  // L1 noise in smooth bins about 2e-6
+constexpr double kAutomaticExtent = 7;        // standard deviations
 constexpr double kAutomaticWhiteStep = 0.05;  // radians
-constexpr double kBurnIn = 20;                // slowest decay times: exp(-20) of the start is left
 constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less noisy, and dearer
 // Progress and interruptions come by rounds: a fortieth of the automatic time, a tenth of a second
 // or so, or an eighth of what was asked for if that is less.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-constexpr double kMostEvents = 2e7;           // impulses and flights of a round, in all streams
-constexpr double kMostAutomaticEvents = 4e7;  // of any oscillator: seconds
-constexpr double kMostAutomaticTimes = 1e4;   // where samples or an error are asked for
+constexpr double kMostEvents = 2e7;  // impulses and flights of a round, in all streams
 
 std::vector<double> evenly_spaced(double from, double to) {
   std::vector<double> edges;
@@ -50,10 +44,11 @@ struct Rounds {
 };
 
 /// @param events impulses, kicks and flights per unit time
-Rounds rounds_of(const Options& options, double automatic, double time, double interval,
+Rounds rounds_of(const Options& options, const Durations& durations, double interval,
                  double events) {
-  const double round_time =
-      std::min({automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
+  const double time = durations.time;
+  const double round_time = std::min(
+      {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
   // Of a length that does not depend on the time asked for, unless that is short: so a longer
   // simulation can go on from the checkpoint of a shorter one.
   const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
@@ -87,21 +82,13 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
   const double kicks = general.kicks.present() ? 1 / general.kicks.longest : 0;
   const bool white = options.equation == Equation::white;
   const double impulses = white ? 0 : problem.impulses.arrival_rate();
-  const double events = impulses + kicks + s.frequency / step;
-  // Wells that are hardly ever left would take forever: their masses are those of the start then, if
-  // not of the burn-in.
-  const double automatic =
-      std::min(kAutomaticTime / s.slowest_decay, kMostAutomaticEvents / events) *
-      (options.tails ? kTailsShare : 1);
-  const bool open_ended = options.samples || options.target_error;
-  const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
-  constexpr double kLongestBurnIn = 1.0 / 8;  // of the automatic time
-  const double whole_burn_in = kBurnIn / s.slowest_decay;
-  const double burn_in =
-      std::min(whole_burn_in, std::max(kLongestBurnIn * automatic, time) / options.streams);
-  constexpr double kMixed = 0.25;  // of the burn-in: exp(-5) of the start is left
-  general.mixed = burn_in >= kMixed * whole_burn_in;
-  const auto [samples, rounds] = rounds_of(options, automatic, time, interval, events);
+  const Pace pace{.decay = s.slowest_decay,
+                  .impulses = impulses,
+                  .flights = kicks + s.frequency / step,
+                  .any_oscillator = true,
+                  .wells = general.wells};
+  const Durations durations = durations_of(options, pace);
+  const auto [samples, rounds] = rounds_of(options, durations, interval, pace.events());
   Excitation excitation = poisson_excitation(problem.impulses);
   if (impulses == 0) excitation.interval = std::numeric_limits<double>::infinity();
   excitation.power = general.power;
@@ -112,7 +99,8 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
           .seed = options.seed,
           .frame = problem.frame,
           .step = step,
-          .burn_in = burn_in,
+          .burn_in = durations.burn_in,
+          .burn_in_limit = durations.burn_in_limit,
           .sampling_interval = interval,
           .samples_per_round = samples,
           .rounds = rounds,
@@ -134,10 +122,6 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
   const double decay = problem::slowest_decay(linear);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double frequency = std::sqrt(linear.stiffness);
-  const double share = options.tails ? kTailsShare : options.controlled ? kControlledShare : 1;
-  const double automatic = kAutomaticTime * share / decay;
-  const bool open_ended = options.samples || options.target_error;
-  const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
   const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;
   const Excitation excitation =
       options.equation == Equation::white
@@ -145,8 +129,9 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
                              options.white_step.value_or(kAutomaticWhiteStep) / frequency)
           : poisson_excitation(problem.impulses);
   const double step = options.step.value_or(kAutomaticStep);
-  const double events = 1 / excitation.interval + frequency / step;
-  const auto [samples, rounds] = rounds_of(options, automatic, time, interval, events);
+  const Pace pace{.decay = decay, .impulses = 1 / excitation.interval, .flights = frequency / step};
+  const Durations durations = durations_of(options, pace);
+  const auto [samples, rounds] = rounds_of(options, durations, interval, pace.events());
   std::optional<DepositPlan> deposit;
   if (options.deposit) {
     deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
@@ -156,7 +141,8 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
           .seed = options.seed,
           .frame = problem.frame,
           .step = step,
-          .burn_in = kBurnIn / decay,
+          .burn_in = durations.burn_in,
+          .burn_in_limit = durations.burn_in_limit,
           .sampling_interval = interval,
           .samples_per_round = samples,
           .rounds = rounds,

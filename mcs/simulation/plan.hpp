@@ -5,6 +5,7 @@
 
 #include "mcs/impulses/excitation.hpp"
 #include "mcs/options.hpp"
+#include "mcs/simulation/durations.hpp"
 #include "mcs/simulation/general_plan.hpp"
 #include "mcs/streams/histogram.hpp"
 #include "transform/marginal.hpp"
@@ -27,6 +28,7 @@ struct Plan {
   problem::Frame frame;  ///< moments are stated by it
   double step;
   double burn_in;
+  BurnInLimit burn_in_limit;
   double sampling_interval;
   /// The simulation goes on in rounds of as many samples of each stream.
   std::uint64_t samples_per_round;

@@ -45,6 +45,8 @@ TEST(Options, OutOfRangeAreRefusedByName) {
   expect_refused([&](auto& o) { o.samples = nan; }, "samples");
   expect_refused([](auto& o) { o.target_error = 1; }, "target_error");
   expect_refused([&](auto& o) { o.target_error = nan; }, "target_error");
+  expect_refused([](auto& o) { o.accuracy = 0; }, "accuracy");
+  expect_refused([&](auto& o) { o.accuracy = nan; }, "accuracy");
   expect_refused([](auto& o) { o.white_step = 0.6; }, "white_step");
   expect_refused([](auto& o) { o.y_edges = {0}; }, "y_edges");
   expect_refused([](auto& o) { o.y_edges = {0, 1, 1}; }, "y_edges");
@@ -62,6 +64,7 @@ TEST(Options, ComeBackFromTheirValues) {
                         .time = 12345.5,
                         .samples = 2e6,
                         .target_error = 1e-3,
+                        .accuracy = 0.1,
                         .seed = 9223372036854775807u,
                         .threads = 3,
                         .streams = 64,
@@ -86,12 +89,12 @@ TEST(Options, HaveTheNamesAndFlagsOfFilesAndTheCommandLine) {
     flags.push_back(parameter.flag);
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"equation", "time", "samples", "target_error", "seed",
-                                             "threads", "streams", "step", "white_step", "tails",
-                                             "controlled"}));
-  EXPECT_EQ(flags, (std::vector<std::string>{"equation", "time", "samples", "target-error", "seed",
-                                             "threads", "streams", "step", "white-step", "tails",
-                                             "controlled"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"equation", "time", "samples", "target_error",
+                                             "accuracy", "seed", "threads", "streams", "step",
+                                             "white_step", "tails", "controlled"}));
+  EXPECT_EQ(flags, (std::vector<std::string>{"equation", "time", "samples", "target-error",
+                                             "accuracy", "seed", "threads", "streams", "step",
+                                             "white-step", "tails", "controlled"}));
 }
 
 TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {

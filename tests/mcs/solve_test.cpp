@@ -139,8 +139,23 @@ TEST(Solve, AnEmptyBinHasAnUpperEnd) {
   EXPECT_LT(v.upper.front(), 0.1);
 }
 
+// As other methods are, by the error that it states.
+TEST(Solve, IsOkWithinTheAccuracyAskedForAlone) {
+  const auto problem = tests::paper_case(1);
+  const auto by_default = solve(problem, {.time = 1e4}).solution;
+  EXPECT_EQ(by_default.status, transform::Status::inaccurate);
+  EXPECT_FALSE(by_default.reason.empty());
+  EXPECT_TRUE(by_default.density);
+  const double error = std::max(*by_default.sampling->y_99, *by_default.sampling->ydot_99);
+  EXPECT_GT(error, 0.02);
+  EXPECT_TRUE(solve(problem, {.time = 1e4, .accuracy = 1.01 * error}).solution.is_ok());
+  EXPECT_EQ(solve(problem, {.time = 1e4, .accuracy = 0.99 * error}).solution.status,
+            transform::Status::inaccurate);
+  EXPECT_TRUE(solve(problem, {.time = 1e5}).solution.is_ok());
+}
+
 TEST(Solve, FillsInTheSolutionAndTheSummary) {
-  const Result result = tests::simulate(tests::paper_case(1), 1e4);
+  const Result result = solve(tests::paper_case(1), {.time = 1e4, .accuracy = 0.1});
   EXPECT_EQ(result.solution.identity, identity(Options{}));
   EXPECT_EQ(result.solution.status, transform::Status::ok);
   EXPECT_GT(result.solution.seconds, 0.0);

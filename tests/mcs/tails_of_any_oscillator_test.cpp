@@ -157,7 +157,7 @@ TEST(TailsOfAnyOscillator, AreExactDownTo1eMinus8OfThePeakWithoutAWall) {
   Problem problem = folded;
   problem.system = System(
       {.damping = folded.system.damping(), .stiffness = folded.system.stiffness()}, {.none = true});
-  const Result result = solve(problem, {.time = 1e5, .seed = 5, .tails = true});
+  const Result result = solve(problem, {.time = 1.6e5, .seed = 5, .tails = true});
   EXPECT_GT(result.summary.thresholds.size(), 10u);
   const auto& [variable, estimate] = result.solution.estimated_marginals.back();
   ASSERT_EQ(variable, transform::Variable::ydot);

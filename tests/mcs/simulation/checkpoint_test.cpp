@@ -26,7 +26,7 @@ class Checkpoint : public testing::Test {
   ~Checkpoint() override { std::filesystem::remove_all(directory_); }
 
   Options brief(bool tails) const {
-    return {.time = tails ? 3e3 : 2e4, .streams = 10, .tails = tails};
+    return {.time = tails ? 3e3 : 2e4, .accuracy = 0.1, .streams = 10, .tails = tails};
   }
   Result interrupted(Options options) const {
     options.checkpoint = file_;

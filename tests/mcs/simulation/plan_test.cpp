@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "family.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
@@ -21,6 +22,46 @@ TEST(Plan, ChoosesWhatIsLeftOutFromTheEquivalentLinearisation) {
   EXPECT_NEAR(plan.y_bins.edges().back(), 7 * linear.displacement_deviation, 1e-12);
   EXPECT_NEAR(plan.v_bins.edges().front(), -7 * linear.velocity_deviation, 1e-12);
   EXPECT_GE(plan.threads, 1);
+}
+
+problem::Problem without_wall(double rate, double damping = 0.2, double stiffness = 1) {
+  return tests::with_impulses(
+      problem::System({.damping = damping, .stiffness = stiffness, .cubic = 1}, {.none = true}),
+      tests::gaussian_impulses(rate, 0.1));
+}
+
+double time_of(const Plan& plan) {
+  return plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
+}
+
+// 1e4 impulses per unit time: enough for the accuracy, in no more than a minute, from a start that is
+// forgotten. In the paper's class all decay times would be 3e11 of them.
+TEST(Plan, OfFrequentImpulsesIsBoundedAndEnough) {
+  for (const auto& problem : {without_wall(1e4), tests::make_problem({.rate = 1e4})}) {
+    const Plan plan = make_plan(problem, {});
+    EXPECT_EQ(plan.burn_in_limit, BurnInLimit::none);
+    EXPECT_LT((time_of(plan) + plan.burn_in * plan.streams) * 1e4, 4e9);
+    // 2.5 over the root of as many decay times is 0.025.
+    EXPECT_GT(time_of(plan) / (plan.burn_in / 20), 1e4);
+    // Less accuracy takes less.
+    EXPECT_LE(time_of(make_plan(problem, {.accuracy = 0.1})), time_of(plan));
+  }
+  EXPECT_LT(time_of(make_plan(without_wall(1e4), {.accuracy = 0.1})),
+            0.1 * time_of(make_plan(without_wall(1e4), {})));
+}
+
+TEST(Plan, NamesWhatKeepsItsBurnInShort) {
+  const auto limit = [](const problem::Problem& problem) {
+    return make_plan(problem, {}).burn_in_limit;
+  };
+  EXPECT_EQ(limit(without_wall(1)), BurnInLimit::none);
+  EXPECT_EQ(limit(without_wall(1e7)), BurnInLimit::impulses);
+  EXPECT_EQ(limit(tests::make_problem({.rate = 1e7})), BurnInLimit::impulses);
+  EXPECT_EQ(limit(without_wall(1, 1e-9)), BurnInLimit::decay);
+  problem::Problem two_wells = without_wall(1, 0.2, -1);
+  two_wells.impulses = {};
+  two_wells.noise.intensity = 0.006;
+  EXPECT_EQ(limit(two_wells), BurnInLimit::wells);
 }
 
 }  // namespace
