@@ -16,6 +16,7 @@
 
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
+#include "cli/progress_line.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
 
@@ -55,7 +56,7 @@ sem_t signal_came;
 
 // Without stdio: another thread may hold its locks, waiting for a reader.
 void say(const std::string& line) {
-  const std::string text = (isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "") + line + '\n';
+  const std::string text = (can_rewrite_a_line() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 

@@ -20,16 +20,17 @@ std::size_t terminal_width() {
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
 }
 
-bool can_rewrite_a_line() {
-  const char* const terminal = std::getenv("TERM");
-  return terminal == nullptr || std::string_view(terminal) != "dumb";
-}
-
 std::string duration_text(double seconds) {
   return seconds < 100 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
 }
 
 }  // namespace
+
+bool can_rewrite_a_line() {
+  const char* const terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
 
 std::string progress_text(const methods::RunProgress& progress, double seconds,
                           double method_seconds) {
@@ -44,8 +45,7 @@ std::string progress_text(const methods::RunProgress& progress, double seconds,
   return progress.note.empty() ? text : text + "  " + progress.note;
 }
 
-ProgressLine::ProgressLine(bool silent)
-    : active_(!silent && isatty(STDERR_FILENO) == 1 && can_rewrite_a_line()) {}
+ProgressLine::ProgressLine(bool silent) : active_(!silent && can_rewrite_a_line()) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 

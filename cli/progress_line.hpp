@@ -16,8 +16,11 @@ namespace fpkcheck::cli {
 std::string progress_text(const methods::RunProgress& progress, double seconds,
                           double method_seconds);
 
-/// One line on standard error that is rewritten as a run proceeds; silent when standard error is
-/// not a terminal or when told to be.
+/// Whether standard error is a terminal that takes control sequences (TERM is not `dumb`).
+bool can_rewrite_a_line();
+
+/// One line on standard error that is rewritten as a run proceeds; silent where can_rewrite_a_line()
+/// is false or when told to be.
 class ProgressLine {
  public:
   explicit ProgressLine(bool silent);

@@ -6,9 +6,13 @@ Neither may cost files, nor may what is printed go into one.
 
 import filecmp
 import os
+import pty
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 
 FILES = ["summary.json", "marginals.csv", "report.html", "joint.nc"]
 
@@ -16,6 +20,33 @@ FILES = ["summary.json", "marginals.csv", "report.html", "joint.nc"]
 def run(program, out, suffix):
     command = f'"{program}" epc case1 --order 6 --out "{out}" {suffix}'
     return subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120)
+
+
+def escapes_at_terminal(program, command, terminal, interrupted=False):
+    """Escape sequences that standard output, a pipe, and standard error, a terminal, get."""
+    ours, theirs = pty.openpty()
+    child = subprocess.Popen([program] + command, stdin=subprocess.DEVNULL,
+                             stdout=subprocess.PIPE, stderr=theirs,
+                             env=os.environ | {"TERM": terminal})
+    os.close(theirs)
+    shown = []
+
+    def read():
+        try:
+            while data := os.read(ours, 65536):
+                shown.append(data)
+        except OSError:  # Linux: the other end is closed
+            pass
+
+    reader = threading.Thread(target=read)
+    reader.start()
+    if interrupted:
+        time.sleep(0.5)
+        child.send_signal(signal.SIGINT)
+    printed = child.communicate(timeout=120)[0]
+    reader.join()
+    os.close(ours)
+    return printed.count(b"\x1b"), b"".join(shown).count(b"\x1b")
 
 
 def main():
@@ -44,6 +75,19 @@ def main():
                    f"{name}: marginals.csv differs")
             size = os.path.getsize(os.path.join(out, "figures", "case1.png"))
             expect(size > 1000, f"{name}: the picture has {size} bytes")
+        few = ["--methods", "epc-gaussian-n4,epc-gaussian-n6", "--out"]
+        commands = {"run": ["run", "case1"] + few,
+                    "sweep": ["sweep", "case1", "--vary", "impulse.rate=1,2"] + few}
+        for terminal in ["xterm", "dumb"]:
+            for name, command in commands.items():
+                printed, shown = escapes_at_terminal(
+                    program, command + [os.path.join(work, name + terminal)], terminal)
+                expect(printed == 0, f"{name}: escape sequences go into a pipe")
+                expect((shown > 0) == (terminal == "xterm"),
+                       f"{name}: {shown} escape sequences at a terminal {terminal}")
+            shown = escapes_at_terminal(program, ["reference", "case1"], terminal, True)[1]
+            expect((shown > 0) == (terminal == "xterm"),
+                   f"interrupted: {shown} escape sequences at a terminal {terminal}")
         quiet = subprocess.run([program, "epc", "case1", "--order", "8", "-q"],
                                capture_output=True, text=True, timeout=120)
         expect(quiet.returncode == 1, f"order 8 ended with {quiet.returncode}")
