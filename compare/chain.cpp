@@ -61,7 +61,7 @@ class Chain {
   void limit() {
     pending_.push_back(Link::discretisation);
     if (measure_ != nullptr || !full_ || !full_->extrapolation) return;
-    append({full_->id() + " limit", {}, limit_of(*full_), 0.0});
+    append({full_->id() + std::string(kLimitOfGrids), {}, limit_of(*full_), 0.0});
   }
 
   void simulation() {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/axes.hpp"
@@ -11,6 +12,9 @@
 #include "transform/solution.hpp"
 
 namespace fpkcheck::compare {
+
+/// What the id of a solution ends with in a chain where its grids' limit is meant.
+inline constexpr std::string_view kLimitOfGrids = " limit";
 
 /// A model on the way from a closure to the truth, with its marginal of one variable.
 struct ChainNode {

@@ -88,7 +88,7 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
   }
   result.budget =
       error_budget(axes, solutions, measure == nullptr ? over_even_bins : result.smooth);
-  result.limits = limits(result.budget, solutions);
+  result.limits = limits(result.budget, solutions, result.pairs);
   drop_negative(solutions, result.marginals);
   drop_negative(solutions, result.smooth);
   return result;

@@ -7,6 +7,9 @@
 #include <map>
 #include <vector>
 
+#include "compare/agreement.hpp"
+#include "compare/chain.hpp"
+
 namespace fpkcheck::compare {
 namespace {
 
@@ -29,20 +32,29 @@ double error_of_the_end(const BudgetRow& row) {
   return last.in_99.value_or(last.uncertainty.value_or(0));
 }
 
-// Finite differences and the simulation are further apart than chance explains: then the last part
-// is more than sampling.
-bool references_disagree(const BudgetRow& row) {
+/// What a comparison knows of the solutions.
+struct Known {
+  std::span<const Solution> solutions;
+  std::span<const PairDistances> pairs;
+};
+
+// Finite differences and the simulation do not agree: then the last part is more than sampling.
+bool references_disagree(const BudgetRow& row, const Known& known) {
   const BudgetPart& last = row.parts.back();
-  return last.links == std::vector{Link::sampling} && last.in_99 && last.l1 > *last.in_99;
+  if (last.links != std::vector{Link::sampling}) return false;
+  const std::string from = last.from.substr(0, last.from.find(kLimitOfGrids));
+  const Solution* one = transform::find_solution(known.solutions, from);
+  const Solution* other = transform::find_solution(known.solutions, last.to);
+  return one != nullptr && other != nullptr && !agree(*one, *other, known.pairs);
 }
 
-bool nearer_than_the_end_is_known(const ClosureBudget& budget) {
-  return std::ranges::all_of(budget.rows(), [](const BudgetRow* row) {
-    return !references_disagree(*row) && row->total <= error_of_the_end(*row);
+bool nearer_than_the_end_is_known(const ClosureBudget& budget, const Known& known) {
+  return std::ranges::all_of(budget.rows(), [&](const BudgetRow* row) {
+    return !references_disagree(*row, known) && row->total <= error_of_the_end(*row);
   });
 }
 
-void add(const ClosureBudget& budget, std::vector<Group>& groups) {
+void add(const ClosureBudget& budget, const Known& known, std::vector<Group>& groups) {
   std::map<std::string, double> parts;
   double sum = 0;
   for (const BudgetRow* row : budget.rows()) {
@@ -53,7 +65,8 @@ void add(const ClosureBudget& budget, std::vector<Group>& groups) {
   }
   const auto largest =
       std::ranges::max_element(parts, {}, [](const auto& part) { return part.second; });
-  const std::string limit = nearer_than_the_end_is_known(budget) ? kBelowTheEnd : largest->first;
+  const std::string limit =
+      nearer_than_the_end_is_known(budget, known) ? kBelowTheEnd : largest->first;
   auto group = std::ranges::find(groups, limit, &Group::part);
   if (group == groups.end()) group = groups.insert(group, {.part = limit, .closures = {}});
   group->closures.push_back(&budget);
@@ -109,19 +122,23 @@ std::string text_of(const Group& group, bool& explained) {
 
 }  // namespace
 
-std::string limits(std::span<const BudgetRow> budget, std::span<const Solution> solutions) {
+std::string limits(std::span<const BudgetRow> budget, std::span<const Solution> solutions,
+                   std::span<const PairDistances> pairs) {
+  const Known known{solutions, pairs};
   const auto budgets = closure_budgets(budget, solutions);
   if (budgets.empty()) return "";
   std::vector<Group> groups;
-  for (const auto& closure : budgets) add(closure, groups);
+  for (const auto& closure : budgets) add(closure, known, groups);
   std::vector<std::string> parts;
   bool explained = false;
   for (const auto& group : groups) parts.push_back(text_of(group, explained));
   const std::string text = fmt::format("What limits each closure: {}.", fmt::join(parts, "; "));
-  if (std::ranges::none_of(budget, references_disagree)) return text;
+  const bool disagree = std::ranges::any_of(
+      budget, [&](const BudgetRow& row) { return references_disagree(row, known); });
+  if (!disagree) return text;
   return text +
          " The part called sampling is more than that here: finite differences and the simulation "
-         "are further apart than 99 of 100 simulations would be by chance.";
+         "differ by more than their errors explain.";
 }
 
 }  // namespace fpkcheck::compare

@@ -58,6 +58,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
                    "the impulses are so small that it would take too much memory");
   }
   mcs::Options simulation = options.simulation;
+  simulation.controlled = true;  // its errors are judged in the end
   simulation.deposit = where.grid;
   simulation.step = simulation.step.value_or(kStep);
   const double interval = mcs::make_plan(problem, simulation).sampling_interval;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "compare/agreement.hpp"
 #include "compare/reference.hpp"
 #include "report/bounds.hpp"
 #include "report/references.hpp"
@@ -200,23 +201,11 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
               : ""));
 }
 
-/// What chance does to a difference: what one expects, and what 99 runs of 100 stay below.
-struct Chance {
-  MarginalDistances expected, in_99;
-};
-
+/// The errors of a solution by chance that are expected.
 /// @param smooth whether the difference is one over smooth bins
-Chance chance_of(const Solution& solution, bool smooth = false) {
+MarginalDistances chance_of(const Solution& solution, bool smooth = false) {
   const auto& stated = smooth ? best_sampling(solution) : solution.sampling;
-  if (!stated) return {};
-  const auto& sampling = *stated;
-  // Where only that is known: single runs reach nearly twice the expectation.
-  constexpr double kScatter = 2;
-  const auto most = [](const std::optional<double>& in_99, const std::optional<double>& expected) {
-    return in_99 || !expected ? in_99 : std::optional(kScatter * *expected);
-  };
-  return {{sampling.y, sampling.ydot},
-          {most(sampling.y_99, sampling.y), most(sampling.ydot_99, sampling.ydot)}};
+  return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
 // The errors of a difference whose parts are independent.
@@ -227,37 +216,43 @@ MarginalDistances together(const MarginalDistances& one, const MarginalDistances
   return {sum(one.y, other.y), sum(one.ydot, other.ydot)};
 }
 
-// "; WHOSE EXPECTED (99 runs of 100 stay below ..), which explains that".
-std::string whether_explained(const MarginalDistances& gap, const Chance& one, const Chance& other,
-                              const std::string& whose) {
-  const MarginalDistances expected = together(one.expected, other.expected);
-  const MarginalDistances in_99 = together(one.in_99, other.in_99);
+MarginalDistances largest_explained(const Solution& one, const Solution& other, bool smooth) {
+  return {compare::largest_explained(one, other, Variable::y, smooth),
+          compare::largest_explained(one, other, Variable::ydot, smooth)};
+}
+
+// "; WHOSE EXPECTED; all errors explain up to .. (1 run of 1000 is beyond), and so this".
+std::string whether_explained(const MarginalDistances& gap, const MarginalDistances& expected,
+                              const MarginalDistances& explained, const std::string& whose) {
   const auto within = [](const auto& difference, const auto& most) {
     return !difference || !most || *difference <= *most;
   };
-  const bool explained = within(gap.y, in_99.y) && within(gap.ydot, in_99.ydot);
-  return fmt::format("; {} {} (99 runs of 100 stay below {}), which {} that", whose,
-                     text_of(expected), numbers(in_99),
-                     explained ? "explains" : "does not explain");
+  const bool agree = within(gap.y, explained.y) && within(gap.ydot, explained.ydot);
+  return fmt::format(
+      "; {} {}; all errors explain up to {} (1 run of {:.0f} is beyond by chance), which {} that",
+      whose, text_of(expected), numbers(explained), 1 / compare::kAgreementLevel,
+      agree ? "explains" : "does not explain");
 }
 
 /// What a measure finds of one marginal.
 struct Measured {
   double l1, error, chance, stated;
+  bool explained;  ///< by what both state (compare/agreement.hpp)
 
   /// Below that a distance is nearly all the measure's own noise.
   bool is_seen() const { return l1 > 3 * chance; }
-  bool is_more_than_stated() const {
-    return l1 - chance - 3 * error > transform::kErrorBand * stated;
-  }
+  bool is_more_than_stated() const { return std::isfinite(stated) && !explained; }
 };
 
 Measured measured(const Case& one, const Solution& solution, const Solution& measure,
                   Variable variable) {
-  return {.l1 = one.l1(solution.id(), measure.id(), variable).value_or(0),
+  const double l1 = one.l1(solution.id(), measure.id(), variable).value_or(0);
+  const auto most = compare::largest_explained(solution, measure, variable, true);
+  return {.l1 = l1,
           .error = *l1_standard_error(one, solution, measure, variable),
           .chance = expected(*best_sampling(measure), variable).value_or(0),
-          .stated = compare::own_error(solution, variable)};
+          .stated = compare::own_error(solution, variable),
+          .explained = !most || l1 <= *most};
 }
 
 // "2.7e-05 +- 5e-07 in p(y) (it states 2.8e-05)"
@@ -297,15 +292,15 @@ void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
     const MarginalDistances gap = l1_of(one, reference, other);
     if (!gap.whole()) continue;
     const bool smooth = is_measured(one, reference, other);
-    const Chance own = chance_of(reference, smooth), others = chance_of(other, smooth);
-    const bool both = own.expected.any() && others.expected.any();
+    const MarginalDistances own = chance_of(reference, smooth), others = chance_of(other, smooth);
     std::string chance;
-    if (own.expected.any() || others.expected.any()) {
-      const std::string whose =
-          both ? "their sampling errors account for about"
-               : fmt::format("the sampling error of {} is",
-                             words_for(own.expected.any() ? reference : other));
-      chance = whether_explained(gap, own, others, whose);
+    if (own.any() || others.any()) {
+      const std::string whose = own.any() && others.any()
+                                    ? "their sampling errors account for about"
+                                    : fmt::format("the sampling error of {} is",
+                                                  words_for(own.any() ? reference : other));
+      chance = whether_explained(gap, together(own, others),
+                                 largest_explained(reference, other, smooth), whose);
     }
     sentences.push_back(capitalised(fmt::format("{} and {} differ by {}{}.", words_for(reference),
                                                 words_for(other), text_of(gap), chance)));
@@ -320,18 +315,20 @@ void say_how_far_files_are(const Case& one, Sentences& sentences) {
       const MarginalDistances gap = l1_of(one, given, *reference);
       if (!gap.any()) continue;
       // Only in the variables in which the file says how far off it may be.
-      const Chance own = chance_of(given);
-      Chance other = chance_of(*reference, is_measured(one, given, *reference));
-      for (auto* part : {&other.expected, &other.in_99}) {
-        if (!own.expected.y) part->y.reset();
-        if (!own.expected.ydot) part->ydot.reset();
+      const bool smooth = is_measured(one, given, *reference);
+      const MarginalDistances own = chance_of(given);
+      MarginalDistances other = chance_of(*reference, smooth);
+      MarginalDistances explained = largest_explained(given, *reference, smooth);
+      for (auto* part : {&other, &explained}) {
+        if (!own.y) part->y.reset();
+        if (!own.ydot) part->ydot.reset();
       }
       std::string chance;
-      if (own.expected.any()) {
-        chance = whether_explained(
-            gap, own, other,
-            fmt::format("its standard errors{} account for about",
-                        other.expected.any() ? " and those of " + reference->id() : ""));
+      if (own.any()) {
+        chance =
+            whether_explained(gap, together(own, other), explained,
+                              fmt::format("its standard errors{} account for about",
+                                          other.any() ? " and those of " + reference->id() : ""));
       }
       sentences.push_back(fmt::format("{} differs from {} by L1 {}{}.", given.id(),
                                       words_for(*reference), text_of(gap), chance));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "compare/agreement.hpp"
 #include "compare/reference.hpp"
 #include "report/references.hpp"
 #include "report/verdict/outcome.hpp"
@@ -45,6 +46,7 @@ struct Known {
   double y = 0, ydot = 0;   ///< own errors of the references
   std::string second = {};  ///< the other solution of the problem itself, if it is always the same
   int checked = 0;          ///< cases that have it
+  int contradicted = 0;     ///< cases in which it and the reference do not agree
   MarginalDistances apart{};  ///< its distances to the reference
 };
 
@@ -61,6 +63,7 @@ Known known_of(const results::Run& run) {
     if (known.second.empty()) known.second = second.id();
     if (known.second != second.id()) continue;
     ++known.checked;
+    if (!compare::agree(*all.front(), second, one.pairs)) ++known.contradicted;
     known.apart.widen(one.l1(second.id(), all.front()->id(), Variable::y),
                       one.l1(second.id(), all.front()->id(), Variable::ydot));
   }
@@ -230,7 +233,10 @@ Words whom_to_trust(const results::Run& run, const std::vector<Record>& all, con
       "For the values themselves {}: it solves the problem as it stands, all jumps and "
       "the exact impact, and of those that do it is known best",
       names_of_references(run));
-  if (known.checked == cases) {
+  if (known.contradicted > 0) {
+    first += fmt::format("; but {} differs from it by more than the errors of both explain{}",
+                         known.second, in_cases(known.contradicted, cases));
+  } else if (known.checked == cases) {
     first += fmt::format("; {} confirms it", known.second);
   } else {
     first += "; nothing independent confirms it in this run";

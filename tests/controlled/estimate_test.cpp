@@ -139,8 +139,8 @@ TEST(Controlled, TestsTheGeneratorByAsManyStreamsAsThereAre) {
 // Pushed away from the wall it never impacts: nothing is wrong with impacts that did not happen.
 TEST(Controlled, DoesWithoutImpacts) {
   const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
-  const auto solution =
-      solve(problem, {.simulation = {.time = 2e3, .streams = 16}, .cells = Cells{20, 40}});
+  const auto solution = solve(problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
+                                        .cells = Cells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   EXPECT_EQ(transform::number(solution.observations, "checks.impacts.restitution"), 0);
 }

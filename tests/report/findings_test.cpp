@@ -45,8 +45,9 @@ TEST(Findings, SayWhichApproximationCostsWhat) {
       "Closest to mcs of the closures that are ok: epc-gaussian-n6 with L1 0.0024 in p(y) and 0.0047 in "
       "p(y').",
       "The simulation (mcs) and the full jump equation (fd-kf) differ by 0.0012 in p(y) and 0.0016 "
-      "in p(y'); the sampling error of the simulation (mcs) is 0.0011 in p(y) and 0.0015 in p(y') "
-      "(99 runs of 100 stay below 0.0022 and 0.003), which explains that."};
+      "in p(y'); the sampling error of the simulation (mcs) is 0.0011 in p(y) and 0.0015 in p(y'); "
+      "all errors explain up to 0.003 and 0.0041 (1 run of 1000 is beyond by chance), which explains "
+      "that."};
   EXPECT_EQ(findings(one), expected);
   set_l1(one, "fd-kf", "mcs", 0.0012, 0.016);
   EXPECT_TRUE(contains(findings(one)[3], "which does not explain that")) << findings(one)[3];
@@ -226,15 +227,18 @@ TEST(Findings, SayHowFarAFileIsFromEverySolutionOfTheProblemItself) {
   // Chance of the file and of the simulation (0.0011, 0.0015) together, and twice that in 99 of
   // 100.
   solution_of(one, "epc-gaussian-n2").sampling = {.y = 0.0011, .ydot = 0.002};
-  EXPECT_EQ(sentence_with(one, "from the simulation"),
-            to_mcs +
-                "; its standard errors and those of mcs account for about 0.0016 in p(y) and "
-                "0.0025 in p(y') (99 runs of 100 stay below 0.0031 and 0.005), which explains "
-                "that.");
-  EXPECT_EQ(sentence_with(one, "from the full jump equation"),
-            to_kf +
-                "; its standard errors account for about 0.0011 in p(y) and 0.002 in p(y') (99 "
-                "runs of 100 stay below 0.0022 and 0.004), which does not explain that.");
+  EXPECT_EQ(
+      sentence_with(one, "from the simulation"),
+      to_mcs +
+          "; its standard errors and those of mcs account for about 0.0016 in p(y) and "
+          "0.0025 in p(y'); all errors explain up to 0.0042 and 0.0068 (1 run of 1000 is beyond "
+          "by chance), which explains that.");
+  EXPECT_EQ(
+      sentence_with(one, "from the full jump equation"),
+      to_kf +
+          "; its standard errors account for about 0.0011 in p(y) and 0.002 in p(y'); all "
+          "errors explain up to 0.003 and 0.0054 (1 run of 1000 is beyond by chance), which does "
+          "not explain that.");
 }
 
 TEST(Findings, JudgeAFileInTheVariablesThatItGave) {
@@ -245,8 +249,8 @@ TEST(Findings, JudgeAFileInTheVariablesThatItGave) {
   solution_of(one, "epc-gaussian-n2").sampling = {.y = 0.0011};
   EXPECT_EQ(sentence_with(one, "from the simulation"),
             "epc-gaussian-n2 differs from the simulation (mcs) by L1 0.003 in p(y); its standard "
-            "errors and those of mcs account for about 0.0016 in p(y) (99 runs of 100 stay below "
-            "0.0031), which explains that.");
+            "errors and those of mcs account for about 0.0016 in p(y); all errors explain up to "
+            "0.0042 (1 run of 1000 is beyond by chance), which explains that.");
 }
 
 TEST(Findings, SayWhatSolversNote) {

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "../changed_case.hpp"
+#include "report/findings.hpp"
 #include "report/verdict/matrix_text.hpp"
 #include "saved_run.hpp"
 
@@ -119,6 +122,23 @@ TEST(Verdict, TrustsTheReferenceAndTheQuickestThatIsAsGood) {
   solution_of(one, "mcs").sampling = {.y = 0.006, .ydot = 0.006};
   said = verdict(run_of({one}));
   EXPECT_EQ(said.trust[1], "The quickest that is ok: within L1 0.01, fd-km4 (5 s).");
+}
+
+// One test decides what the verdict, the findings and the limits of the closures say of two references.
+TEST(Verdict, ConfirmsTheReferenceWhereTheFindingsExplainTheDifference) {
+  for (const auto& [l1, agree] : {std::pair{0.0024, true}, std::pair{0.0035, false}}) {
+    auto one = usual("a");
+    solution_of(one, "mcs").sampling = {
+        .y = 0.0011, .ydot = 0.0015, .y_99 = 0.0022, .ydot_99 = 0.003};
+    set_l1(one, "fd-kf", "mcs", l1, 0.001);
+    const auto said = verdict(run_of({one}));
+    EXPECT_EQ(contains(said.trust[0], "fd-kf confirms it"), agree) << said.trust[0];
+    EXPECT_EQ(contains(said.trust[0], "differs from it"), !agree) << said.trust[0];
+    const auto found = findings(one);
+    EXPECT_EQ(std::ranges::any_of(found,
+                                  [](const auto& s) { return contains(s, "which explains that"); }),
+              agree);
+  }
 }
 
 TEST(Verdict, SaysThatNothingCanBeJudgedWithoutAReference) {
