@@ -54,14 +54,14 @@ def case_files():
 
 
 def checkpoints(fpkcheck):
-    subprocess.run([fpkcheck, "mcs", "case1", "--time", "2000", "--streams", "8", "--quiet",
-                    "--checkpoint", "state"], check=True)
+    subprocess.run([fpkcheck, "mcs", "case1", "--time", "2000", "--accuracy", "1", "--streams", "8",
+                    "--quiet", "--checkpoint", "state"], check=True)
     with open("state", "rb") as file:
         whole = file.read()
     text = whole[:-8]
     # After two lines the number of rounds; of each stream y, y', the time until the next impulse,
-    # its amplitude, the time until the next sample, the time left, two levels, the number of
-    # impulses, fourteen sums of powers and more sums.
+    # its amplitude, the time until the next sample, the time left, two levels, the splits,
+    # the number of impulses, fourteen sums of powers and more sums.
     numbers = text.index(b"\n", text.index(b"\n") + 1) + 1
 
     def put(name, text):
@@ -80,8 +80,8 @@ def checkpoints(fpkcheck):
     number("far", 1, "d", 1e300)
     number("infinite", 3, "d", float("inf"))
     number("nan", 2, "d", float("nan"))
-    number("counts", 9, "d", float("inf"))
-    number("lists", 9 + 14 + 7, "Q", 2**63)
+    number("counts", 10, "d", float("inf"))
+    number("lists", 10 + 14 + 8, "Q", 2**63)
     put("cut", text[:numbers + 400])
     put("tail", text + b"more")
 

@@ -21,7 +21,7 @@ COMMANDS = {
     "transient": ["fd", "case1", "--until", "3", "--snapshots", "3"],
     "epc": ["epc", "case1", "--formulation", "moment", "--order", "4"],
     "bounds": ["bounds", "case1", "--max-seconds", "1"],
-    "mcs": ["mcs", "case1", "--time", "2e4"],
+    "mcs": ["mcs", "case1", "--time", "2e4", "--accuracy", "1"],
     "controlled": ["mcs", "case1", "--controlled", "--time", "2e4"],
     "run": ["run", "case1", "--methods", "epc-moment-n4,fd-kf,mcs", "--time", "2e4"],
 }
