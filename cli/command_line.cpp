@@ -81,7 +81,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   }
   for (const auto& name : names) {
     // What pictures and variables of a case are called besides its name.
-    for (const char* addition : {"-budget", "-sources", "-tex", "_bounds"}) {
+    for (const char* addition : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
       if (!names.contains(name + addition)) continue;
       throw InputError(
           fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "

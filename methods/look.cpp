@@ -21,11 +21,15 @@ constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
 
 constexpr const char* kOfEquations = "triangle-down";
 
+// Among the orders 2, 4, .. 12.
+std::size_t place_of_order(int order) {
+  return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
+}
+
 }  // namespace
 
 Look closure_look(const Ramp& ramp, const Identity& identity, const std::string& symbol) {
-  const auto step = static_cast<std::size_t>(std::max(2, identity.order.value_or(2)) / 2 - 1);
-  const auto shade = std::min(step, kDashes.size() - 1);
+  const auto shade = place_of_order(identity.order.value_or(2));
   return {.colour = ramp[shade],
           .dash = kDashes[shade],
           .width = 2,
@@ -86,6 +90,12 @@ Look given_look(std::size_t place) {
           .as_points = false,
           .layer = 4,
           .symbol = "pentagon"};
+}
+
+Look given_family_look(std::size_t place, int order) {
+  Look look = given_look(place);
+  look.dash = kDashes[place_of_order(order)];
+  return look;
 }
 
 }  // namespace fpkcheck::methods

@@ -37,5 +37,8 @@ transform::Look simulation_look(const transform::Identity& identity);
 /// What a file gave: dashed and on top.
 /// @param place among several files
 transform::Look given_look(std::size_t place);
+/// A member of a family of these, by its order.
+/// @param place of the family
+transform::Look given_family_look(std::size_t place, int order);
 
 }  // namespace fpkcheck::methods

@@ -64,6 +64,10 @@ inline constexpr std::string_view kGivenInFile = "file", kGivenAsFunction = "giv
 /// A density that somebody brought along: what a user came to see, whatever its role.
 bool is_guest(const Identity& identity);
 
+/// A member of a family that differs by its order: a closure, or a density that somebody brought along
+/// with others of its family (methods/given/families.hpp).
+bool is_by_order(const Identity& identity);
+
 /// "km4/delta" in tables: the equation that was solved, and its impact; "given/-" where nobody
 /// knows.
 std::string solves_text(const Identity& identity);

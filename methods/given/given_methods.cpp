@@ -11,6 +11,7 @@
 
 #include "methods/given/argument.hpp"
 #include "methods/given/between_walls.hpp"
+#include "methods/given/families.hpp"
 #include "methods/given/file_content.hpp"
 #include "methods/given/given_joint.hpp"
 #include "methods/given/given_marginal.hpp"
@@ -260,6 +261,7 @@ std::vector<Method> given_methods(std::span<const std::string> arguments, const 
   for (const auto& [own, marginals, joint] : solutions) {
     methods.push_back(joint ? method_of(own, *joint) : method_of_marginals(own, marginals));
   }
+  join_families(methods);
   return methods;
 }
 

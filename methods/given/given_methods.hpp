@@ -11,7 +11,8 @@ namespace fpkcheck::methods {
 /// Solutions that others found, as methods that solve nothing: their files are read here, once, and
 /// put on the comparison axes of the case. A file holds a marginal density (GivenMarginal), a
 /// joint density on a grid (GivenJoint) or as a closed form (epc::ClosedForm); files of
-/// marginals with the same label make one solution. Their method is "file". Where an equation
+/// marginals with the same label make one solution, and several orders a family
+/// (methods/given/families.hpp). Their method is "file". Where an equation
 /// is said, by the argument or by the file, they are closures; otherwise neither equation nor
 /// impact is known.
 /// @param arguments each as GivenArgument has it

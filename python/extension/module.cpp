@@ -26,6 +26,7 @@
 #include "extension/solving.hpp"
 #include "methods/builtin.hpp"
 #include "methods/given/between_walls.hpp"
+#include "methods/given/families.hpp"
 #include "methods/given/given_methods.hpp"
 #include "methods/given/label.hpp"
 #include "methods/given/own_density.hpp"
@@ -153,10 +154,14 @@ void bind_problems(py::module_& module) {
 
 methods::OwnDensity own_density(const std::string& label,
                                 const std::optional<std::string>& equation,
-                                const std::string& impact, std::size_t place) {
+                                const std::string& impact, std::optional<int> order,
+                                std::size_t place) {
   methods::require_free(label, registry());
-  methods::OwnDensity own{.label = label, .place = place};
+  methods::OwnDensity own{.label = label, .place = place, .order = order};
   const auto of = [&](const char* what) { return fmt::format("density '{}': {}", label, what); };
+  if (order && *order < 1) {
+    throw InputError(fmt::format("{} = {} (must be 1 or more)", of("order"), *order));
+  }
   if (equation) own.equation = parameters::asked_name<problem::Equation>(of("equation"), *equation);
   // Trajectories alone are reflected exactly.
   own.impact = parameters::asked_name<problem::Impact>(of("impact"), impact,
@@ -170,9 +175,9 @@ methods::DensityPoints points_between_walls(const problem::Problem& problem) {
 
 methods::Method function_method(const problem::Problem& problem, const Array& values,
                                 const std::string& label, std::optional<std::string> equation,
-                                const std::string& impact, bool normalise, double accuracy,
-                                std::size_t place) {
-  const auto own = own_density(label, equation, impact, place);
+                                const std::string& impact, std::optional<int> order, bool normalise,
+                                double accuracy, std::size_t place) {
+  const auto own = own_density(label, equation, impact, order, place);
   if (!(accuracy > 0)) {
     throw InputError(
         fmt::format("density '{}': accuracy = {:g} (must be positive)", label, accuracy));
@@ -184,8 +189,8 @@ methods::Method function_method(const problem::Problem& problem, const Array& va
 
 methods::Method samples_method(const Array& y, const Array& v, const std::string& label,
                                std::optional<std::string> equation, const std::string& impact,
-                               double independent, std::size_t place) {
-  const auto own = own_density(label, equation, impact, place);
+                               std::optional<int> order, double independent, std::size_t place) {
+  const auto own = own_density(label, equation, impact, order, place);
   return methods::own_samples(own, {y.data(), static_cast<std::size_t>(y.size())},
                               {v.data(), static_cast<std::size_t>(v.size())}, independent);
 }
@@ -213,10 +218,11 @@ void bind_methods(py::module_& module) {
     return std::make_tuple(array(points.y()), array(points.v()));
   });
   module.def("function_method", function_method, py::arg("problem"), py::arg("values"),
-             py::arg("label"), py::arg("equation"), py::arg("impact"), py::arg("normalise"),
-             py::arg("accuracy"), py::arg("place"));
+             py::arg("label"), py::arg("equation"), py::arg("impact"), py::arg("order"),
+             py::arg("normalise"), py::arg("accuracy"), py::arg("place"));
   module.def("samples_method", samples_method, py::arg("y"), py::arg("v"), py::arg("label"),
-             py::arg("equation"), py::arg("impact"), py::arg("independent"), py::arg("place"));
+             py::arg("equation"), py::arg("impact"), py::arg("order"), py::arg("independent"),
+             py::arg("place"));
   module.def("file_methods",
              [](const std::vector<std::string>& arguments, const std::string& case_name) {
                return methods::given_methods(arguments, registry(), case_name);
@@ -246,8 +252,10 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
   auto settings = values_in(options);
   if (threads > 0) settings.push_back({"threads", std::int64_t{threads}});
   task.methods = methods_with(registry(), methods_list.value_or(default_methods()), settings);
-  for (const auto& own : against) {
-    for (const auto& other : against) methods::require_unlike(own.id(), other.id());
+  auto guests = against;
+  methods::join_families(guests);
+  for (const auto& own : guests) {
+    for (const auto& other : guests) methods::require_unlike(own.id(), other.id());
     task.methods.push_back(own);
   }
   std::ranges::stable_sort(task.methods, methods::less_trusted, &methods::Method::identity);

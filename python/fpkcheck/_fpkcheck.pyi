@@ -46,12 +46,20 @@ def function_method(
     label: str,
     equation: str | None,
     impact: str,
+    order: int | None,
     normalise: bool,
     accuracy: float,
     place: int,
 ) -> Method: ...
 def samples_method(
-    y: _Array, v: _Array, label: str, equation: str | None, impact: str, independent: float, place: int
+    y: _Array,
+    v: _Array,
+    label: str,
+    equation: str | None,
+    impact: str,
+    order: int | None,
+    independent: float,
+    place: int,
 ) -> Method: ...
 def file_methods(arguments: list[str], case_name: str) -> list[Method]: ...
 def solve(

@@ -41,6 +41,9 @@ class Density:
         Largest error of p(y) and of p(y') in L1 with which a closure is ``ok``; above it is ``inaccurate``.
     vectorised : bool, optional
         Whether it takes arrays; otherwise that is tried.
+    order : int, optional
+        Where it stands among closures. Densities whose labels end with their orders (``"chi-n2"``, ``"chi-n4"``) make
+        a family.
     """
 
     function: Function
@@ -49,6 +52,7 @@ class Density:
     normalise: bool = True
     accuracy: float = 0.02
     vectorised: bool | None = None
+    order: int | None = None
 
     def _values(self, label: str, y: Array, v: Array) -> Array:
         """At all points: shape (len(y), len(v))."""
@@ -72,7 +76,7 @@ class Density:
     def _method(self, label: str, problem: _fpkcheck.Problem, place: int) -> _fpkcheck.Method:
         values = self._values(label, *_fpkcheck.points_of(problem))
         return _fpkcheck.function_method(
-            problem, values, label, self.equation, self.impact, self.normalise, self.accuracy, place
+            problem, values, label, self.equation, self.impact, self.order, self.normalise, self.accuracy, place
         )
 
 
@@ -85,7 +89,7 @@ class Samples:
     source : array of shape (n, 2), or callable
         y and y' of each sample; or ``sampler(rng, n)`` that returns such an array, with ``rng`` a
         `numpy.random.Generator`.
-    equation, impact
+    equation, impact, order
         As of `Density`: what the samples are meant to solve. Samples have no residuals; what they state is their
         error by chance.
     n : int
@@ -103,6 +107,7 @@ class Samples:
     n: int = 100_000
     seed: int = 1
     independent: float | None = None
+    order: int | None = None
 
     def _method(self, label: str, problem: _fpkcheck.Problem, place: int) -> _fpkcheck.Method:
         drawn = self.source(np.random.default_rng(self.seed), self.n) if callable(self.source) else self.source
@@ -110,7 +115,9 @@ class Samples:
         if samples.ndim != 2 or samples.shape[1] != 2:
             raise ValueError(f"samples '{label}': shape {samples.shape} (must be (n, 2): y and y')")
         y, v = np.ascontiguousarray(samples.T)
-        return _fpkcheck.samples_method(y, v, label, self.equation, self.impact, self.independent or 0, place)
+        return _fpkcheck.samples_method(
+            y, v, label, self.equation, self.impact, self.order, self.independent or 0, place
+        )
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "compare/reference.hpp"
 
@@ -77,10 +78,22 @@ FigureSide make_side(const Case& one, Variable variable, const std::string& refe
   std::ranges::copy_if(side.curves, std::back_inserter(trusted),
                        [](const auto& drawn) { return drawn.solution->is_ok(); });
   side.ranges = figure_ranges(trusted.empty() ? side.curves : trusted);
+  const FigureRanges of_differences = difference_ranges(side.curves, smooth != nullptr);
+  side.ranges.largest_difference = of_differences.largest_difference;
+  side.ranges.least_difference = of_differences.least_difference;
   return side;
 }
 
 }  // namespace
+
+FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarithmic) {
+  std::vector<DrawnCurve> differing;
+  std::ranges::copy_if(curves, std::back_inserter(differing), [&](const auto& drawn) {
+    return logarithmic || drawn.solution->is_ok() ||
+           drawn.solution->status == transform::Status::inaccurate;
+  });
+  return differing.empty() ? figure_ranges(curves) : figure_ranges(differing);
+}
 
 FigureContent figure_content(const Case& one, const std::optional<std::set<std::string>>& shown) {
   FigureContent content{.reference = reference_id(one), .smooth_differences = false, .sides = {}};

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace fpkcheck::report {
 struct FigureSide {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
-  FigureRanges ranges;  ///< of the solutions that are ok, or of all when none is
+  /// Ranges of the solutions that are ok, or of all when none is; those of differences are of
+  /// difference_ranges.
+  FigureRanges ranges;
 };
 
 /// What the figure of one case shows. Points into the case.
@@ -27,6 +30,11 @@ struct FigureContent {
   std::vector<FigureSide> sides;  ///< y and ydot, without a side that has no curve
   std::size_t left_out = 0;  ///< solutions that have curves and are not shown: a legend counts them
 };
+
+/// Ranges of the differences of these curves: a logarithmic axis holds the differences of all curves, a
+/// linear axis only those of solutions that are ok or inaccurate, as one wild curve would flatten the
+/// others. Without such solutions the ranges hold all curves.
+FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
 
 /// @param shown ids of the solutions to show; without it all
 FigureContent figure_content(const results::Case& one,

@@ -7,6 +7,7 @@
 #include "report/budget/figure.hpp"
 #include "report/figure/curve_choice.hpp"
 #include "report/figure/drawing.hpp"
+#include "report/figure/order_script.hpp"
 #include "report/figure/script.hpp"
 #include "report/figure/sources_script.hpp"
 #include "results/directory.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
 std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
+std::string order_stem(const std::string& stem) { return stem + "-order"; }
 
 // @param warnings gets a line for each case of which there is nothing to draw
 std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& options,
@@ -40,6 +42,9 @@ std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& o
     if (has_sources(one)) {
       pictures.push_back({sources_stem(stem), sources_script(one, sources_stem(stem), width)});
     }
+    if (has_orders(one)) {
+      pictures.push_back({order_stem(stem), order_script(one, order_stem(stem), width)});
+    }
   }
   return pictures;
 }
@@ -49,7 +54,7 @@ std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& o
 void remove_pictures(const fs::path& directory, const results::Run& run) {
   for (const auto& one : run.cases) {
     const auto stem = results::file_stem(one.name());
-    for (const auto& each : {stem, budget_stem(stem), sources_stem(stem)}) {
+    for (const auto& each : {stem, budget_stem(stem), sources_stem(stem), order_stem(stem)}) {
       remove_pictures_of(directory / "figures", each);
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -36,6 +37,7 @@ std::vector<double> at_least(std::vector<double> values, double least) {
 
 class DensityPlot {
  public:
+  /// @param shown ids of the solutions that are not hidden at first
   DensityPlot(const results::Case& one, const FigureSide& side, const FigureContent& content,
               const std::set<std::string>& shown)
       : one_(one),
@@ -194,7 +196,7 @@ class DensityPlot {
                         {"exponentformat", "power"},
                         {"title", {{"text", p + " \u2212 " + plotly_text(reference_)}}}};
       if (smooth_) {
-        const auto [from, to] = difference_decades(r);
+        const auto [from, to] = difference_decades(ranges_of_shown());
         json["yaxis3"]["type"] = "log";
         json["yaxis3"]["dtick"] = 1;
         json["yaxis3"]["range"] = {std::log10(from), std::log10(to)};
@@ -203,6 +205,15 @@ class DensityPlot {
     }
     json["xaxis"]["title"] = {{"text", variable_text(side_.variable)}};
     return json;
+  }
+
+  // Of the axis of differences: what is hidden at first does not set it.
+  FigureRanges ranges_of_shown() const {
+    std::vector<DrawnCurve> curves;
+    std::ranges::copy_if(side_.curves, std::back_inserter(curves), [&](const DrawnCurve& drawn) {
+      return shown_.contains(drawn.curve->solution);
+    });
+    return curves.empty() ? side_.ranges : difference_ranges(curves, smooth_);
   }
 
   const results::Case& one_;

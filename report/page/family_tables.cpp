@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/page/families.hpp"
+#include "report/families.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
 

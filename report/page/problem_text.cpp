@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "report/page/families.hpp"
+#include "report/families.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
 #include "report/page/problem_statement.hpp"

@@ -97,10 +97,9 @@ std::string orders_text(const std::vector<const Record*>& members) {
   return listed(orders);
 }
 
-bool is_by_order(const Record& record) {
-  return record.identity->role == Role::closure && record.identity->order.has_value() &&
-         !transform::is_guest(*record.identity);
-}
+bool is_by_order(const Record& record) { return transform::is_by_order(*record.identity); }
+
+int order_of(const Record* record) { return *record->identity->order; }
 
 std::vector<std::vector<const Record*>> families_of(const std::vector<Record>& all) {
   std::vector<std::vector<const Record*>> families;
@@ -116,12 +115,19 @@ std::vector<std::vector<const Record*>> families_of(const std::vector<Record>& a
       same->push_back(&record);
     }
   }
+  for (auto& members : families) std::ranges::stable_sort(members, {}, order_of);
   return families;
 }
 
 // The closure of the paper solves the equations of an impact to first order.
 bool is_the_papers(const Record& record) {
-  return is_by_order(record) && record.identity->impact == problem::Impact::delta;
+  return is_by_order(record) && !transform::is_guest(*record.identity) &&
+         record.identity->impact == problem::Impact::delta;
+}
+
+// Brought along, in no family of several orders.
+bool is_single_guest(const Record& record) {
+  return transform::is_guest(*record.identity) && !is_by_order(record);
 }
 
 // "epc-gaussian (the paper's) at n = 6, not at 2, 4, 8", and whether any order does.
@@ -142,7 +148,7 @@ std::string orders_that_do(const std::vector<const Record*>& members, bool& any)
 std::string who_reproduces_it(const results::Run& run, const std::vector<Record>& all) {
   Words yes, no;
   for (const auto& record : all) {
-    if (!transform::is_guest(*record.identity)) continue;
+    if (!is_single_guest(record)) continue;
     (record.reproduced() == record.present() ? yes : no).push_back(record.identity->id);
   }
   for (const auto& members : families_of(all)) {
@@ -185,7 +191,7 @@ std::vector<VerdictLine> lines_of(const results::Run& run, const std::vector<Rec
   const std::string reference = names_of_references(run);
   std::vector<VerdictLine> lines;
   for (const auto& record : all) {
-    if (transform::is_guest(*record.identity)) lines.push_back(line_of(record, reference, cases));
+    if (is_single_guest(record)) lines.push_back(line_of(record, reference, cases));
   }
   for (const auto& members : families_of(all)) {
     if (members.size() > 1 && !is_the_papers(*members.front())) {

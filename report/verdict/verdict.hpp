@@ -20,7 +20,8 @@ struct Verdict {
   /// One sentence or two: what is known and how well, and who reproduces it.
   std::vector<std::string> answer;
   /// A line for each order of the closure of first-order impact (the paper's), for each other
-  /// formulation, each equation that is not the problem's own, and each density of a user's.
+  /// formulation, each equation that is not the problem's own, and each density of a user's, or family
+  /// of several orders of these.
   std::vector<VerdictLine> lines;
   /// Which method to trust, which is the quickest that is as good, and why.
   std::vector<std::string> trust;

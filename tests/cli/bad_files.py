@@ -24,7 +24,7 @@ def write(name, contents):
 
 def case_files():
     with_damping = lambda value: GOOD.replace("damping = 0.1", "damping = " + value)
-    for name in ("case1", "a b", "a_b", "a", "a-budget", "a-sources", "a_bounds"):
+    for name in ("case1", "a b", "a_b", "a", "a-budget", "a-sources", "a-order", "a_bounds"):
         write(name + ".ini", GOOD)
     files = {
         "empty": "", "binary": bytes(range(128, 256)) * 10, "huge": "# a comment\n" * 200000,

@@ -267,6 +267,21 @@ class OwnDensities(unittest.TestCase):
             self.assertEqual(check.returncode, 0, check.stdout + check.stderr)
             self.assertIn("wide", check.stdout + check.stderr)
 
+    def test_orders_make_a_family(self):
+        against = {
+            f"chi-n{n}": fpk.Density(self.normal(factor), equation="white", order=n)
+            for n, factor in ((2, 1.1), (4, 1.01))
+        }
+        against["drawn-n2"] = fpk.Samples(np.abs(np.random.default_rng(1).normal(size=(1000, 2))), order=2)
+        run = fpk.solve(self.problem, "fd-white,fd-kf", against=against, bounds=False)
+        records = {name: solution.record for name, solution in run.solutions.items()}
+        self.assertEqual([records[f"chi-n{n}"]["identity"]["order"] for n in (2, 4)], [2, 4])
+        self.assertEqual([records[f"chi-n{n}"]["identity"]["family"] for n in (2, 4)], ["chi", "chi"])
+        self.assertEqual(records["drawn-n2"]["identity"]["order"], 2)
+        self.assertNotEqual(records["drawn-n2"]["identity"]["family"], "drawn")
+        self.assertIn("order = 0 (must be 1 or more)", refusal(fpk.solve, "case1", "fd-kf", against={
+            "own": fpk.Density(self.normal(1), order=0)}))
+
     def test_scalar_functions_do_too(self):
         def scalar(y, v):
             return math.exp(-(y**2) - v**2) if y >= 0 else 0.0

@@ -37,8 +37,9 @@ TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   EXPECT_TRUE(warnings.empty()) << warnings.front();
-  EXPECT_EQ(std::distance(fs::directory_iterator(directory.path() / "figures"), {}),
-            4);  // the densities and the error budget: a PNG and its script
+  EXPECT_EQ(
+      std::distance(fs::directory_iterator(directory.path() / "figures"), {}),
+      6);  // the densities, the error budget and the closures over their orders: a PNG and its script
 }
 
 TEST(Report, AgainIsTheSameReport) {

@@ -81,6 +81,24 @@ TEST(FigureContent, RangesFollowOnlySolutionsThatAreOk) {
   EXPECT_EQ(figure_content(one).sides[0].ranges.largest_density, 50);
 }
 
+TEST(FigureContent, TheAxisOfDifferencesHoldsWhatIsDrawn) {
+  // An inaccurate curve, farther from the reference than all others.
+  for (auto one : {made_up_case(), tests::made_up_case_without_noise()}) {
+    solution_of(one, "fd-white").status = Status::inaccurate;
+    const auto raise = [&](std::vector<results::Curve>& curves) {
+      for (auto& curve : curves) {
+        if (curve.solution == "fd-white") curve.density[20] += 0.3;
+      }
+    };
+    raise(one.curves);
+    raise(one.smooth);
+    EXPECT_GT(figure_content(one).sides[0].ranges.largest_difference, 0.2);
+    // Not where it is left out.
+    const auto without = figure_content(one, std::set<std::string>{"fd-kf", "fd-km4", "mcs"});
+    EXPECT_LT(without.sides[0].ranges.largest_difference, 0.2);
+  }
+}
+
 TEST(FigureContent, DrawsLowerLayersFirst) {
   auto one = made_up_case();
   solution_of(one, "fd-km4").identity.look.layer = 9;

@@ -154,13 +154,13 @@ TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   const tests::TemporaryDirectory directory;
   for (const char* broken : {"false", "true"}) {  // an exit code; no picture in spite of success
     const auto warnings = draw_pictures(directory.path(), made_up_run(), kBothFormats, broken);
-    ASSERT_EQ(warnings.size(), 4u);
+    ASSERT_EQ(warnings.size(), 6u);
     EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
     std::size_t files = 0;
     for ([[maybe_unused]] const auto& file : fs::directory_iterator(directory.path() / "figures")) {
       ++files;
     }
-    EXPECT_EQ(files, 2u);  // the scripts
+    EXPECT_EQ(files, 3u);  // the scripts
   }
 }
 
@@ -203,8 +203,8 @@ TEST(Pictures, OfARunAreRemovedAndNoOther) {
   const tests::TemporaryDirectory directory;
   const fs::path figures = directory.path() / "figures";
   fs::create_directories(figures);
-  for (const char* name :
-       {"case1.png", "case1-budget.svg", "case1.gp", "case1-tex.pdf", "case2.png"}) {
+  for (const char* name : {"case1.png", "case1-budget.svg", "case1-order.png", "case1.gp",
+                           "case1-tex.pdf", "case2.png"}) {
     std::ofstream(figures / name) << name;
   }
   remove_pictures(directory.path(), made_up_run());

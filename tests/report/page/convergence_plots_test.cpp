@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../guest_family.hpp"
 #include "made_up_page.hpp"
 
 namespace fpkcheck::report {
@@ -50,6 +51,16 @@ TEST(OrderPlots, HaveGuestsAtTheirOrdersOrAsLevels) {
   EXPECT_EQ(mark.at("x"), Json({8}));
   EXPECT_EQ(mark.at("y"), Json({*one.l1("fd-km4", "fd-kf", transform::Variable::y)}));
   EXPECT_EQ(mark.at("mode"), "markers");
+}
+
+TEST(OrderPlots, HaveACurveForAFamilyOfGuests) {
+  const auto plots = order_plots(tests::case_with_guest_family({6, 2, 4}), "case-1");
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_EQ(names_in(plots[0]),
+            (Names{"chi", "epc-gaussian", "mcs to fd-kf", "error of fd-kf, by its own account"}));
+  const Json curve = trace_of(plots[0], "chi");
+  EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
+  EXPECT_EQ(curve.at("mode"), "lines+markers");
 }
 
 TEST(OrderPlots, SayHowWellASimulationIsKnownToo) {

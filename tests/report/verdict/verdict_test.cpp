@@ -81,6 +81,21 @@ TEST(Verdict, TakesAGuestByItselfWhateverItSolves) {
             "not reproduced: off by 0.03 in p(y) and 0.004 in p(y')");
 }
 
+TEST(Verdict, TakesAFamilyOfGuestsTogether) {
+  auto one = usual("a");
+  for (const char* id : {"epc-gaussian-n2", "epc-gaussian-n6"}) {
+    auto& guest = solution_of(one, id);
+    guest.identity.method = transform::kGivenInFile;
+    guest.identity.family = "chi";
+  }
+  const auto said = verdict(run_of({one}));
+  EXPECT_TRUE(said.answer[1].starts_with("Within L1 0.02 of it: chi at n = 6, not at 2;"))
+      << said.answer[1];
+  EXPECT_TRUE(outcome_in(said, "chi").starts_with("reproduced in part: n = 2 is off by 0.03"))
+      << outcome_in(said, "chi");
+  EXPECT_EQ(outcome_in(said, "epc-gaussian-n2"), "");
+}
+
 TEST(Verdict, OfSeveralCasesTakesTheWorstAndSaysHowMany) {
   auto second = usual("b");
   set_l1(second, "epc-gaussian-n6", "mcs", 0.05, 0.001);

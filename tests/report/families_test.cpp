@@ -1,8 +1,8 @@
-#include "report/page/families.hpp"
+#include "report/families.hpp"
 
 #include <gtest/gtest.h>
 
-#include "made_up_page.hpp"
+#include "page/made_up_page.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/page/families.hpp"
+#include "report/families.hpp"
 
 #include <algorithm>
 

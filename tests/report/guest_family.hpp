@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "changed_case.hpp"
+#include "page/made_up_page.hpp"
+
+namespace fpkcheck::tests {
+
+/// The whole case with copies of epc-gaussian-n6 that somebody brought along in files, as "chi" of these
+/// orders; the first of them is not ok.
+inline results::Case case_with_guest_family(const std::vector<int>& orders) {
+  const auto known = whole_case();
+  auto problem = known.problem;
+  const auto axes = compare::comparison_axes(problem);
+  auto solutions = made_up_solutions(axes);
+  for (auto& solution : solutions) {
+    if (solution.id() == "fd-kf") solution.error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
+  }
+  std::vector<transform::Solution> all;
+  for (const int order : orders) {
+    transform::Solution guest = solutions[0];
+    guest.identity.id = "chi-n" + std::to_string(order);
+    guest.identity.method = transform::kGivenInFile;
+    guest.identity.formulation.clear();
+    guest.identity.order = order;
+    guest.identity.family = "chi";
+    guest.identity.look.colour = "#DC050C";
+    guest.identity.look.symbol = "pentagon";
+    if (all.empty()) {
+      guest.status = transform::Status::inaccurate;
+      guest.reason = "it is too far off";
+    }
+    all.push_back(std::move(guest));
+  }
+  all.insert(all.end(), solutions.begin(), solutions.end());
+  return results::make_case(problem, axes, std::move(all));
+}
+
+}  // namespace fpkcheck::tests
