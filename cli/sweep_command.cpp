@@ -289,9 +289,8 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
     throw;
   }
   tell(progress->standing());
-  if (progress->damaged() > 0) {
-    complain(fmt::format("{} damaged line{} of the journal: solved again", progress->damaged(),
-                         progress->damaged() == 1 ? "" : "s"));
+  if (const auto resumed = progress->resumed_text(); !resumed.empty() && !common.quiet) {
+    complain(resumed);
   }
   if (ranks != nullptr) {
     sweep::lead(plan, *progress, *ranks, threads);

@@ -1,16 +1,20 @@
 #include "sweep/execution/merged.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <string>
 #include <system_error>
 
 #include "parameters/input_error.hpp"
 #include "parameters/shown.hpp"
+#include "sweep/execution/shard.hpp"
 #include "sweep/plan/plan_json.hpp"
 #include "sweep/result/journal.hpp"
 
@@ -56,6 +60,32 @@ Plan plan_of_journal(const Json& json, const fs::path& file, const methods::Regi
   }
 }
 
+// "1/3 (2 points), 2/3 (1 point)": the shards that solve these points, of so many.
+std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) {
+  constexpr std::size_t kNamed = 8;  // fit a line; the others show once these are there
+  std::map<std::size_t, std::size_t> counts;
+  for (const std::size_t p : points) ++counts[Shard::holding(p, of).number];
+  std::vector<std::string> named;
+  for (const auto& [number, count] : counts) {
+    if (named.size() == kNamed) break;
+    named.push_back(fmt::format("{}/{} ({} point{})", number, of, count, count == 1 ? "" : "s"));
+  }
+  const std::size_t others = counts.size() - named.size();
+  return fmt::format("{}{}", fmt::join(named, ", "),
+                     others > 0 ? fmt::format(" and {} more", others) : "");
+}
+
+// @param of the number of shards that wrote the journals
+std::string missing_text(const std::set<std::size_t>& there, std::size_t total, std::size_t of) {
+  std::vector<std::size_t> missing;
+  for (std::size_t p = 0; p < total; ++p) {
+    if (!there.contains(p)) missing.push_back(p);
+  }
+  const std::string again =
+      of > 1 ? "run again with --shard " + shards_text(missing, of) : "run the sweep again";
+  return fmt::format("{} of {} points are missing; {}", missing.size(), total, again);
+}
+
 }  // namespace
 
 Merged merged(const std::vector<fs::path>& directories, const methods::Registry& registry) {
@@ -63,10 +93,14 @@ Merged merged(const std::vector<fs::path>& directories, const methods::Registry&
   fs::path of_plan;
   std::vector<PointResult> points;
   std::set<std::size_t> seen;
-  std::size_t damaged = 0;
+  // Where journals are of several numbers of shards, the most: the fewest points are solved twice.
+  std::size_t damaged = 0, of = 1;
   for (const auto& directory : directories) {
     for (const auto& file : journals_in(directory)) {
       auto content = read_journal(file);
+      if (const auto shard = shard_of_journal(file.filename().string())) {
+        of = std::max(of, shard->of);
+      }
       const Json json = plan_json_of(content, file);
       if (!plan) {
         plan = json;
@@ -91,11 +125,7 @@ Merged merged(const std::vector<fs::path>& directories, const methods::Registry&
                                  shown(of_plan.string()), point.point));
   }
   if (!result.results.is_whole()) {
-    std::size_t first = 0;
-    while (seen.contains(first)) ++first;
-    result.remarks.push_back(
-        fmt::format("{} of {} points are missing, the first is number {} (start its shard again)",
-                    whole.points.size() - there.size(), whole.points.size(), first));
+    result.remarks.push_back(missing_text(seen, whole.points.size(), of));
   }
   if (damaged > 0) {
     result.remarks.push_back(fmt::format("{} damaged lines of journals were left out", damaged));

@@ -7,6 +7,7 @@
 
 #include "files/pending_files.hpp"
 #include "methods/side_by_side.hpp"
+#include "parameters/shown.hpp"
 #include "process/files_in_hand.hpp"
 #include "process/stop.hpp"
 #include "results/marginals_csv.hpp"
@@ -34,10 +35,24 @@ Progress::Progress(const Plan& plan, const std::filesystem::path& directory, con
                    StandingListener listener)
     : plan_(plan),
       directory_(directory),
-      journal_(directory / shard.journal_name(), plan),
+      journal_name_(shard.journal_name()),
+      journal_(directory / journal_name_, plan),
       queue_(plan, shard.points(plan.points.size()), journal_.found().points),
       listener_(std::move(listener)),
       points_(journal_.found().points) {}
+
+std::string Progress::resumed_text() const {
+  const auto& [plan, points, damaged] = journal_.found();
+  if (points.empty() && damaged == 0) return "";
+  const auto [done, total, left] = queue_.standing();
+  std::string text = fmt::format("resumed from {}: {} of {} points kept, {} to solve",
+                                 parameters::shown((directory_ / journal_name_).string()), done,
+                                 total, total - done);
+  // A damaged line names no point.
+  if (damaged == 1) text += ", among them that of 1 damaged line";
+  if (damaged > 1) text += fmt::format(", among them those of {} damaged lines", damaged);
+  return text;
+}
 
 std::optional<std::size_t> Progress::next() {
   if (process::stop_requested()) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "sweep/execution/queue.hpp"
@@ -30,16 +31,17 @@ class Progress {
   /// Keeps what became of it.
   void keep(SolvedPoint&& solved);
 
-  /// How many lines of the journal were damaged, and how many points it had.
-  std::size_t damaged() const { return journal_.found().damaged; }
-  std::size_t found() const { return journal_.found().points.size(); }
   Queue::Standing standing() const { return queue_.standing(); }
+  /// One line for a sweep that resumes: how many points it keeps, how many it solves, and which of
+  /// these again; empty where the journal is new.
+  std::string resumed_text() const;
   /// All that is there, those of before first.
   std::vector<PointResult> points() const { return points_; }
 
  private:
   const Plan& plan_;
   std::filesystem::path directory_;
+  std::string journal_name_;
   Journal journal_;
   Queue queue_;
   StandingListener listener_;

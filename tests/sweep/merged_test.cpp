@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "made_up_sweep.hpp"
 #include "parameters/input_error.hpp"
@@ -33,15 +36,45 @@ TEST(Merged, ShardsMakeTheWhole) {
   EXPECT_EQ(csv(all.results), csv(tests::results_of(plan)));
 }
 
-TEST(Merged, WhatIsMissingIsSaid) {
+std::string remark_without(const std::vector<Shard>& missing, std::size_t of) {
+  const tests::TemporaryDirectory directory;
+  const Plan plan = tests::small_plan();
+  for (std::size_t number = 1; number <= of; ++number) {
+    if (std::ranges::find(missing, number, &Shard::number) != missing.end()) continue;
+    write_shard(plan, directory.path(), {number, of});
+  }
+  const auto all = merged({directory.path()}, methods::builtin());
+  EXPECT_FALSE(all.results.is_whole());
+  EXPECT_EQ(all.remarks.size(), 1);
+  return all.remarks.empty() ? "" : all.remarks[0];
+}
+
+TEST(Merged, TheShardsThatLackPointsAreNamed) {
+  const std::string one = remark_without({{2, 3}}, 3);
+  EXPECT_NE(one.find("2 of 6 points"), std::string::npos) << one;
+  EXPECT_NE(one.find("--shard 2/3 (2 points)"), std::string::npos) << one;
+  EXPECT_EQ(one.find("1/3"), std::string::npos) << one;
+  const std::string two = remark_without({{1, 4}, {3, 4}}, 4);
+  EXPECT_NE(two.find("--shard 1/4 (2 points), 3/4 (1 point)"), std::string::npos) << two;
+}
+
+TEST(Merged, AShardThatStoppedIsNamedToo) {
   const tests::TemporaryDirectory directory;
   const Plan plan = tests::small_plan();
   write_shard(plan, directory.path(), {1, 2});
+  Journal(directory.path() / Shard{2, 2}.journal_name(), plan).append(tests::result_of(plan, 1));
   const auto all = merged({directory.path()}, methods::builtin());
-  EXPECT_FALSE(all.results.is_whole());
   ASSERT_EQ(all.remarks.size(), 1);
-  EXPECT_NE(all.remarks[0].find("3 of 6 points are missing, the first is number 1"),
-            std::string::npos);
+  EXPECT_NE(all.remarks[0].find("--shard 2/2 (2 points)"), std::string::npos) << all.remarks[0];
+}
+
+TEST(Merged, WithoutShardsTheSweepIsRunAgain) {
+  const tests::TemporaryDirectory directory;
+  const Plan plan = tests::small_plan();
+  Journal(directory.path() / "journal", plan).append(tests::result_of(plan, 1));
+  const auto all = merged({directory.path()}, methods::builtin());
+  ASSERT_EQ(all.remarks.size(), 1);
+  EXPECT_EQ(all.remarks[0].find("--shard"), std::string::npos) << all.remarks[0];
 }
 
 TEST(Merged, OtherPlansAndEmptyDirectoriesAreRefused) {

@@ -104,7 +104,7 @@ TEST(SolveLeft, KeepsEveryPointAndItsMarginals) {
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
   Progress again(plan, directory.path(), {}, {});
   EXPECT_FALSE(again.next());
-  EXPECT_EQ(again.found(), 5);
+  EXPECT_EQ(again.standing().done, 5);
 }
 
 }  // namespace
