@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/families.hpp"
 #include "results/run.hpp"
+#include "transform/solution.hpp"
 
 namespace fpkcheck::report {
 
