@@ -1,7 +1,5 @@
 #pragma once
 
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/special_functions/factorials.hpp>
 #include <cmath>
 #include <complex>
 #include <string_view>
@@ -23,16 +21,9 @@ struct GaussianLaw {
   double standard_deviation() const { return deviation; }
 
   /// E[((Y - mean) / deviation)^n] = (n-1)!! for even n.
-  double standardised_moment(int n) const {
-    if (n % 2 != 0) return 0;
-    return n == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(n - 1));
-  }
-  double density(double y) const {
-    return boost::math::pdf(boost::math::normal(mean, deviation), y);
-  }
-  double cumulative(double y) const {
-    return boost::math::cdf(boost::math::normal(mean, deviation), y);
-  }
+  double standardised_moment(int n) const;
+  double density(double y) const;
+  double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
   std::vector<double> smooth_pieces() const { return {mean - 9 * deviation, mean + 9 * deviation}; }
   /// E[exp(iu (Y - mean))]

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <boost/math/distributions/laplace.hpp>
-#include <boost/math/special_functions/factorials.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -27,14 +25,9 @@ struct LaplaceLaw {
   double standard_deviation() const { return std::numbers::sqrt2 * scale; }
 
   /// n! / 2^(n/2) for even n.
-  double standardised_moment(int n) const {
-    if (n % 2 != 0) return 0;
-    return boost::math::factorial<double>(static_cast<unsigned>(n)) / std::pow(2.0, n / 2);
-  }
-  double density(double y) const { return boost::math::pdf(boost::math::laplace(mean, scale), y); }
-  double cumulative(double y) const {
-    return boost::math::cdf(boost::math::laplace(mean, scale), y);
-  }
+  double standardised_moment(int n) const;
+  double density(double y) const;
+  double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
   std::vector<double> smooth_pieces() const { return {mean - 42 * scale, mean, mean + 42 * scale}; }
   std::complex<double> centred_characteristic_function(double u) const {

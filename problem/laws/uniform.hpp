@@ -1,8 +1,5 @@
 #pragma once
 
-#include <boost/math/distributions/uniform.hpp>
-#include <boost/math/special_functions/sinc.hpp>
-#include <boost/math/special_functions/sinhc.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -30,20 +27,12 @@ struct UniformLaw {
   double standardised_moment(int n) const {
     return n % 2 == 0 ? std::pow(3.0, n / 2) / (n + 1) : 0;
   }
-  double density(double y) const {
-    return boost::math::pdf(boost::math::uniform(mean - half_width, mean + half_width), y);
-  }
-  double cumulative(double y) const {
-    return boost::math::cdf(boost::math::uniform(mean - half_width, mean + half_width), y);
-  }
+  double density(double y) const;
+  double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
   std::vector<double> smooth_pieces() const { return {mean - half_width, mean + half_width}; }
-  std::complex<double> centred_characteristic_function(double u) const {
-    return boost::math::sinc_pi(u * half_width);
-  }
-  double centred_moment_generating_function(double u) const {
-    return boost::math::sinhc_pi(u * half_width);
-  }
+  std::complex<double> centred_characteristic_function(double u) const;
+  double centred_moment_generating_function(double u) const;
 };
 
 }  // namespace fpkcheck::problem
