@@ -24,8 +24,7 @@ std::optional<double> accuracy_of(const Method& method);
 /// @param methods that the solutions are of, in their order
 /// @param known the comparison of the solutions, if there is one already
 void complete_errors(const std::vector<Method>& methods, const compare::ComparisonAxes& axes,
-                     const ProblemResiduals& residuals,
-                     std::vector<transform::Solution>& solutions,
+                     const ProblemResiduals& residuals, std::vector<transform::Solution>& solutions,
                      const compare::Comparison* known = nullptr);
 
 }  // namespace fpkcheck::methods
