@@ -355,7 +355,7 @@ int run(const Settings& settings) {
     return 0;
   }
   const auto registry = methods::builtin();
-  parameters::Values options;
+  base::Values options;
   if (!settings.transport.empty()) options.push_back({"transport", settings.transport});
   const auto methods = registry.select(settings.methods, options);
   if (!settings.keep.empty()) std::filesystem::create_directories(settings.keep);

@@ -87,7 +87,7 @@ struct Lanes {
 };
 
 Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
-                 const mcs::LaneSet& lanes, bool records) {
+                 const simd::LaneSet& lanes, bool records) {
   const mcs::BinFinder y(even(0, 5)), v(even(-5, 5));
   const mcs::Motion motion{.oscillator = mcs::Oscillator(problem.system),
                            .step = kStep,
@@ -193,13 +193,13 @@ void errors(const char* name, const problem::System& system, const State& deviat
       name, rms, largest, rms_lanes, largest_lanes);
 }
 
-const char* name(mcs::InstructionSet set) {
+const char* name(simd::InstructionSet set) {
   switch (set) {
-    case mcs::InstructionSet::avx512:
+    case simd::InstructionSet::avx512:
       return "AVX-512";
-    case mcs::InstructionSet::avx2:
+    case simd::InstructionSet::avx2:
       return "AVX2";
-    case mcs::InstructionSet::baseline:
+    case simd::InstructionSet::baseline:
       break;
   }
   return "baseline";
@@ -225,7 +225,7 @@ int main(int argc, char** argv) {
   fmt::print("case1, {} threads; steps: simulated time / 0.05\n", threads);
   fmt::print("scalar RK4 loop                   {:.2e} steps/s   E[v^2] {:.4f}\n",
              plain / kRungeKuttaStep, found[0]);
-  for (const auto& lanes : mcs::available_lanes()) {
+  for (const auto& lanes : simd::available_lanes()) {
     for (const bool records : {false, true}) {
       std::vector<Lanes> seen(static_cast<std::size_t>(threads));
       const double rate = speed(threads, time, [&](unsigned t) {

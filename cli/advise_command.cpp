@@ -7,14 +7,14 @@
 #include <string>
 #include <string_view>
 
+#include "base/input_error.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/features.hpp"
-#include "sweep/report/advice_text.hpp"
+#include "workflows/sweep/report/advice_text.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -57,7 +57,7 @@ std::string words_of_case(const CommonArguments& common) {
 // What tells the solver's members apart: the closures' formulation and order.
 std::set<std::string> telling_options(const methods::Solver& solver) {
   std::set<std::string> telling;
-  std::map<std::string, parameters::Value> first;
+  std::map<std::string, base::Value> first;
   for (const auto& family : solver.families) {
     for (const auto& id : family.usual) {
       const auto options = solver.options_of(id);
@@ -82,13 +82,13 @@ std::string command_of(const std::string& id, const std::string& words,
   for (const auto& option : method->options) {
     const auto* parameter = solver->parameters->find(option.name);
     const auto usual =
-        std::ranges::find(solver->usual_options, option.name, &parameters::NamedValue::name);
+        std::ranges::find(solver->usual_options, option.name, &base::NamedValue::name);
     if (parameter == nullptr || parameter->flag.empty()) continue;
-    if (parameters::is_nothing(option.value)) continue;
+    if (base::is_nothing(option.value)) continue;
     if (*usual == option && !telling.contains(option.name)) continue;
     const auto* word = std::get_if<std::string>(&option.value);
     command += fmt::format(" --{} {}", parameter->flag,
-                           word != nullptr ? *word : parameters::text_of(option.value));
+                           word != nullptr ? *word : base::text_of(option.value));
   }
   return command;
 }

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
+#include "base/text/shown.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -12,11 +16,7 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "files/pending_files.hpp"
 #include "methods/bounds.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
-#include "process/files_in_hand.hpp"
 #include "report/bounds.hpp"
 #include "results/run_json.hpp"
 #include "results/saved_run.hpp"
@@ -40,23 +40,23 @@ examples:
 )";
 
 // VARIABLE:CENTRE:SPACING
-dual::Functional bin_from(const std::string& text) {
+backward::Functional bin_from(const std::string& text) {
   const auto refuse = [&] {
     throw InputError(
         fmt::format("--bin {} (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)",
-                    parameters::in_quotes(text)));
+                    base::in_quotes(text)));
   };
   const auto first = text.find(':'), second = text.find(':', first + 1);
   if (first == std::string::npos || second == std::string::npos) refuse();
   const std::string variable = text.substr(0, first);
   if (variable != "y" && variable != "ydot") refuse();
   const auto number = [&](const std::string& part) {
-    const auto found = parameters::Parameter{.name = "bin", .help = {}}.parsed(part);
+    const auto found = base::Parameter{.name = "bin", .help = {}}.parsed(part);
     if (!found) refuse();
     return std::get<double>(*found);
   };
-  return dual::SmoothBin::cardinal(
-      variable == "y" ? dual::Axis::displacement : dual::Axis::velocity,
+  return backward::SmoothBin::cardinal(
+      variable == "y" ? backward::Axis::displacement : backward::Axis::velocity,
       number(text.substr(first + 1, second - first - 1)), number(text.substr(second + 1)));
 }
 
@@ -65,8 +65,8 @@ dual::Functional bin_from(const std::string& text) {
 int bounds_command(const Call& call) {
   namespace po = boost::program_options;
   CommonArguments common;
-  const auto& description = dual::description();
-  parameters::Values values = description.values(dual::Options{});
+  const auto& description = backward::description();
+  base::Values values = description.values(backward::Options{});
   std::vector<std::string> bins;
   po::options_description own = options_for(description, values);
   own.add_options()(
@@ -78,9 +78,9 @@ int bounds_command(const Call& call) {
     return kDone;
   }
   if (common.cases.empty()) throw InputError("no case (give one, e.g. case1)");
-  dual::Options options = description.read(values, "options");
+  backward::Options options = description.read(values, "options");
   for (const auto& bin : bins) options.functionals.push_back(bin_from(bin));
-  dual::validate(options);
+  backward::validate(options);
   const auto problems = load_cases(common);
   const OutputDirectory directory(common.out);
 
@@ -106,8 +106,8 @@ int bounds_command(const Call& call) {
   }
   if (common.json) put_out(results::summary_text(run) + '\n');
   if (common.out) {
-    const process::FilesInHand in_hand;
-    files::PendingFiles files;
+    const base::FilesInHand in_hand;
+    base::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');
     files.commit();

@@ -2,8 +2,9 @@
 
 #include <chrono>
 
-#include "check/baseline.hpp"
-#include "check/check.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -12,10 +13,9 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "files/pending_files.hpp"
-#include "parameters/input_error.hpp"
-#include "process/files_in_hand.hpp"
 #include "results/saved_run.hpp"
+#include "workflows/check/baseline.hpp"
+#include "workflows/check/check.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -72,8 +72,8 @@ boost::program_options::options_description options_of(CheckArguments& arguments
 
 void write(const std::filesystem::path& directory, const results::Run& run,
            const std::string& json) {
-  const process::FilesInHand in_hand;
-  files::PendingFiles files;
+  const base::FilesInHand in_hand;
+  base::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
   files.commit();
@@ -93,7 +93,7 @@ int check_command(const Call& call) {
   }
   check::validate(tolerances);
   if (threads < 0) throw InputError(fmt::format("--threads {} (must not be negative)", threads));
-  using parameters::Value;
+  using base::Value;
   const auto baseline =
       check::load_baseline(places.front(), call.registry,
                            {{"threads", threads > 0 ? Value(std::int64_t{threads}) : Value()}});

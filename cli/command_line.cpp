@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "cli/help.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "problem/case_file.hpp"
 #include "results/directory.hpp"
 
@@ -59,7 +59,7 @@ bool parse(const std::vector<std::string>& arguments, const std::string& usage,
     }
     po::notify(values);
   } catch (const po::error& error) {
-    throw InputError(fmt::format("{} (--help lists the options)", parameters::shown(error.what())));
+    throw InputError(fmt::format("{} (--help lists the options)", base::shown(error.what())));
   }
   return true;
 }
@@ -71,12 +71,12 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     problems.push_back(problem::load_case(name, common.overrides, problem::Naming::of_changes));
     // Pictures are filed under a plainer name, so that is what must not be shared.
     if (std::ranges::count(common.cases, name) > 1) {
-      throw InputError(fmt::format("{} is named twice (name it once)", parameters::shown(name)));
+      throw InputError(fmt::format("{} is named twice (name it once)", base::shown(name)));
     }
     if (!names.insert(results::file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
           "two cases are called {} or alike (results are filed by that name: rename one)",
-          parameters::in_quotes(problems.back().name)));
+          base::in_quotes(problems.back().name)));
     }
   }
   for (const auto& name : names) {
@@ -86,7 +86,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
       throw InputError(
           fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "
                       "name: rename one)",
-                      parameters::shown(name), addition));
+                      base::shown(name), addition));
     }
   }
   if (problems.empty()) {

@@ -6,7 +6,7 @@
 #include "problem/impulse_train.hpp"
 #include "problem/named_cases.hpp"
 #include "problem/system.hpp"
-#include "study/order.hpp"
+#include "workflows/study/order.hpp"
 
 namespace fpkcheck::cli {
 namespace {

@@ -14,11 +14,11 @@
 #include <mutex>
 #include <vector>
 
+#include "base/process/files_in_hand.hpp"
+#include "base/process/stop.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
-#include "process/files_in_hand.hpp"
-#include "process/stop.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -63,7 +63,7 @@ void say(const std::string& line) {
 // Returns where the command has come first: it says so itself, and then waits for this thread.
 void end_the_process() {
   if (end_claimed) return;
-  process::reserve_files_for_this_thread();
+  base::reserve_files_for_this_thread();
   if (end_claimed.exchange(true)) return;
   std::vector<const std::function<void()>*> rescues;
   std::unique_lock lock(ending().mutex);  // kept: what a rescue stands on must not go meanwhile
@@ -78,7 +78,7 @@ void end_the_process() {
     }
   }
   say("fpkcheck: " + stop_notice());
-  _exit(stopped_exit_code(process::stop_signal()));
+  _exit(stopped_exit_code(base::stop_signal()));
 }
 
 void watch() {
@@ -108,7 +108,7 @@ Rescue::~Rescue() {
 OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
     : rescue_([this] { directory_ = {}; }) {
   if (!out) return;
-  const process::FilesInHand in_hand;
+  const base::FilesInHand in_hand;
   directory_ = results::make_writable(*out);
 }
 
@@ -119,7 +119,7 @@ void note_kept(const std::string& what) {
 
 std::string stop_notice() {
   const std::lock_guard lock(ending().mutex);
-  return fmt::format("{}; {}", process::stop_signal() == SIGTERM ? "terminated" : "interrupted",
+  return fmt::format("{}; {}", base::stop_signal() == SIGTERM ? "terminated" : "interrupted",
                      ending().kept);
 }
 

@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "base/files/input_file.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/standard_streams.hpp"
 #include "epc/density.hpp"
-#include "methods/given/form_file.hpp"
-#include "methods/given/number_table.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/input_file.hpp"
-#include "parameters/shown.hpp"
+#include "methods/external/form_file.hpp"
+#include "methods/external/number_table.hpp"
 #include "problem/case_file.hpp"
 #include "results/json_values.hpp"
 
@@ -47,10 +47,10 @@ struct Point {
 constexpr std::size_t kMostOfText = std::size_t{64} << 20;
 
 std::string text_of(const fs::path& file, const char* what) {
-  auto text = parameters::read_input_file(file, kMostOfText);
+  auto text = base::read_input_file(file, kMostOfText);
   if (!text) {
-    throw InputError(fmt::format("{} is not a readable file (give {})",
-                                 parameters::in_quotes(file.string()), what));
+    throw InputError(
+        fmt::format("{} is not a readable file (give {})", base::in_quotes(file.string()), what));
   }
   return *std::move(text);
 }
@@ -149,7 +149,7 @@ int evaluate_command(const Call& call) {
   fs::path file = words[0];
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) file /= "summary.json";
-  const std::string where = parameters::shown(file.string());
+  const std::string where = base::shown(file.string());
   const auto form = form_in(text_of(file, "the summary.json of a run, or a closed form"), where,
                             words.size() == 2 ? std::optional(words[1]) : std::nullopt, case_name);
   if (!epc::is_normalised(form.form)) {

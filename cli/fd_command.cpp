@@ -1,6 +1,7 @@
 #include <string>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
@@ -10,13 +11,12 @@
 #include "cli/transient_and_report.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/transient_options.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
+using base::Values;
 using fd_fpk::TransientOptions;
-using parameters::Values;
 
 /// --until and what belongs to it; what is not given is as usual.
 std::vector<std::string> names_with_flags() {

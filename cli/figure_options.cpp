@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "cli/lists.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -16,10 +16,10 @@ using report::FigureWidth;
 std::vector<FigureFormat> formats_in(const std::string& list) {
   std::vector<FigureFormat> formats;
   for (const auto& item : items("--figures", list)) {
-    const auto format = parameters::value_named<FigureFormat>(item);
+    const auto format = base::value_named<FigureFormat>(item);
     if (!format) {
       throw InputError(fmt::format("--figures {} ({} is no format) use png, svg, pdf, tex",
-                                   parameters::shown(list), parameters::in_quotes(item)));
+                                   base::shown(list), base::in_quotes(item)));
     }
     formats.push_back(*format);
   }
@@ -27,10 +27,10 @@ std::vector<FigureFormat> formats_in(const std::string& list) {
 }
 
 FigureWidth width_in(const std::string& text) {
-  const auto width = parameters::value_named<FigureWidth>(text);
+  const auto width = base::value_named<FigureWidth>(text);
   if (!width || *width == FigureWidth::screen) {
     throw InputError(
-        fmt::format("--figure-width {} (must be 85 or 170, in mm)", parameters::in_quotes(text)));
+        fmt::format("--figure-width {} (must be 85 or 170, in mm)", base::in_quotes(text)));
   }
   return *width;
 }

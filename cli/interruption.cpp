@@ -3,8 +3,8 @@
 #include <atomic>
 #include <cerrno>
 
+#include "base/process/stop.hpp"
 #include "cli/ending.hpp"
-#include "process/stop.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -15,12 +15,12 @@ std::atomic<OnInterruption> what_to_do = OnInterruption::give_up;
 
 extern "C" void note_interruption(int signal) {
   const int error = errno;
-  if (process::stop_requested()) {
+  if (base::stop_requested()) {
     // The second: as if there were no handler. It is blocked until this returns.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
-    process::request_stop(signal);
+    base::request_stop(signal);
     wake_deadline();
   }
   errno = error;
@@ -29,7 +29,7 @@ extern "C" void note_interruption(int signal) {
 }  // namespace
 
 InterruptionGuard::InterruptionGuard() {
-  process::request_stop(0);
+  base::request_stop(0);
   what_to_do = OnInterruption::give_up;
   for (const int signal : kStopping) {
     struct sigaction before = {};
@@ -45,7 +45,7 @@ InterruptionGuard::InterruptionGuard() {
 
 InterruptionGuard::~InterruptionGuard() {
   for (const auto& [signal, action] : before_) sigaction(signal, &action, nullptr);
-  process::request_stop(0);
+  base::request_stop(0);
 }
 
 void on_interruption(OnInterruption what) { what_to_do = what; }
@@ -53,7 +53,7 @@ void on_interruption(OnInterruption what) { what_to_do = what; }
 OnInterruption on_interruption() { return what_to_do; }
 
 void throw_if_interrupted() {
-  if (process::stop_requested() && what_to_do == OnInterruption::give_up) throw Interrupted();
+  if (base::stop_requested() && what_to_do == OnInterruption::give_up) throw Interrupted();
 }
 
 }  // namespace fpkcheck::cli

@@ -15,10 +15,10 @@ struct Interrupted : std::exception {
 /// What the first Ctrl-C or SIGTERM does.
 enum class OnInterruption {
   give_up,      ///< throw_if_interrupted throws
-  finish_early  ///< what is solved asks process::stop_requested() and ends with what it has
+  finish_early  ///< what is solved asks base::stop_requested() and ends with what it has
 };
 
-/// While this lives, the first Ctrl-C or SIGTERM is noted (process/stop.hpp); a second one ends the
+/// While this lives, the first Ctrl-C or SIGTERM is noted (base/process/stop.hpp); a second one ends the
 /// program at once. Leaves each alone where it is ignored (nohup).
 class InterruptionGuard {
  public:

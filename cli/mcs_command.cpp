@@ -8,6 +8,9 @@
 #include <thread>
 #include <vector>
 
+#include "base/input_error.hpp"
+#include "base/mpi/ranks.hpp"
+#include "base/process/stop.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
@@ -18,9 +21,6 @@
 #include "cli/standard_streams.hpp"
 #include "methods/mcs.hpp"
 #include "methods/run_cases.hpp"
-#include "parameters/input_error.hpp"
-#include "process/stop.hpp"
-#include "ranks/ranks.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -39,7 +39,7 @@ boost::program_options::options_description file_options(methods::SimulationCont
 /// The conversation of processes that share a simulation.
 class Gathering {
  public:
-  explicit Gathering(ranks::Ranks& ranks) : ranks_(ranks) {}
+  explicit Gathering(base::Ranks& ranks) : ranks_(ranks) {}
 
   // mcs::Team::gather
   std::vector<std::string> operator()(const std::string& own) {
@@ -70,13 +70,13 @@ class Gathering {
     return text;
   }
 
-  ranks::Ranks& ranks_;
+  base::Ranks& ranks_;
   std::map<int, std::deque<std::string>> waiting_;
 };
 
-void require_time_alone(const parameters::Values& values) {
-  const auto controlled = std::ranges::find(values, "controlled", &parameters::NamedValue::name);
-  if (controlled == values.end() || controlled->value != parameters::Value(true)) return;
+void require_time_alone(const base::Values& values) {
+  const auto controlled = std::ranges::find(values, "controlled", &base::NamedValue::name);
+  if (controlled == values.end() || controlled->value != base::Value(true)) return;
   throw InputError("--controlled under mpirun (its noise goes by other means: leave one out)");
 }
 
@@ -92,8 +92,8 @@ int help(const CommonArguments& common, const methods::Method& simulation) {
 
 int mcs_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  parameters::Values values = solver.usual_options;
-  methods::SimulationControl control{.stop = process::stop_requested,
+  base::Values values = solver.usual_options;
+  methods::SimulationControl control{.stop = base::stop_requested,
                                      .warn = [](const std::string& text) { complain(text); }};
   auto own = options_for(*solver.parameters, values);
   own.add(file_options(control));
@@ -115,10 +115,10 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
                                                                  : OnInterruption::give_up},
                      call.command_line);
   };
-  if (!ranks::Ranks::started_together()) return solve();
+  if (!base::Ranks::started_together()) return solve();
 
   require_time_alone(values);
-  const auto ranks = ranks::Ranks::join();
+  const auto ranks = base::Ranks::join();
   Gathering gathering(*ranks);
   control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gathering)};
   try {

@@ -1,18 +1,18 @@
 #include <fmt/format.h>
 
+#include "base/input_error.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "paper/claims.hpp"
-#include "paper/files.hpp"
-#include "paper/judge.hpp"
-#include "paper/supplement.hpp"
-#include "paper/table.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/named_cases.hpp"
+#include "workflows/paper/claims.hpp"
+#include "workflows/paper/files.hpp"
+#include "workflows/paper/judge.hpp"
+#include "workflows/paper/supplement.hpp"
+#include "workflows/paper/table.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -59,7 +59,7 @@ Supplement claims_of(const results::Run& run, report::FigureWidth width) {
 
 int paper_command(const Call& call) {
   CommonArguments common;
-  parameters::Values given;
+  base::Values given;
   auto options = options_of_a_run(call.registry, given);
   options.add(figure_options(common.figures));
   if (!parse(

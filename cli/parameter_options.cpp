@@ -4,18 +4,18 @@
 
 #include <algorithm>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
 namespace po = boost::program_options;
-using parameters::NamedValue;
-using parameters::Parameter;
-using parameters::Type;
-using parameters::Value;
-using parameters::Values;
+using base::NamedValue;
+using base::Parameter;
+using base::Type;
+using base::Value;
+using base::Values;
 
 void put(Values& values, const std::string& name, const Value& value) {
   const auto own = std::ranges::find(values, name, &NamedValue::name);
@@ -29,7 +29,7 @@ void put(Values& values, const std::string& name, const Value& value) {
 // As --help shows a default: without quotes.
 std::string default_text(const Value& value) {
   const auto* word = std::get_if<std::string>(&value);
-  return word != nullptr ? *word : parameters::text_of(value);
+  return word != nullptr ? *word : base::text_of(value);
 }
 
 void add(const Parameter& parameter, const Value* usual, Values& values,
@@ -44,14 +44,14 @@ void add(const Parameter& parameter, const Value* usual, Values& values,
     return;
   }
   auto* semantic = po::value<std::string>()->value_name(parameter.placeholder);
-  if (usual != nullptr && !parameters::is_nothing(*usual)) {
+  if (usual != nullptr && !base::is_nothing(*usual)) {
     semantic->default_value(default_text(*usual));
   }
   semantic->notifier([&values, parameter, label](const std::string& text) {
-    const Value value = parameters::value_from(parameter, text, label);
+    const Value value = base::value_from(parameter, text, label);
     if (!parameter.in_range(value)) {
       throw InputError(
-          fmt::format("{} {} (must be {})", label, parameters::shown(text), parameter.allowed()));
+          fmt::format("{} {} (must be {})", label, base::shown(text), parameter.allowed()));
     }
     put(values, parameter.name, value);
   });
@@ -60,7 +60,7 @@ void add(const Parameter& parameter, const Value* usual, Values& values,
 
 }  // namespace
 
-po::options_description options_for(const parameters::Descriptions& description, Values& values) {
+po::options_description options_for(const base::Descriptions& description, Values& values) {
   po::options_description options;
   for (const auto& parameter : description.all()) {
     if (parameter.flag.empty()) continue;
@@ -70,15 +70,14 @@ po::options_description options_for(const parameters::Descriptions& description,
   return options;
 }
 
-po::options_description options_for(const parameters::Descriptions& description,
+po::options_description options_for(const base::Descriptions& description,
                                     const std::vector<std::string>& names, Values& given) {
   po::options_description options;
   for (const auto& name : names) add(*description.find(name), nullptr, given, options);
   return options;
 }
 
-po::options_description options_of_a_run(const methods::Registry& registry,
-                                         parameters::Values& given) {
+po::options_description options_of_a_run(const methods::Registry& registry, base::Values& given) {
   po::options_description shared;
   for (const auto& solver : registry.solvers()) {
     shared.add(options_for(*solver.parameters, solver.set_by_a_run, given));

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/options/description.hpp"
 #include "methods/registry.hpp"
-#include "parameters/description.hpp"
 
 namespace fpkcheck::cli {
 
@@ -13,20 +13,20 @@ namespace fpkcheck::cli {
 /// default and its range from the description. What is given replaces the value in `values`.
 /// @param values of all parameters, in any order; kept by reference
 /// @throws InputError from parsing: the flag, the text and what is allowed
-boost::program_options::options_description options_for(const parameters::Descriptions& description,
-                                                        parameters::Values& values);
+boost::program_options::options_description options_for(const base::Descriptions& description,
+                                                        base::Values& values);
 
 /// Those of the named parameters only, without defaults: `given` gets the ones that are given.
-boost::program_options::options_description options_for(const parameters::Descriptions& description,
+boost::program_options::options_description options_for(const base::Descriptions& description,
                                                         const std::vector<std::string>& names,
-                                                        parameters::Values& given);
+                                                        base::Values& given);
 
 /// The options that the solvers let a command set which solves by many methods
 /// (methods::Solver::set_by_a_run).
 boost::program_options::options_description options_of_a_run(const methods::Registry& registry,
-                                                             parameters::Values& given);
+                                                             base::Values& given);
 
 /// What `--threads` of them gave, for methods side by side; 0 without.
-int threads_in(const parameters::Values& given);
+int threads_in(const base::Values& given);
 
 }  // namespace fpkcheck::cli

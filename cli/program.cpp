@@ -11,6 +11,9 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/input_error.hpp"
+#include "base/process/stop.hpp"
+#include "base/text/shown.hpp"
 #include "cli/commands.hpp"
 #include "cli/completion.hpp"
 #include "cli/ending.hpp"
@@ -22,10 +25,7 @@
 #include "cli/version.hpp"
 #include "methods/builtin.hpp"
 #include "methods/out_of_memory.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "problem/untreated.hpp"
-#include "process/stop.hpp"
 #include "report/text/wrapped.hpp"
 #include "results/run.hpp"
 
@@ -164,10 +164,10 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
     if (const std::string text = problem::untreated_text(name); !text.empty()) {
-      throw InputError(fmt::format("{}: {}", parameters::in_quotes(name), text));
+      throw InputError(fmt::format("{}: {}", base::in_quotes(name), text));
     }
     throw InputError(fmt::format("{} is no command (use one of {}; --help explains)",
-                                 parameters::in_quotes(name), names_of(all)));
+                                 base::in_quotes(name), names_of(all)));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;
@@ -188,7 +188,7 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw std::runtime_error("standard output could not be written");
     }
-    if (!process::stop_requested()) return exit_code;
+    if (!base::stop_requested()) return exit_code;
   } catch (const Interrupted&) {
   } catch (const InputError& error) {
     complain(error.what());
@@ -203,7 +203,7 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
   }
   claim_the_end();
   complain(stop_notice());
-  return stopped_exit_code(process::stop_signal());
+  return stopped_exit_code(base::stop_signal());
 }
 
 }  // namespace fpkcheck::cli

@@ -4,12 +4,12 @@
 
 #include <filesystem>
 
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "files/pending_files.hpp"
-#include "parameters/input_error.hpp"
-#include "process/files_in_hand.hpp"
 #include "report/figure/drawing.hpp"
 
 namespace fpkcheck::cli {
@@ -17,8 +17,8 @@ namespace {
 
 void write(const std::filesystem::path& directory, const study::Output& output,
            const report::FigureOptions& options) {
-  const process::FilesInHand in_hand;
-  files::PendingFiles files;
+  const base::FilesInHand in_hand;
+  base::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
   files.commit();

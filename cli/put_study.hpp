@@ -5,7 +5,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/ending.hpp"
-#include "study/output.hpp"
+#include "workflows/study/output.hpp"
 
 namespace fpkcheck::cli {
 

@@ -5,16 +5,16 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/standard_streams.hpp"
-#include "files/pending_files.hpp"
-#include "parameters/input_error.hpp"
-#include "process/files_in_hand.hpp"
-#include "study/reference/reference.hpp"
+#include "workflows/study/reference/reference.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -75,9 +75,9 @@ int reference_command(const Call& call) {
   }
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
-    const process::FilesInHand in_hand;
+    const base::FilesInHand in_hand;
     const std::filesystem::path place(*common.out);
-    files::PendingFiles files;
+    base::PendingFiles files;
     files.add(place / "reference.md", text);
     files.add(place / "reference.csv", study::reference_csv(references));
     files.commit();

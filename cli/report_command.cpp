@@ -1,3 +1,5 @@
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -5,14 +7,12 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "paper/judge.hpp"
-#include "paper/supplement.hpp"
-#include "parameters/input_error.hpp"
-#include "process/files_in_hand.hpp"
 #include "report/figure/curve_choice.hpp"
 #include "report/report.hpp"
 #include "report/supplement.hpp"
 #include "results/saved_run.hpp"
+#include "workflows/paper/judge.hpp"
+#include "workflows/paper/supplement.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -45,7 +45,7 @@ int report_command(const Call& call) {
     for (const auto& solution : one.solutions) there.push_back(solution.identity);
   }
   report::require_curves(figures.curves, there);
-  const process::FilesInHand in_hand;
+  const base::FilesInHand in_hand;
   const auto format = terminal_format();
   const auto supplement = paper::is_run_of_paper(run)
                               ? paper::supplement(paper::judge(run), run, figures.width, format)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
@@ -12,8 +13,7 @@
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "methods/given/given_methods.hpp"
-#include "parameters/input_error.hpp"
+#include "methods/external/given_methods.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::cli {
@@ -68,7 +68,7 @@ std::string all_methods(const methods::Registry& registry) {
 int run_command(const Call& call) {
   namespace po = boost::program_options;
   CommonArguments common;
-  parameters::Values given;
+  base::Values given;
   std::optional<std::string> list;
   std::vector<std::string> against;
   po::options_description own;

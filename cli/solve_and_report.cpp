@@ -14,14 +14,14 @@
 #include <optional>
 #include <string_view>
 
+#include "base/process/files_in_hand.hpp"
+#include "base/process/stop.hpp"
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/complete_run.hpp"
-#include "process/files_in_hand.hpp"
-#include "process/stop.hpp"
 #include "report/figure/curve_choice.hpp"
 #include "report/report.hpp"
 #include "results/run_json.hpp"
@@ -106,7 +106,7 @@ std::string stopped_text(const std::vector<results::Case>& cases,
     }
   }
   std::string text = fmt::format("This run was stopped by {} before its end.",
-                                 process::stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
+                                 base::stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
   if (!missing.empty()) text += fmt::format(" Missing: {}.", joined(missing));
   if (!unbounded.empty()) {
     text += fmt::format(" Without bounds and own errors: {}.", joined(unbounded));
@@ -116,7 +116,7 @@ std::string stopped_text(const std::vector<results::Case>& cases,
 
 // Of a run that was told to stop: no more than what is there already takes time.
 void write_stopped(const std::filesystem::path& directory, const results::Run& run) {
-  const process::FilesInHand in_hand;
+  const base::FilesInHand in_hand;
   report::write_report(directory, run);
   note_kept(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the pictures)",
                         run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
@@ -177,7 +177,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
              },
          .case_listener = [&](const results::Case& one) { finished.put(one); },
          .look = throw_if_interrupted});
-    solved = !process::stop_requested();
+    solved = !base::stop_requested();
   } catch (const Interrupted&) {
   }
   progress.clear();
@@ -204,7 +204,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
 
   bool all_drawn = true;
   if (common.out) {
-    const process::FilesInHand in_hand;
+    const base::FilesInHand in_hand;
     for (const auto& warning :
          report::write_report(*common.out, run, common.figures, supplement.report)) {
       complain(warning);
@@ -214,7 +214,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                           *common.out));
   }
   rescue.reset();
-  if (process::stop_requested()) return kNotReached;
+  if (base::stop_requested()) return kNotReached;
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     const auto any = [&](auto results::Case::*list) {

@@ -9,7 +9,7 @@ namespace fpkcheck::cli {
 
 int solver_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  parameters::Values values = solver.usual_options;
+  base::Values values = solver.usual_options;
   auto own = options_for(*solver.parameters, values);
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {

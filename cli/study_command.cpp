@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/program.hpp"
 #include "cli/studies.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "report/text/wrapped.hpp"
 
 namespace fpkcheck::cli {
@@ -72,7 +72,7 @@ int study_command(const Call& call) {
   const auto subject = std::ranges::find(study_subjects(), *given, &StudySubject::name);
   if (subject == study_subjects().end()) {
     throw InputError(fmt::format("{} is no subject of a study (use {}; --help explains)",
-                                 parameters::in_quotes(*given), names_of_subjects()));
+                                 base::in_quotes(*given), names_of_subjects()));
   }
   return subject->run({{given + 1, arguments.end()}, call.command_line, call.registry});
 }

@@ -11,7 +11,7 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
 #include "fd_fpk/options.hpp"
-#include "study/grid.hpp"
+#include "workflows/study/grid.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -39,8 +39,8 @@ int study_grid(const Call& call) {
   CommonArguments common;
   study::GridStudyOptions options;
   const auto& grids = fd_fpk::description();
-  parameters::Values of_grids{{"equation", std::string(name(options.equation))},
-                              {"impact", std::string(name(options.impact))}};
+  base::Values of_grids{{"equation", std::string(name(options.equation))},
+                        {"impact", std::string(name(options.impact))}};
   std::string order_list;
   po::options_description own;
   own.add(options_for(grids, {"equation", "impact", "origin_refinement"}, of_grids));

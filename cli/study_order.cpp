@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/input_error.hpp"
 #include "cli/command_line.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
@@ -13,8 +14,7 @@
 #include "cli/put_study.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
-#include "parameters/input_error.hpp"
-#include "study/order.hpp"
+#include "workflows/study/order.hpp"
 
 namespace fpkcheck::cli {
 namespace {

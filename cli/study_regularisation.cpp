@@ -7,7 +7,7 @@
 #include "cli/put_study.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
-#include "study/regularisation.hpp"
+#include "workflows/study/regularisation.hpp"
 
 namespace fpkcheck::cli {
 namespace {

@@ -7,6 +7,12 @@
 #include <memory>
 #include <optional>
 
+#include "base/input_error.hpp"
+#include "base/mpi/ranks.hpp"
+#include "base/options/asked_name.hpp"
+#include "base/process/files_in_hand.hpp"
+#include "base/process/stop.hpp"
+#include "base/text/shown.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -19,21 +25,15 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/side_by_side.hpp"
-#include "parameters/asked_name.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
-#include "process/files_in_hand.hpp"
-#include "process/stop.hpp"
-#include "ranks/ranks.hpp"
-#include "sweep/execution/forecast.hpp"
-#include "sweep/execution/merged.hpp"
-#include "sweep/execution/solve_on_ranks.hpp"
-#include "sweep/execution/solve_plan.hpp"
-#include "sweep/plan/plan_file.hpp"
-#include "sweep/report/forecast_text.hpp"
-#include "sweep/report/sweep_files.hpp"
-#include "sweep/report/table.hpp"
-#include "sweep/result/sweep_results.hpp"
+#include "workflows/sweep/execution/forecast.hpp"
+#include "workflows/sweep/execution/merged.hpp"
+#include "workflows/sweep/execution/solve_on_ranks.hpp"
+#include "workflows/sweep/execution/solve_plan.hpp"
+#include "workflows/sweep/plan/plan_file.hpp"
+#include "workflows/sweep/report/forecast_text.hpp"
+#include "workflows/sweep/report/sweep_files.hpp"
+#include "workflows/sweep/report/table.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -75,7 +75,7 @@ struct SweepArguments {
   std::optional<std::size_t> points;
   std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
-  parameters::Values given;  // for the methods
+  base::Values given;  // for the methods
 };
 
 boost::program_options::options_description sweep_options(SweepArguments& arguments,
@@ -123,8 +123,8 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
   return own;
 }
 
-int threads_given(parameters::Values& given) {
-  const auto found = std::ranges::find(given, "threads", &parameters::NamedValue::name);
+int threads_given(base::Values& given) {
+  const auto found = std::ranges::find(given, "threads", &base::NamedValue::name);
   if (found == given.end()) return 0;
   const int threads = static_cast<int>(std::get<std::int64_t>(found->value));
   given.erase(found);
@@ -137,16 +137,16 @@ sweep::Axis axis_of(const std::string& text) {
     throw InputError(
         fmt::format("--vary {} (not KEY=VALUES; write e.g. --vary "
                     "system.restitution=0.5:1:11)",
-                    parameters::shown(text)));
+                    base::shown(text)));
   }
   return sweep::axis_from(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
 // What a plan says of the methods' options, where the command line says nothing.
-void add_options_of_plan(const std::vector<parameters::IniSetting>& lines,
-                         const methods::Registry& registry, parameters::Values& given) {
+void add_options_of_plan(const std::vector<base::IniSetting>& lines,
+                         const methods::Registry& registry, base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
-  std::vector<const parameters::Parameter*> options;
+  std::vector<const base::Parameter*> options;
   for (const auto& solver : registry.solvers()) {
     for (const auto& name : solver.set_by_a_run) {
       if (name == "threads") continue;
@@ -155,15 +155,14 @@ void add_options_of_plan(const std::vector<parameters::IniSetting>& lines,
     }
   }
   for (const auto& line : lines) {
-    const auto option = std::ranges::find(options, line.key, &parameters::Parameter::name);
+    const auto option = std::ranges::find(options, line.key, &base::Parameter::name);
     if (option == options.end()) {
       throw InputError(fmt::format("{}: unknown key {} (known keys of [sweep]: {})", line.where,
-                                   parameters::in_quotes(line.path()), fmt::join(known, ", ")));
+                                   base::in_quotes(line.path()), fmt::join(known, ", ")));
     }
     if (contains(given, line.key)) continue;
-    given.push_back(
-        {line.key, parameters::value_from(**option, line.text,
-                                          fmt::format("{}: {} =", line.where, line.key))});
+    given.push_back({line.key, base::value_from(**option, line.text,
+                                                fmt::format("{}: {} =", line.where, line.key))});
   }
 }
 
@@ -186,17 +185,17 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
   }
   plan.design = text.design.value_or(sweep::Design::product);
   if (arguments.design)
-    plan.design = parameters::asked_name<sweep::Design>("--design", *arguments.design);
+    plan.design = base::asked_name<sweep::Design>("--design", *arguments.design);
   plan.closure_errors = text.closure_errors.value_or(sweep::ClosureErrors::reference);
   if (arguments.closure_errors) {
     plan.closure_errors =
-        parameters::asked_name<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
+        base::asked_name<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
   }
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
   plan.points = sweep::points_of(plan.axes, plan.design, plan.sobol_points);
 
-  parameters::Values given = arguments.given;
+  base::Values given = arguments.given;
   add_options_of_plan(text.options, registry, given);
   given.push_back({"threads", std::int64_t{1}});
   given.push_back({"stepper", std::string("direct")});
@@ -208,7 +207,7 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
 void put_results(const SweepArguments& arguments, const sweep::SweepResults& results,
                  const Call& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
-  const process::FilesInHand in_hand;
+  const base::FilesInHand in_hand;
   sweep::write_tables(directory, results, call.command_line);
   note_kept("sweep.csv and sweep.nc were written, but not the page");
   if (arguments.common.json) {
@@ -220,7 +219,7 @@ void put_results(const SweepArguments& arguments, const sweep::SweepResults& res
        sweep::write_report(directory, results, call.command_line, arguments.common.figures)) {
     complain(warning);
   }
-  if (process::stop_requested()) return;  // the caller says by what
+  if (base::stop_requested()) return;  // the caller says by what
   note_kept("all was written");
   if (arguments.common.json || arguments.common.quiet) return;
   put_out(fmt::format("\nWrote sweep.csv, sweep.nc and report.html to {} in {:.1f} s.\n",
@@ -264,7 +263,7 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
 
 // Of the process that has the journal, which is the only one but under mpirun.
 int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
-               int threads, ranks::Ranks* ranks, const Call& call,
+               int threads, base::Ranks* ranks, const Call& call,
                std::chrono::steady_clock::time_point begin) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
@@ -298,7 +297,7 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
     sweep::solve_left(plan, *progress, threads);
   }
   line.clear();
-  if (process::stop_requested()) return kNotReached;  // the caller says by what
+  if (base::stop_requested()) return kNotReached;  // the caller says by what
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   if (shard.of > 1) {
@@ -337,7 +336,7 @@ int sweep_command(const Call& call) {
   if (arguments.dry_run) return dry_run(arguments, plan, threads);
 
   const auto ranks =
-      ranks::Ranks::started_together() ? ranks::Ranks::join() : std::unique_ptr<ranks::Ranks>();
+      base::Ranks::started_together() ? base::Ranks::join() : std::unique_ptr<base::Ranks>();
   if (ranks && !ranks->is_first()) {
     note_kept("what was finished is in the first rank's journal");
     sweep::follow(plan, *common.out, *ranks, threads);

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "parameters/input_error.hpp"
-#include "process/files_in_hand.hpp"
-#include "study/transient/report.hpp"
+#include "workflows/study/transient/report.hpp"
 
 namespace fpkcheck::cli {
 
@@ -44,7 +44,7 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
     put_out(study::transient_table(run, terminal_format().width));
   }
   if (common.out) {
-    const process::FilesInHand in_hand;
+    const base::FilesInHand in_hand;
     for (const auto& warning : study::write_transient(*common.out, run, common.figures))
       complain(warning);
     note_kept("all was written but the picture");

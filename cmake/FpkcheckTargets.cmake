@@ -32,7 +32,7 @@ if(FPKCHECK_FUZZ)
   # Fuzzers count which branches of readers an input reaches. They never solve: what takes most of
   # the time to build goes without.
   target_compile_options(fpkcheck_watch INTERFACE -fsanitize=fuzzer-no-link)
-  set(FPKCHECK_UNWATCHED epc fd_fpk dual controlled)
+  set(FPKCHECK_UNWATCHED epc fd_fpk backward control_variates)
 endif()
 
 # What only formats, reads or checks need not be optimised hard. At -O1 GCC sees too little of what is
@@ -43,17 +43,20 @@ function(fpkcheck_compile_fast target)
                       $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 endfunction()
 
-# fpkcheck_library(NAME [PLAIN] SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
+# fpkcheck_library(NAME [PLAIN] [NOT_INSTALLED] SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
+#   NOT_INSTALLED  for tests and benchmarks alone
 #   PLAIN     nothing in it computes for long: compiled fast rather than for speed
 #   USES      folders of this project that the folder may use (their headers become visible)
 #   EXTERNAL  third-party targets that appear in its headers
 #   INTERNAL  third-party targets that appear in its sources only
 function(fpkcheck_library name)
-  cmake_parse_arguments(arg "PLAIN" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
+  cmake_parse_arguments(arg "PLAIN;NOT_INSTALLED" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
   add_library(fpkcheck_${name} STATIC ${arg_SOURCES})
   add_library(fpkcheck::${name} ALIAS fpkcheck_${name})
   set_target_properties(fpkcheck_${name} PROPERTIES EXPORT_NAME ${name})
-  set_property(GLOBAL APPEND PROPERTY FPKCHECK_ROOMS ${name})
+  if(NOT arg_NOT_INSTALLED)
+    set_property(GLOBAL APPEND PROPERTY FPKCHECK_ROOMS ${name})
+  endif()
   set(view "${PROJECT_BINARY_DIR}/include/${name}")
   # The second link is for other projects: they include <fpkcheck/NAME/...>, installed or not.
   file(MAKE_DIRECTORY "${view}/fpkcheck")

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "compare/chain.hpp"
 #include "compare/distances.hpp"
 #include "compare/smooth.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -105,11 +105,11 @@ std::vector<Link> links_named(std::string_view text) {
   std::vector<Link> links;
   for (std::string_view rest = text;;) {
     const auto end = rest.find(kJoined);
-    const auto link = parameters::value_named<Link>(rest.substr(0, end));
+    const auto link = base::value_named<Link>(rest.substr(0, end));
     if (!link) {
       throw InputError(fmt::format(
           "{} is no part of an error budget (of another version of the program? run again)",
-          parameters::in_quotes(text)));
+          base::in_quotes(text)));
     }
     links.push_back(*link);
     if (end == std::string_view::npos) return links;

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/options/names.hpp"
 #include "compare/axes.hpp"
 #include "compare/pairs.hpp"
-#include "parameters/names.hpp"
 #include "transform/solution.hpp"
 
 /// The error budget of a closure: its distance to the truth, split along the chain of models.
@@ -16,15 +16,15 @@ namespace fpkcheck::compare {
 
 /// In what one model of the chain differs from the next.
 enum class Link { closure, impact, truncation, white_noise, discretisation, sampling };
-inline constexpr parameters::Named<Link> kLinkNames[] = {
+inline constexpr base::Named<Link> kLinkNames[] = {
     {Link::closure, "closure", "the closure itself"},
     {Link::impact, "impact", "the impact to first order in 1-r"},
     {Link::truncation, "truncation", "the cut of the Kramers-Moyal series"},
     {Link::white_noise, "white noise", "white noise in place of impulses"},
     {Link::discretisation, "discretisation", "the discretisation of the reference"},
     {Link::sampling, "sampling", "the sampling of the reference"}};
-constexpr std::span<const parameters::Named<Link>> names(Link) { return kLinkNames; }
-constexpr std::string_view name(Link link) { return parameters::name_of(link); }
+constexpr std::span<const base::Named<Link>> names(Link) { return kLinkNames; }
+constexpr std::string_view name(Link link) { return base::name_of(link); }
 
 /// "closure", or several joined: "closure + impact".
 std::string name(const std::vector<Link>& links);

@@ -95,7 +95,7 @@ std::string list(const std::vector<const ClosureBudget*>& closures) {
 
 std::string subject(const std::string& part) {
   const auto links = links_named(part);
-  return links.size() == 1 ? std::string(parameters::meaning_of(links.front())) : part;
+  return links.size() == 1 ? std::string(base::meaning_of(links.front())) : part;
 }
 
 std::string shares(const Group& group) {

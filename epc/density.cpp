@@ -8,11 +8,11 @@
 #include <utility>
 #include <variant>
 
+#include "base/input_error.hpp"
 #include "epc/contact/density.hpp"
 #include "epc/gaussian/density.hpp"
 #include "epc/moment/density.hpp"
 #include "epc/polar/density.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/frame.hpp"
 #include "transform/change_of_frame.hpp"
 #include "transform/panel_marginals.hpp"

@@ -4,12 +4,12 @@
 
 #include <charconv>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::epc {
 namespace {
 
-using namespace parameters;
+using namespace base;
 
 Range order_range(Formulation formulation) {
   return even_between(2, greatest_order(formulation))

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "parameters/description.hpp"
+#include "base/options/description.hpp"
 #include "problem/model.hpp"
 #include "transform/identity.hpp"
 
@@ -24,38 +24,32 @@ enum class Formulation {
   /// wall, in amplitude and velocity over the energy, see epc/contact/.
   polar
 };
-inline constexpr parameters::Named<Formulation> kFormulationNames[] = {
+inline constexpr base::Named<Formulation> kFormulationNames[] = {
     {Formulation::gaussian, "gaussian", "the paper's projections under Gaussian weights"},
     {Formulation::moment, "moment", "exact moment equations on the half-plane"},
     {Formulation::polar, "polar", "the same in amplitude and phase, or velocity"}};
-constexpr std::span<const parameters::Named<Formulation>> names(Formulation) {
-  return kFormulationNames;
-}
-constexpr std::string_view name(Formulation formulation) {
-  return parameters::name_of(formulation);
-}
+constexpr std::span<const base::Named<Formulation>> names(Formulation) { return kFormulationNames; }
+constexpr std::string_view name(Formulation formulation) { return base::name_of(formulation); }
 
 /// Which monomials x1^p x2^q make up Q_n and the projections of the formulation gaussian.
 enum class MonomialSet {
   point_symmetric,  ///< p + q = 2, 4, .. n: all that survives (x1, x2) -> (-x1, -x2)
   general           ///< p + q = 1, 2, .. n, paper (18)
 };
-inline constexpr parameters::Named<MonomialSet> kMonomialSetNames[] = {
+inline constexpr base::Named<MonomialSet> kMonomialSetNames[] = {
     {MonomialSet::point_symmetric, "point_symmetric"}, {MonomialSet::general, "general"}};
-constexpr std::span<const parameters::Named<MonomialSet>> names(MonomialSet) {
-  return kMonomialSetNames;
-}
-constexpr std::string_view name(MonomialSet set) { return parameters::name_of(set); }
+constexpr std::span<const base::Named<MonomialSet>> names(MonomialSet) { return kMonomialSetNames; }
+constexpr std::string_view name(MonomialSet set) { return base::name_of(set); }
 
 /// What the density does where Q_n cannot be trusted any more.
 enum class Tail {
   confined,  ///< the exponent is Q_n + Confinement: a density on the whole half-plane
   cut        ///< the exponent is Q_n alone, and the half-plane is cut off at the same energy
 };
-inline constexpr parameters::Named<Tail> kTailNames[] = {{Tail::confined, "confined"},
-                                                         {Tail::cut, "cut"}};
-constexpr std::span<const parameters::Named<Tail>> names(Tail) { return kTailNames; }
-constexpr std::string_view name(Tail tail) { return parameters::name_of(tail); }
+inline constexpr base::Named<Tail> kTailNames[] = {{Tail::confined, "confined"},
+                                                   {Tail::cut, "cut"}};
+constexpr std::span<const base::Named<Tail>> names(Tail) { return kTailNames; }
+constexpr std::string_view name(Tail tail) { return base::name_of(tail); }
 
 struct Options {
   int order = 6;  ///< n of paper (18): even, 2 .. greatest_order
@@ -78,7 +72,7 @@ struct Options {
 };
 
 /// The options as the command line and files name them.
-const parameters::Description<Options>& description();
+const base::Description<Options>& description();
 
 /// @throws InputError naming the option, its value and what is allowed
 void validate(const Options& options);

@@ -14,7 +14,7 @@ using transform::Kind;
 using transform::Observer;
 using transform::value_of;
 
-parameters::Value word(std::string_view text) { return std::string(text); }
+base::Value word(std::string_view text) { return std::string(text); }
 
 // Where nothing holds the density, the points of the quadrature follow the path of the search, and
 // the last digits of the answer with them.
@@ -102,16 +102,15 @@ void observe_support(const Summary& summary, Observer& observer) {
       // any direction where the form is isotropic
       .work("support.worst_direction.x1", form.worst.x1)
       .work("support.worst_direction.x2", form.worst.x2)
-      .result("support.rises_from",
-              form.negative ? parameters::Value() : parameters::Value(form.rises_from));
+      .result("support.rises_from", form.negative ? base::Value() : base::Value(form.rises_from));
 }
 
-parameters::Value text_of(const LeadingForm& form) {
+base::Value text_of(const LeadingForm& form) {
   return word(form.negative ? "negative" : "indefinite");
 }
 
 // Of the density's exponent: a confinement makes it negative whatever Q_n does.
-parameters::Value leading_form(const Summary& summary) {
+base::Value leading_form(const Summary& summary) {
   if (!summary.leading_form) return {};
   if (summary.half_plane && summary.half_plane->tail == Tail::confined) return word("negative");
   return text_of(*summary.leading_form);

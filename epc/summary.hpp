@@ -42,14 +42,14 @@ enum class BranchEnd {
   far_away,      ///< the coefficients grow beyond all measure
   lost           ///< the steps shrank to nothing, or the allowed points were spent
 };
-inline constexpr parameters::Named<BranchEnd> kBranchEndNames[] = {
+inline constexpr base::Named<BranchEnd> kBranchEndNames[] = {
     {BranchEnd::not_followed, "not_followed"},
     {BranchEnd::full_problem, "full_problem"},
     {BranchEnd::white_noise, "white_noise"},
     {BranchEnd::far_away, "far_away"},
     {BranchEnd::lost, "lost"}};
-constexpr std::span<const parameters::Named<BranchEnd>> names(BranchEnd) { return kBranchEndNames; }
-constexpr std::string_view name(BranchEnd end) { return parameters::name_of(end); }
+constexpr std::span<const base::Named<BranchEnd>> names(BranchEnd) { return kBranchEndNames; }
+constexpr std::string_view name(BranchEnd end) { return base::name_of(end); }
 
 struct Branch {
   BranchEnd end = BranchEnd::not_followed;

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
-using namespace parameters;
+using namespace base;
 
 // A line needs room for the one-sided stencils on either side of x2 = 0.
 constexpr int kSmallestLine = 16;

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "parameters/description.hpp"
+#include "base/options/description.hpp"
 #include "problem/model.hpp"
 #include "transform/identity.hpp"
 
@@ -18,22 +18,22 @@ enum class Stepper {
   cvode,  ///< pseudo-transient stepping by CVODE, checked against the direct null vector
   direct  ///< the null vector by inverse iteration alone
 };
-inline constexpr parameters::Named<Stepper> kStepperNames[] = {
+inline constexpr base::Named<Stepper> kStepperNames[] = {
     {Stepper::cvode, "cvode", "stepped to stationarity"},
     {Stepper::direct, "direct", "the null vector alone"}};
-constexpr std::span<const parameters::Named<Stepper>> names(Stepper) { return kStepperNames; }
-constexpr std::string_view name(Stepper stepper) { return parameters::name_of(stepper); }
+constexpr std::span<const base::Named<Stepper>> names(Stepper) { return kStepperNames; }
+constexpr std::string_view name(Stepper stepper) { return base::name_of(stepper); }
 
 /// How what is between two impulses is discretised.
 enum class Transport {
   upwind,          ///< differences of high order on the cells
   characteristics  ///< along the motion itself, for `kf` and impact `map`
 };
-inline constexpr parameters::Named<Transport> kTransportNames[] = {
+inline constexpr base::Named<Transport> kTransportNames[] = {
     {Transport::upwind, "upwind", "differences of high order"},
     {Transport::characteristics, "characteristics", "along the motion itself"}};
-constexpr std::span<const parameters::Named<Transport>> names(Transport) { return kTransportNames; }
-constexpr std::string_view name(Transport transport) { return parameters::name_of(transport); }
+constexpr std::span<const base::Named<Transport>> names(Transport) { return kTransportNames; }
+constexpr std::string_view name(Transport transport) { return base::name_of(transport); }
 
 struct Options {
   Equation equation = Equation::kf;
@@ -84,7 +84,7 @@ inline constexpr int kUsualOrder = 5;
 inline int order_of(const Options& options) { return options.order.value_or(kUsualOrder); }
 
 /// The options as files and the command line name them.
-const parameters::Description<Options>& description();
+const base::Description<Options>& description();
 
 /// @throws InputError on the first option that cannot be used, or not together with another
 void validate(const Options& options);

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/input_error.hpp"
 #include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/linear/rightmost_eigenvalue.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/input_error.hpp"
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/offered.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
@@ -15,7 +16,6 @@
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
 #include "problem/undamped_orbits.hpp"
@@ -59,7 +59,7 @@ Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales
 }
 
 // The largest v^2/2 + V(y) on the ellipse of kStartBox deviations, as far as walls leave it.
-double most_energy(const problem::System& system, const problem::Polynomial& potential,
+double most_energy(const problem::System& system, const numerics::Polynomial& potential,
                    const Gaussian& start) {
   constexpr int kDirections = 120;
   double most = -HUGE_VAL;

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
-using namespace parameters;
+using namespace base;
 
 constexpr int kMostSnapshots = 10000;
 constexpr int kHighestBdfOrder = 5;

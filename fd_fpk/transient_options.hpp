@@ -29,7 +29,7 @@ struct TransientOptions {
 };
 
 /// The options as files and the command line name them; all of them belong to --until.
-const parameters::Description<TransientOptions>& transient_description();
+const base::Description<TransientOptions>& transient_description();
 
 /// @throws InputError on the first option that cannot be used for a density over time
 void validate(const Options& options, const TransientOptions& transient);

@@ -7,12 +7,12 @@
 #include <functional>
 #include <optional>
 
+#include "base/input_error.hpp"
 #include "mcs/estimate/estimate.hpp"
 #include "mcs/motion/start.hpp"
 #include "mcs/motion/trajectory.hpp"
 #include "mcs/simulation/plan.hpp"
 #include "mcs/simulation/workers.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/input_error.hpp"
 #include "mcs/streams/histogram.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::mcs {
 
-using namespace parameters;
+using namespace base;
 
 namespace {
 

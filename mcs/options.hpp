@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/options/description.hpp"
 #include "mcs/deposit/grid.hpp"
-#include "parameters/description.hpp"
 #include "problem/model.hpp"
 #include "transform/identity.hpp"
 
@@ -70,7 +70,7 @@ struct Options {
   /// their peak and beyond.
   bool tails = false;
   /// Takes the noise out by control functions, where there are such: for `kf` without `tails`. By
-  /// controlled::solve, where the simulation and the backward equation meet; mcs::solve, which
+  /// control_variates::solve, where the simulation and the backward equation meet; mcs::solve, which
   /// knows no equation, gives the plain estimates.
   bool controlled = false;
 
@@ -103,7 +103,7 @@ struct Options {
 };
 
 /// The options as files and the command line name them.
-const parameters::Description<Options>& description();
+const base::Description<Options>& description();
 
 /// @throws InputError on one line: the option, its value and what is allowed
 void validate(const Options& options);

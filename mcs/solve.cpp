@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/input_error.hpp"
 #include "mcs/estimate/crossings.hpp"
 #include "mcs/estimate/density_estimate.hpp"
 #include "mcs/estimate/quantiles.hpp"
@@ -20,7 +21,6 @@
 #include "mcs/simulation/checkpoint.hpp"
 #include "mcs/simulation/pilot.hpp"
 #include "mcs/simulation/simulation.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/inelastic_collapse.hpp"
 #include "problem/motion_balances.hpp"

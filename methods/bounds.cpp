@@ -6,14 +6,15 @@
 
 namespace fpkcheck::methods {
 
-compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::Options& options) {
+compare::Bounds guaranteed_bounds(const problem::Problem& problem,
+                                  const backward::Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   compare::Bounds bounds{.reason = {}, .seconds = 0, .each = {}};
   const bool remembered = unless_out_of_memory([&] {
-    const dual::Bounds found = dual::bounds(problem, options);
+    const backward::Bounds found = backward::bounds(problem, options);
     bounds.reason = found.reason;
     for (const auto& [functional, value] : found.each) {
-      bounds.each.push_back({dual::name(functional), value.lower, value.upper});
+      bounds.each.push_back({backward::name(functional), value.lower, value.upper});
     }
   });
   if (!remembered) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
@@ -22,7 +23,7 @@ compare::Bounds guaranteed_bounds(const problem::Problem& problem, const dual::O
 }
 
 void add_bounds(results::Case& one, int threads) {
-  dual::Options options{.relative_half_width = 1e-5, .seconds = 1};
+  backward::Options options{.relative_half_width = 1e-5, .seconds = 1};
   if (threads > 0) options.threads = threads;
   one.bounds = guaranteed_bounds(one.problem, options);
 }

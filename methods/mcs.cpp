@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "controlled/solve.hpp"
+#include "control_variates/solve.hpp"
 #include "mcs/offered.hpp"
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
@@ -54,7 +54,7 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
                                                     *at.y_l1, *at.ydot_l1)
                                       : std::string());
   };
-  if (options.controlled) return controlled::solve(problem, {.simulation = on_axes});
+  if (options.controlled) return control_variates::solve(problem, {.simulation = on_axes});
   return mcs::solve(problem, on_axes).solution;
 }
 

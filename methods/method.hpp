@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
+#include "base/options/value.hpp"
 #include "compare/axes.hpp"
 #include "methods/problem_residuals.hpp"
-#include "parameters/value.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
@@ -28,8 +28,8 @@ struct Setting {
 
 /// One way to solve a problem, ready to run.
 struct Method {
-  transform::Identity identity;     ///< of the solution it yields
-  parameters::Values options = {};  ///< as files keep them
+  transform::Identity identity;  ///< of the solution it yields
+  base::Values options = {};     ///< as files keep them
   /// True when it uses all processors itself, so that nothing else should run beside it.
   bool parallel = false;
   /// The solution's identity and options are filled in by whoever calls it (solve_by).

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "dual/residual/density_residuals.hpp"
+#include "backward/residual/density_residuals.hpp"
+#include "base/input_error.hpp"
 #include "methods/out_of_memory.hpp"
 #include "methods/side_by_side.hpp"
-#include "parameters/input_error.hpp"
 #include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::methods {
@@ -23,8 +23,9 @@ struct Found {
   std::vector<results::ErrorSource> sources;
 };
 
-results::ErrorSource source(const dual::DensityResiduals& residuals, const problem::Frame& frame,
-                            const std::string& solution, const transform::NamedMoment& moment,
+results::ErrorSource source(const backward::DensityResiduals& residuals,
+                            const problem::Frame& frame, const std::string& solution,
+                            const transform::NamedMoment& moment,
                             const Eigen::MatrixXd& contributions,
                             const transform::GridDensity& cells) {
   Eigen::MatrixXd values =
@@ -42,12 +43,12 @@ results::ErrorSource source(const dual::DensityResiduals& residuals, const probl
 }
 
 /// @param cells of the maps; null for none
-std::optional<Found> own_error(const dual::DensityResiduals& residuals, const problem::Frame& frame,
-                               const transform::Solution& solution,
+std::optional<Found> own_error(const backward::DensityResiduals& residuals,
+                               const problem::Frame& frame, const transform::Solution& solution,
                                const transform::GridDensity* cells) try {
   const auto weighted = residuals.of(transform::in_coordinates_of(frame, *solution.density));
   Found found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
-  for (std::size_t k = 0; k < dual::kMomentCount; ++k) {
+  for (std::size_t k = 0; k < backward::kMomentCount; ++k) {
     const auto& named = transform::kMoments[k];
     found.error.error.*named.moment =
         solution.moments.*named.moment - weighted.corrected.*named.moment;

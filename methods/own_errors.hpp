@@ -6,7 +6,7 @@
 namespace fpkcheck::methods {
 
 /// Gives every solution of a case that has a density on cells or as a function its own error, and
-/// where that comes from, by dual-weighted residuals (dual/residual/density_residuals.hpp). A
+/// where that comes from, by dual-weighted residuals (backward/residual/density_residuals.hpp). A
 /// simulation's histogram has none: its noise is no error of an equation. Solutions
 /// and maps are on the physical axes. Where the backward equation is not solved, or there is no memory for it, there are none.
 /// @param residuals of the case's problem

@@ -6,10 +6,10 @@
 #include <mutex>
 #include <optional>
 
-#include "dual/backward/normal_equations.hpp"
-#include "dual/residual/density_residuals.hpp"
-#include "dual/residual/offered.hpp"
-#include "parameters/input_error.hpp"
+#include "backward/generator/normal_equations.hpp"
+#include "backward/residual/density_residuals.hpp"
+#include "backward/residual/offered.hpp"
+#include "base/input_error.hpp"
 #include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::methods {
@@ -19,12 +19,12 @@ using transform::Status;
 struct ProblemResiduals::Fit {
   explicit Fit(const problem::Problem& of)
       : problem(problem::seen_from(problem::frame_of(of.system), of)),
-        refused(dual::residuals_refused(problem)) {}
+        refused(backward::residuals_refused(problem)) {}
 
   problem::Problem problem;
   std::string refused;
   std::once_flag once = {};
-  std::optional<dual::DensityResiduals> residuals = {};
+  std::optional<backward::DensityResiduals> residuals = {};
 };
 
 ProblemResiduals::ProblemResiduals(const problem::Problem& problem)
@@ -32,12 +32,12 @@ ProblemResiduals::ProblemResiduals(const problem::Problem& problem)
 ProblemResiduals::ProblemResiduals(ProblemResiduals&&) noexcept = default;
 ProblemResiduals::~ProblemResiduals() = default;
 
-const dual::DensityResiduals* ProblemResiduals::get() const {
+const backward::DensityResiduals* ProblemResiduals::get() const {
   std::call_once(fit_->once, [&] {
     if (!fit_->refused.empty()) return;
     try {
       fit_->residuals.emplace(fit_->problem);
-    } catch (const dual::FitBrokeDown&) {
+    } catch (const backward::FitBrokeDown&) {
     }
   });
   return fit_->residuals ? &*fit_->residuals : nullptr;
@@ -52,9 +52,9 @@ std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& 
 
 namespace {
 
-std::optional<dual::WeightedResiduals> measured(const ProblemResiduals& residuals,
-                                                const transform::Density& density,
-                                                const problem::Frame& coordinates) try {
+std::optional<backward::WeightedResiduals> measured(const ProblemResiduals& residuals,
+                                                    const transform::Density& density,
+                                                    const problem::Frame& coordinates) try {
   const auto* known = residuals.get();
   if (known == nullptr) return std::nullopt;
   if (coordinates == residuals.frame()) return known->of(density);
@@ -65,7 +65,7 @@ std::optional<dual::WeightedResiduals> measured(const ProblemResiduals& residual
 
 // Why there is no estimate of the error.
 std::string no_estimate(const ProblemResiduals& residuals,
-                        const std::optional<dual::WeightedResiduals>& weighted) {
+                        const std::optional<backward::WeightedResiduals>& weighted) {
   if (weighted) {
     return "its error is unknown: the solution of the backward equation is too coarse for this "
            "problem; compare with fd or mcs";
@@ -77,10 +77,10 @@ std::string no_estimate(const ProblemResiduals& residuals,
 }
 
 // What is wrong with a stated error that is too large: the density, or only the estimate.
-std::string too_large(const dual::WeightedResiduals& weighted, const transform::StatedError& error,
-                      double accuracy) {
+std::string too_large(const backward::WeightedResiduals& weighted,
+                      const transform::StatedError& error, double accuracy) {
   const double found =
-      dual::WeightedResiduals::kNotSeen * std::max(weighted.y_l1.found, weighted.ydot_l1.found);
+      backward::WeightedResiduals::kNotSeen * std::max(weighted.y_l1.found, weighted.ydot_l1.found);
   if (found <= accuracy) {
     return fmt::format(
         "its residuals bound its error by L1 {:.2g} in p(y) and {:.2g} in p(y') only: the solution "

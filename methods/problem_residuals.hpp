@@ -8,9 +8,9 @@
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
-namespace fpkcheck::dual {
+namespace fpkcheck::backward {
 class DensityResiduals;
-}  // namespace fpkcheck::dual
+}  // namespace fpkcheck::backward
 
 namespace fpkcheck::methods {
 
@@ -24,8 +24,8 @@ class ProblemResiduals {
   ~ProblemResiduals();
 
   /// Of densities in the problem's frame. Null where the fit breaks down, or none is offered
-  /// (dual::residuals_refused). May be called from several threads.
-  const dual::DensityResiduals* get() const;
+  /// (backward::residuals_refused). May be called from several threads.
+  const backward::DensityResiduals* get() const;
   /// Of the problem.
   const problem::Frame& frame() const;
   /// Why there are none for such a problem, in one phrase; empty where there are.
@@ -40,7 +40,7 @@ class ProblemResiduals {
 std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& problems);
 
 /// Gives a solution with a density its error against the full problem (whatever it solves itself)
-/// as dual-weighted residuals measure it (dual/residual/density_residuals.hpp). If it is ok, but
+/// as dual-weighted residuals measure it (backward/residual/density_residuals.hpp). If it is ok, but
 /// off by more in L1, or not to be measured, it becomes `inaccurate`.
 /// @param accuracy largest error of p(y) and of p(y') in L1
 /// @param coordinates in which its density lies: the physical ones unless it is in the frame

@@ -10,14 +10,14 @@
 #include <tuple>
 #include <utility>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
-using parameters::NamedValue;
-using parameters::Values;
+using base::NamedValue;
+using base::Values;
 using transform::Identity;
 using transform::Solution;
 
@@ -116,8 +116,8 @@ std::vector<Method> Registry::select(const std::string& list, const Values& give
     for (const auto& id : ids_of(*this, item)) {
       auto found = by_id(id, given);
       if (!found) {
-        throw InputError(fmt::format("--methods: {} is no method (use {})",
-                                     parameters::in_quotes(item), what_to_select(*this)));
+        throw InputError(fmt::format("--methods: {} is no method (use {})", base::in_quotes(item),
+                                     what_to_select(*this)));
       }
       methods.emplace(found->id(), std::move(*found));
     }
@@ -139,9 +139,8 @@ std::optional<Method> Registry::that_made(const Solution& solution, const Values
   if (solver == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : solvers_) names.push_back(known.name);
-    throw InputError(fmt::format("method {} (must be {} or {})",
-                                 parameters::in_quotes(identity.method), fmt::join(names, ", "),
-                                 transform::kGivenInFile));
+    throw InputError(fmt::format("method {} (must be {} or {})", base::in_quotes(identity.method),
+                                 fmt::join(names, ", "), transform::kGivenInFile));
   }
   Method made = method(*solver, replaced(solution.options, given));
   if (made.id() != identity.id) {

@@ -28,24 +28,24 @@ class Registry {
   /// @param given values that replace the usual options of those solvers that know them
   /// @return nothing when no solver has such an id
   /// @throws InputError when the options cannot be used
-  std::optional<Method> by_id(std::string_view id, const parameters::Values& given = {}) const;
+  std::optional<Method> by_id(std::string_view id, const base::Values& given = {}) const;
 
   /// The method of a solver with these options.
   /// @throws InputError when the options cannot be read or used
-  Method method(const Solver& solver, const parameters::Values& options) const;
+  Method method(const Solver& solver, const base::Values& options) const;
 
   /// The methods of a comma-separated list, by increasing trust, each once. An item is a solution's
   /// id (epc-gaussian-n6, fd-km4, mcs), a family (epc-gaussian) or a solver (epc): then their usual
   /// members.
   /// @throws InputError naming the item that is no method
-  std::vector<Method> select(const std::string& list, const parameters::Values& given) const;
+  std::vector<Method> select(const std::string& list, const base::Values& given) const;
 
   /// The method that made a solution of a saved run, with its options; nothing for a solution that
   /// somebody brought along, as a file or otherwise.
   /// @throws InputError when its options cannot be read or used, when they are those of another id,
   ///         or when no solver here makes such solutions
   std::optional<Method> that_made(const transform::Solution& solution,
-                                  const parameters::Values& given) const;
+                                  const base::Values& given) const;
 
   /// Fills in what tells the solutions of a saved run from others, where the run does not say.
   void introduce(results::Run& run) const;

@@ -5,10 +5,10 @@
 #include <mutex>
 #include <optional>
 
+#include "base/process/stop.hpp"
 #include "methods/error_by_reference.hpp"
 #include "methods/out_of_memory.hpp"
 #include "methods/side_by_side.hpp"
-#include "process/stop.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -39,7 +39,7 @@ class Run {
   }
 
   void solve(const Task& task) {
-    if (case_listener_ && process::stop_requested()) return;
+    if (case_listener_ && base::stop_requested()) return;
     const Method& method = methods_[task.method];
     tell(task, 0, "");
     const Fraction progress = [this, &task](double fraction, const std::string& note) {

@@ -48,7 +48,7 @@ using CaseListener = std::function<void(const results::Case&)>;
 
 /// The same with residuals that the caller keeps, one for each problem.
 /// @param case_listener if there is one, nothing more is begun when the program is told to stop
-///                      (process/stop.hpp), and what is returned may lack the last cases
+///                      (base/process/stop.hpp), and what is returned may lack the last cases
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener,

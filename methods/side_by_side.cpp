@@ -7,11 +7,11 @@
 #include <thread>
 #include <vector>
 
-#include "process/processors.hpp"
+#include "base/process/processors.hpp"
 
 namespace fpkcheck::methods {
 
-int number_of_threads(int asked) { return asked > 0 ? asked : process::processors(); }
+int number_of_threads(int asked) { return asked > 0 ? asked : base::processors(); }
 
 void side_by_side(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   const auto wanted = static_cast<std::size_t>(number_of_threads(threads));

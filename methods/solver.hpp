@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/options/description.hpp"
 #include "methods/in_frame.hpp"
 #include "methods/method.hpp"
-#include "parameters/description.hpp"
 
 namespace fpkcheck::methods {
 
@@ -33,19 +33,19 @@ struct Solver {
   bool parallel = false;                       ///< Method::parallel
   std::vector<std::string> set_by_a_run = {};  ///< names of options that `run` offers too
 
-  const parameters::Descriptions* parameters;  ///< of its options
-  parameters::Values usual_options;            ///< where nobody asks for anything else
+  const base::Descriptions* parameters;  ///< of its options
+  base::Values usual_options;            ///< where nobody asks for anything else
   /// The options that belong to an id; nothing where the id is of no solution of this solver.
-  std::function<std::optional<parameters::Values>(std::string_view id)> options_of;
+  std::function<std::optional<base::Values>(std::string_view id)> options_of;
   /// The method with these options.
   /// @throws InputError when they cannot be read or used
-  std::function<Method(const parameters::Values&)> method;
+  std::function<Method(const base::Values&)> method;
 };
 
 /// What a solver's room offers: its front.
 template <class Options>
 struct Front {
-  const parameters::Description<Options>& description;
+  const base::Description<Options>& description;
   /// @throws InputError when the options cannot be used
   void (*validate)(const Options&);
   transform::Identity (*identity)(const Options&);
@@ -64,12 +64,12 @@ template <class Options>
 Solver with_front(Solver solver, const Front<Options>& front) {
   solver.parameters = &front.description;
   solver.usual_options = front.description.values(Options{});
-  solver.options_of = [front](std::string_view id) -> std::optional<parameters::Values> {
+  solver.options_of = [front](std::string_view id) -> std::optional<base::Values> {
     const auto options = front.options_of(id);
     if (!options) return std::nullopt;
     return front.description.values(*options);
   };
-  solver.method = [front, parallel = solver.parallel](const parameters::Values& values) {
+  solver.method = [front, parallel = solver.parallel](const base::Values& values) {
     const Options options = front.description.read(values, "options");
     front.validate(options);
     Method method{front.identity(options), front.description.values(options), parallel,

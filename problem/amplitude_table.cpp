@@ -8,14 +8,14 @@
 #include <optional>
 #include <utility>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
 using Kind = AmplitudeTable::Kind;
-using parameters::in_quotes;
+using base::in_quotes;
 
 constexpr std::string_view kProbability = "probability", kDensity = "density";
 // As of a case file's own numbers: powers of them must be numbers too.

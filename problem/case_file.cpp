@@ -13,10 +13,10 @@
 #include <set>
 #include <sstream>
 
-#include "parameters/ini_file.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/input_file.hpp"
-#include "parameters/shown.hpp"
+#include "base/files/ini_file.hpp"
+#include "base/files/input_file.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "problem/amplitude_table.hpp"
 #include "problem/named_cases.hpp"
 #include "problem/table_setting.hpp"
@@ -24,12 +24,12 @@
 
 namespace fpkcheck::problem {
 
-using parameters::in_quotes;
-using parameters::shown;
+using base::in_quotes;
+using base::shown;
 
-const parameters::Parameter& case_parameter(std::string_view key, const std::string& where) {
+const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
   std::vector<std::string> known;  // "wall.{left, right}": there are many
-  for (const parameters::Descriptions* section : case_descriptions()) {
+  for (const base::Descriptions* section : case_descriptions()) {
     std::vector<std::string_view> names;
     for (const auto& parameter : section->all()) {
       if (section->prefix() + parameter.name == key) return parameter;
@@ -52,7 +52,7 @@ struct Setting {
 };
 using Settings = std::map<std::string, Setting>;  // of keys
 
-Settings known_settings(const std::vector<parameters::IniSetting>& lines) {
+Settings known_settings(const std::vector<base::IniSetting>& lines) {
   Settings settings;
   for (const auto& line : lines) {
     case_parameter(line.path(), line.where);
@@ -118,8 +118,7 @@ void complete_from_table(Settings& settings) {
 }
 
 // The section's part of a case file, from the texts of its keys; nothing where it has none.
-std::optional<Section> section(const parameters::Descriptions& description,
-                               const Settings& settings) {
+std::optional<Section> section(const base::Descriptions& description, const Settings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
       settings, [&](const auto& setting) { return setting.first.starts_with(prefix); });
@@ -130,7 +129,7 @@ std::optional<Section> section(const parameters::Descriptions& description,
     const auto found = settings.find(key);
     if (found != settings.end()) {
       section.values.push_back(
-          {parameter.name, parameters::value_from(parameter, found->second.text, key + " =")});
+          {parameter.name, base::value_from(parameter, found->second.text, key + " =")});
     } else if (!parameter.fallback) {
       throw InputError(
           fmt::format("key '{}' is missing (add it, or give --set {}=VALUE)", key, key));
@@ -207,11 +206,11 @@ std::string changes(const Settings& of_file, const Problem& problem) {
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides, Naming naming) {
   const std::string where = fmt::format("case {}", shown(source));
-  return case_from(parameters::ini_settings(ini, where), name, where, overrides, naming,
+  return case_from(base::ini_settings(ini, where), name, where, overrides, naming,
                    std::filesystem::path(source).parent_path());
 }
 
-Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
+Problem case_from(const std::vector<base::IniSetting>& lines, const std::string& name,
                   const std::string& where, const std::vector<std::string>& overrides,
                   Naming naming, const std::filesystem::path& folder) {
   require_presentable(name);
@@ -224,7 +223,7 @@ Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::s
   complete_from_table(settings);
   try {
     std::vector<Section> sections;
-    for (const parameters::Descriptions* description : case_descriptions()) {
+    for (const base::Descriptions* description : case_descriptions()) {
       if (auto one = section(*description, settings)) sections.push_back(std::move(*one));
     }
     Problem problem = problem_from(name, sections);
@@ -243,7 +242,7 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
     return read_case(ini, named->name, named->name, overrides, naming);
   }
   constexpr std::size_t kMostBytes = 1 << 20;
-  const auto text = parameters::read_input_file(name_or_path, kMostBytes);
+  const auto text = base::read_input_file(name_or_path, kMostBytes);
   if (!text) {
     std::vector<std::string_view> names;
     for (const auto* cases : {&named_cases(), &shipped_systems()}) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "parameters/ini_file.hpp"
-#include "parameters/parameter.hpp"
+#include "base/files/ini_file.hpp"
+#include "base/options/parameter.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
@@ -33,13 +33,13 @@ Problem read_case(std::istream& ini, const std::string& name, std::string_view s
 /// As load_case, from lines that were read already.
 /// @param where how messages name what is set by no line: "case mine.ini"
 /// @param folder where files that a line names are; those of overrides are in the working directory
-Problem case_from(const std::vector<parameters::IniSetting>& lines, const std::string& name,
+Problem case_from(const std::vector<base::IniSetting>& lines, const std::string& name,
                   const std::string& where, const std::vector<std::string>& overrides = {},
                   Naming naming = Naming::of_file, const std::filesystem::path& folder = {});
 
 /// What the key of a case file, "system.damping", sets.
 /// @param where how the message begins
 /// @throws InputError WHERE: unknown key, with those that are known
-const parameters::Parameter& case_parameter(std::string_view key, const std::string& where);
+const base::Parameter& case_parameter(std::string_view key, const std::string& where);
 
 }  // namespace fpkcheck::problem

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/energy_averaging.hpp"
 #include "problem/features.hpp"
 

@@ -22,7 +22,7 @@ double positive_root(const Function& f) {
 
 // E[g'(|x|)] of x ~ N(0, s^2): E|x|^m = s^m 2^(m/2) Gamma((m+1)/2) / sqrt(pi).
 double mean_tangent_stiffness(const System& system, double s) {
-  const Polynomial& slope = system.tangent_stiffness();
+  const numerics::Polynomial& slope = system.tangent_stiffness();
   double mean = 0;
   for (std::size_t m = 0; m <= slope.degree(); ++m) {
     if (slope.coefficient(m) == 0) continue;

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/amplitude_table.hpp"
 #include "problem/magnitude.hpp"
 
 namespace fpkcheck::problem {
 
-using namespace parameters;
+using namespace base;
 
 namespace {
 

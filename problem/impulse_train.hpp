@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "parameters/description.hpp"
+#include "base/options/description.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::problem {
@@ -21,7 +21,7 @@ struct ImpulseParameters {
 };
 
 /// The parameters as case files, tables and files name them.
-const parameters::Description<ImpulseParameters>& impulse_description();
+const base::Description<ImpulseParameters>& impulse_description();
 
 /// The excitation xi(t) of paper (3): impulses Y_k at the times of a Poisson process.
 class ImpulseTrain {

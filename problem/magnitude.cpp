@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::problem {
 
-void require_magnitudes(const std::string& prefix, const parameters::Values& values) {
+void require_magnitudes(const std::string& prefix, const base::Values& values) {
   for (const auto& [name, value] : values) {
     const auto* number = std::get_if<double>(&value);
     if (number == nullptr || *number == 0) continue;

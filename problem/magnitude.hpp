@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "parameters/description.hpp"
+#include "base/options/description.hpp"
 
 namespace fpkcheck::problem {
 
@@ -15,10 +15,10 @@ inline constexpr double kLargestMagnitude = 1e30;
 /// @param values with the prefix of their names in case files
 /// @throws InputError naming the first number, its value and the bounds, that is outside them and
 /// not zero
-void require_magnitudes(const std::string& prefix, const parameters::Values& values);
+void require_magnitudes(const std::string& prefix, const base::Values& values);
 
 template <class Owner>
-void require_magnitudes(const parameters::Description<Owner>& description, const Owner& owner) {
+void require_magnitudes(const base::Description<Owner>& description, const Owner& owner) {
   require_magnitudes(description.prefix(), description.values(owner));
 }
 

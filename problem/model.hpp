@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "parameters/names.hpp"
+#include "base/options/names.hpp"
 
 /// What may be called "the equation": a method says which of these it solves, so that two answers
 /// are compared only as far as they answer the same question.
@@ -16,13 +16,13 @@ enum class Equation {
   km4_pade,  ///< the Pade approximant of that series: the same four coefficients, and well-posed
   kf         ///< the full jump integral lambda (E[p(x2 - Y)] - p)
 };
-inline constexpr parameters::Named<Equation> kEquationNames[] = {
+inline constexpr base::Named<Equation> kEquationNames[] = {
     {Equation::white, "white", "white noise"},
     {Equation::km4, "km4", "Kramers-Moyal series to the fourth derivative"},
     {Equation::km4_pade, "km4-pade", "Pade approximant of the Kramers-Moyal series"},
     {Equation::kf, "kf", "full jump integral"}};
-constexpr std::span<const parameters::Named<Equation>> names(Equation) { return kEquationNames; }
-constexpr std::string_view name(Equation equation) { return parameters::name_of(equation); }
+constexpr std::span<const base::Named<Equation>> names(Equation) { return kEquationNames; }
+constexpr std::string_view name(Equation equation) { return base::name_of(equation); }
 
 /// How the impact enters a density equation.
 enum class Impact {
@@ -30,11 +30,11 @@ enum class Impact {
   delta,  ///< paper (12): (1-r) x2 |x2| delta(x1), taken on the upstream side
   exact   ///< the trajectory itself is reflected, paper (2)
 };
-inline constexpr parameters::Named<Impact> kImpactNames[] = {
+inline constexpr base::Named<Impact> kImpactNames[] = {
     {Impact::map, "map", "exact"},
     {Impact::delta, "delta", "to first order in 1-r"},
     {Impact::exact, "exact", "simulated"}};
-constexpr std::span<const parameters::Named<Impact>> names(Impact) { return kImpactNames; }
-constexpr std::string_view name(Impact impact) { return parameters::name_of(impact); }
+constexpr std::span<const base::Named<Impact>> names(Impact) { return kImpactNames; }
+constexpr std::string_view name(Impact impact) { return base::name_of(impact); }
 
 }  // namespace fpkcheck::problem

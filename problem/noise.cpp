@@ -2,7 +2,7 @@
 
 namespace fpkcheck::problem {
 
-using namespace parameters;
+using namespace base;
 
 const Description<Noise>& noise_description() {
   static const auto description =

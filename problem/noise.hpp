@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/description.hpp"
+#include "base/options/description.hpp"
 
 namespace fpkcheck::problem {
 
@@ -14,6 +14,6 @@ struct Noise {
 };
 
 /// The parameter as case files, tables and files name it.
-const parameters::Description<Noise>& noise_description();
+const base::Description<Noise>& noise_description();
 
 }  // namespace fpkcheck::problem

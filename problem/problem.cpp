@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/confinement.hpp"
 #include "problem/magnitude.hpp"
 
@@ -19,12 +19,12 @@ const Section* section_of(const std::vector<Section>& sections, const std::strin
 
 template <class Owner>
 Owner owner_of(const std::vector<Section>& sections, const std::string& name,
-               const parameters::Description<Owner>& description) {
+               const base::Description<Owner>& description) {
   const Section* section = section_of(sections, name);
   return section == nullptr ? Owner{} : description.read(section->values, name);
 }
 
-std::string number_text(const parameters::Value& value) {
+std::string number_text(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(value);
 }
@@ -35,8 +35,8 @@ double total_intensity(const Problem& problem) {
   return problem.impulses.rate_moment(2) + problem.noise.intensity;
 }
 
-const std::vector<const parameters::Descriptions*>& case_descriptions() {
-  static const std::vector<const parameters::Descriptions*> all{
+const std::vector<const base::Descriptions*>& case_descriptions() {
+  static const std::vector<const base::Descriptions*> all{
       &system_description(), &wall_description(), &impulse_description(), &noise_description()};
   return all;
 }
@@ -75,17 +75,16 @@ Problem problem_from(const std::string& name, const std::vector<Section>& sectio
   return problem;
 }
 
-parameters::Value value_shown(const parameters::Parameter& parameter,
-                              const parameters::Value& value) {
+base::Value value_shown(const base::Parameter& parameter, const base::Value& value) {
   const auto* word = std::get_if<std::string>(&value);
-  return word != nullptr && parameter.shown ? parameters::Value(parameter.shown(*word)) : value;
+  return word != nullptr && parameter.shown ? base::Value(parameter.shown(*word)) : value;
 }
 
 std::vector<ShownParameter> shown_parameters(const Problem& problem) {
   std::vector<ShownParameter> shown;
   for (const Section& section : sections(problem)) {
-    const auto description = std::ranges::find(case_descriptions(), section.name + '.',
-                                               &parameters::Descriptions::prefix);
+    const auto description =
+        std::ranges::find(case_descriptions(), section.name + '.', &base::Descriptions::prefix);
     for (const auto& [name, value] : section.values) {
       const auto& parameter = *(*description)->find(name);
       shown.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,

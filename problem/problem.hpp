@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "parameters/value.hpp"
+#include "base/options/value.hpp"
 #include "problem/impulse_train.hpp"
 #include "problem/noise.hpp"
 #include "problem/system.hpp"
@@ -26,11 +26,11 @@ double total_intensity(const Problem& problem);
 /// A section of a case file: "system", "wall", "impulse", "noise".
 struct Section {
   std::string name;
-  parameters::Values values;  ///< in the order of its description
+  base::Values values;  ///< in the order of its description
 };
 
 /// The sections of case files, in their order.
-const std::vector<const parameters::Descriptions*>& case_descriptions();
+const std::vector<const base::Descriptions*>& case_descriptions();
 
 /// What defines a problem besides its name, as case files hold it: [system], and what else there is.
 std::vector<Section> sections(const Problem& problem);
@@ -45,15 +45,14 @@ struct ShownParameter {
   std::string section, name;    ///< "system", "damping"
   std::string symbol, typeset;  ///< "mu", "μ"; empty for a word
   std::string meaning;          ///< "cubic stiffness"
-  parameters::Value value;
+  base::Value value;
   bool usual;  ///< as in a file that leaves it out: need not be shown
 };
 
 /// All parameters of a problem, in the order of case files.
 std::vector<ShownParameter> shown_parameters(const Problem& problem);
 /// A parameter's value as those have it: a long word by what says which it is.
-parameters::Value value_shown(const parameters::Parameter& parameter,
-                              const parameters::Value& value);
+base::Value value_shown(const base::Parameter& parameter, const base::Value& value);
 
 /// A problem in one line: "c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1, ..".
 /// @param typeset with the letters of formulas: "μ = 0.1"

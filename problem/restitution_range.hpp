@@ -1,11 +1,11 @@
 #pragma once
 
-#include "parameters/range.hpp"
+#include "base/options/range.hpp"
 
 namespace fpkcheck::problem {
 
 /// What is allowed of a coefficient of restitution.
-inline parameters::Range restitution_range() {
+inline base::Range restitution_range() {
   return {[](double r) { return r > 0 && r <= 1; }, "above 0 and at most 1"};
 }
 

@@ -32,7 +32,7 @@ Scales by_linearisation(const Problem& problem) {
 double creeping_relaxation(const Problem& problem, const Scales& scales, double damping) {
   constexpr int kCells = 200;
   const double diffusion = total_intensity(problem) / 2;
-  const Polynomial potential = effective_potential(problem);
+  const numerics::Polynomial potential = effective_potential(problem);
   const double step = (scales.y_high - scales.y_low) / kCells;
   const double over = diffusion / (damping * damping) / (step * step);
   std::vector<double> level(kCells), mass(kCells), u(kCells);

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::problem {
 
-using namespace parameters;
+using namespace base;
 
 const Description<SystemCoefficients>& system_description() {
   using C = SystemCoefficients;

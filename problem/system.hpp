@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "parameters/description.hpp"
+#include "base/options/description.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 #include "problem/frame.hpp"
-#include "problem/polynomial.hpp"
 #include "problem/walls.hpp"
 
 namespace fpkcheck::problem {
@@ -25,7 +25,7 @@ struct SystemCoefficients {
 };
 
 /// The coefficients as case files, tables and files name them.
-const parameters::Description<SystemCoefficients>& system_description();
+const base::Description<SystemCoefficients>& system_description();
 
 /// The oscillator, paper (1)-(2) and what is like it:
 ///
@@ -48,7 +48,7 @@ class System {
   /// c(0). With damping_is_constant(), the damping.
   double damping() const { return damping_.coefficient(0); }
   /// c(y).
-  const Polynomial& damping_polynomial() const { return damping_; }
+  const numerics::Polynomial& damping_polynomial() const { return damping_; }
   /// c_vv, of y'^3.
   double rayleigh() const { return c_.rayleigh; }
   /// f = c y'.
@@ -61,11 +61,11 @@ class System {
   double restitution() const { return walls_.left ? walls_.left->restitution : 1; }
 
   /// g(y), the restoring force.
-  const Polynomial& force() const { return force_; }
+  const numerics::Polynomial& force() const { return force_; }
   /// g'(y), the tangent stiffness.
-  const Polynomial& tangent_stiffness() const { return tangent_; }
+  const numerics::Polynomial& tangent_stiffness() const { return tangent_; }
   /// U(y), the integral of g from 0.
-  const Polynomial& potential() const { return potential_; }
+  const numerics::Polynomial& potential() const { return potential_; }
   /// True when g(y) = k y.
   bool linear() const { return force_.degree() <= 1 && force_.coefficient(0) == 0; }
   /// k = g'(0), the stiffness at the wall.
@@ -79,7 +79,7 @@ class System {
   SystemCoefficients c_;
   WallParameters wall_parameters_;
   Walls walls_;
-  Polynomial force_, tangent_, potential_, damping_;
+  numerics::Polynomial force_, tangent_, potential_, damping_;
 };
 
 }  // namespace fpkcheck::problem

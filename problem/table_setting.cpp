@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "parameters/input_error.hpp"
-#include "parameters/input_file.hpp"
-#include "parameters/shown.hpp"
+#include "base/files/input_file.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "problem/amplitude_table.hpp"
 
 namespace fpkcheck::problem {
@@ -13,14 +13,14 @@ std::string table_setting(const std::string& said, const std::filesystem::path& 
   constexpr std::size_t kMostBytes = 1 << 17;
   if (is_amplitude_table(said)) return text_of(amplitude_table_of_text(said));
   const std::filesystem::path file = folder / said;
-  const auto csv = parameters::read_input_file(file, kMostBytes);
+  const auto csv = base::read_input_file(file, kMostBytes);
   if (!csv) {
     throw InputError(
         fmt::format("impulse.table = {} (no file that can be read; name a CSV with the columns "
                     "amplitude,probability or amplitude,density)",
-                    parameters::in_quotes(file.string())));
+                    base::in_quotes(file.string())));
   }
-  return text_of(amplitude_table_of_csv(*csv, parameters::shown(file.string())));
+  return text_of(amplitude_table_of_csv(*csv, base::shown(file.string())));
 }
 
 }  // namespace fpkcheck::problem

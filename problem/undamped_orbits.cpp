@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "problem/real_roots.hpp"
+#include "numerics/polynomials/real_roots.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -26,28 +26,29 @@ struct Ends {
 
 // The walls, and at open ends what no root is beyond. Where the polynomial is of a single term its
 // root is 0, which a bound of 1 + 0 holds too.
-Ends ends_of(const Polynomial& polynomial, const System& system) {
-  const double bound = 2 * root_bound(polynomial) + 1;
+Ends ends_of(const numerics::Polynomial& polynomial, const System& system) {
+  const double bound = 2 * numerics::root_bound(polynomial) + 1;
   return {.low = system.left() ? system.left()->position : -bound,
           .high = system.right() ? system.right()->position : bound};
 }
 
 }  // namespace
 
-std::vector<double> sign_changes_between_walls(const Polynomial& polynomial, const System& system) {
+std::vector<double> sign_changes_between_walls(const numerics::Polynomial& polynomial,
+                                               const System& system) {
   const auto [low, high] = ends_of(polynomial, system);
-  return low < high ? sign_changes(polynomial, low, high) : std::vector<double>{};
+  return low < high ? numerics::sign_changes(polynomial, low, high) : std::vector<double>{};
 }
 
-Polynomial effective_potential(const Problem& problem) {
+numerics::Polynomial effective_potential(const Problem& problem) {
   auto coefficients = problem.system.potential().coefficients();
   coefficients[1] -= problem.impulses.rate_moment(1);
-  return Polynomial(coefficients);
+  return numerics::Polynomial(coefficients);
 }
 
 UndampedOrbits::UndampedOrbits(const Problem& problem)
     : system_(problem.system), potential_(effective_potential(problem)) {
-  const Polynomial slope = potential_.derivative();
+  const numerics::Polynomial slope = potential_.derivative();
   const auto [low, high] = ends_of(slope, system_);
   turns_ = sign_changes_between_walls(slope, system_);
   // V is monotone between neighbours; what it does after each of them tells which are minima.
@@ -64,12 +65,12 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
 }
 
 bool UndampedOrbits::held_on_the_right() const {
-  const Polynomial slope = potential_.derivative();
+  const numerics::Polynomial slope = potential_.derivative();
   return system_.right() || slope.coefficient(slope.degree()) > 0;
 }
 
 bool UndampedOrbits::held_on_the_left() const {
-  const Polynomial slope = potential_.derivative();
+  const numerics::Polynomial slope = potential_.derivative();
   const double sign = slope.degree() % 2 == 0 ? 1 : -1;
   return system_.left() || sign * slope.coefficient(slope.degree()) < 0;
 }

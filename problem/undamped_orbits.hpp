@@ -24,10 +24,11 @@ struct Orbit {
 };
 
 /// V = U - lambda E[Y] y: of the spring and of the mean of the impulses.
-Polynomial effective_potential(const Problem& problem);
+numerics::Polynomial effective_potential(const Problem& problem);
 
 /// Where a polynomial changes its sign between the walls, increasing; of V' the turns of V.
-std::vector<double> sign_changes_between_walls(const Polynomial& polynomial, const System& system);
+std::vector<double> sign_changes_between_walls(const numerics::Polynomial& polynomial,
+                                               const System& system);
 
 /// The motion without damping and excitation but for the mean of the impulses: in the effective
 /// potential, elastic at the walls.
@@ -35,7 +36,7 @@ class UndampedOrbits {
  public:
   explicit UndampedOrbits(const Problem& problem);
 
-  const Polynomial& potential() const { return potential_; }
+  const numerics::Polynomial& potential() const { return potential_; }
   /// Where V has a minimum, increasing; a wall to which it presses is one.
   const std::vector<double>& minima() const { return minima_; }
   /// The deepest of them. @pre confined()
@@ -55,7 +56,7 @@ class UndampedOrbits {
   double end(double knot, double outwards, double energy) const;
 
   const System system_;
-  Polynomial potential_;
+  numerics::Polynomial potential_;
   std::vector<double> turns_;  // of V, increasing: where V' changes its sign
   std::vector<double> minima_;
 };

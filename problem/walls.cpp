@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/magnitude.hpp"
 #include "problem/restitution_range.hpp"
 
 namespace fpkcheck::problem {
 
-using namespace parameters;
+using namespace base;
 
 const Description<WallParameters>& wall_description() {
   using W = WallParameters;

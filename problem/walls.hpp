@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "parameters/description.hpp"
+#include "base/options/description.hpp"
 
 namespace fpkcheck::problem {
 
@@ -25,7 +25,7 @@ struct WallParameters {
 };
 
 /// The parameters as case files, tables and files name them.
-const parameters::Description<WallParameters>& wall_description();
+const base::Description<WallParameters>& wall_description();
 
 /// What stands at the left and right ends of the motion.
 struct Walls {

@@ -20,7 +20,7 @@
 namespace fpkcheck::report {
 namespace {
 
-using parameters::meaning_of;
+using base::meaning_of;
 using problem::Equation;
 using problem::Impact;
 using results::Case;

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "files/pending_files.hpp"
-#include "parameters/input_error.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
 #include "report/figure/pictures.hpp"
 #include "report/page/page.hpp"
 #include "report/table.hpp"
@@ -34,7 +34,7 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
                                       const FigureOptions& figures, const Supplement& supplement) {
   const auto earlier = earlier_run(directory);
-  files::PendingFiles files;
+  base::PendingFiles files;
   results::add_run(files, directory, run);
   files.add(directory / kPageFile, page(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
@@ -56,7 +56,7 @@ ReportAgain report_again(const fs::path& directory, const results::Run& run,
                          const Supplement& supplement) {
   // All of it before anything is written.
   ReportAgain again{terminal_text(run, supplement, format), {}};
-  files::PendingFiles files;
+  base::PendingFiles files;
   files.add(directory / kPageFile, page(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
   files.commit();

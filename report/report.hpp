@@ -14,7 +14,7 @@ namespace fpkcheck::report {
 /// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json, report.html
 /// and figures/ into a directory that results::make_writable prepared. The files replace those of
 /// an earlier run together, or not at all; its pictures and joint densities are removed.
-/// When the program is told to stop (process/stop.hpp), pictures are left out without a word.
+/// When the program is told to stop (base/process/stop.hpp), pictures are left out without a word.
 /// @param supplement its files replace theirs together with those of the run
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written

@@ -6,9 +6,9 @@
 #include <system_error>
 #include <vector>
 
-#include "files/journal.hpp"
-#include "files/whole_file.hpp"
-#include "parameters/input_error.hpp"
+#include "base/files/journal.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -27,15 +27,15 @@ std::vector<fs::path> missing_parts(const fs::path& directory) {
 }
 
 void tidy(const fs::path& directory) {
-  files::finish_interrupted(directory);
-  files::remove_abandoned(directory);
+  base::finish_interrupted(directory);
+  base::remove_abandoned(directory);
 }
 
 // Proves that files can be written. An earlier process may have had our number.
 fs::path written_into(const fs::path& directory) {
-  fs::path file = files::partial_beside(directory / "run");
+  fs::path file = base::partial_beside(directory / "run");
   fs::remove(file);
-  files::write_new(file, "");
+  base::write_new(file, "");
   return file;
 }
 

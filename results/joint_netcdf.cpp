@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "parameters/input_error.hpp"
-#include "parameters/input_file.hpp"
-#include "parameters/shown.hpp"
+#include "base/files/input_file.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "results/directory.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
@@ -165,7 +165,7 @@ bool is_joint_netcdf(const std::string& bytes) {
 JointFile read_joint_netcdf(const fs::path& path,
                             const std::function<void(std::string_view bytes)>& look) {
   try {
-    auto bytes = parameters::read_input_file(path, kMostBytes);
+    auto bytes = base::read_input_file(path, kMostBytes);
     if (!bytes) throw std::runtime_error("no readable file");
     if (look) look(*bytes);
     NetCdfReader file(*std::move(bytes));
@@ -189,8 +189,7 @@ JointFile read_joint_netcdf(const fs::path& path,
     return found;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
-                                 parameters::shown(path.string()),
-                                 parameters::shown(error.what())));
+                                 base::shown(path.string()), base::shown(error.what())));
   }
 }
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -52,7 +52,7 @@ Json& place(Json& object, std::string_view path) {
 void require_name(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
   throw InputError(fmt::format("{} names a result (must be without dots and brackets; run again)",
-                               parameters::in_quotes(key)));
+                               base::in_quotes(key)));
 }
 
 void collect(const std::string& path, const Json& json, Observations& observations) {
@@ -90,7 +90,7 @@ Json problem_json(const problem::Problem& problem) {
   return json;
 }
 
-Json value_json(const parameters::Value& value) {
+Json value_json(const base::Value& value) {
   return std::visit(
       [](const auto& held) -> Json {
         if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
@@ -102,7 +102,7 @@ Json value_json(const parameters::Value& value) {
       value);
 }
 
-Json values_json(const parameters::Values& values) {
+Json values_json(const base::Values& values) {
   Json json = Json::object();
   for (const auto& [name, value] : values) json[name] = value_json(value);
   return json;
@@ -133,12 +133,12 @@ Observations observations_in(const Json& object) {
   return observations;
 }
 
-parameters::Value value_in(const Json& json) {
+base::Value value_in(const Json& json) {
   if (json.is_null()) return {};
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_unsigned() && !std::in_range<std::int64_t>(json.get<std::uint64_t>())) {
     throw InputError(
-        fmt::format("{} is beyond all integers (run again)", parameters::shown(json.dump())));
+        fmt::format("{} is beyond all integers (run again)", base::shown(json.dump())));
   }
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
@@ -146,8 +146,8 @@ parameters::Value value_in(const Json& json) {
   throw InputError("a list or an object stands where a value must be (run again)");
 }
 
-parameters::Values values_in(const Json& object) {
-  parameters::Values values;
+base::Values values_in(const Json& object) {
+  base::Values values;
   for (const auto& [key, value] : object.items()) {
     if (!value.is_structured()) values.push_back({key, value_in(value)});
   }
@@ -169,11 +169,11 @@ double number_in(const Json& object, const char* key) {
 
 int integer_in(const Json& object, const char* key) {
   // Left to itself, JSON makes an int of 1e300 too, and of what is beyond all ints.
-  const parameters::Value value = value_in(object.at(key));
+  const base::Value value = value_in(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {
-    throw InputError(fmt::format("\"{}\" is {} (must be an integer; run again)", key,
-                                 parameters::text_of(value)));
+    throw InputError(
+        fmt::format("\"{}\" is {} (must be an integer; run again)", key, base::text_of(value)));
   }
   return static_cast<int>(*whole);
 }
@@ -223,7 +223,7 @@ Json parsed(std::istream& in, const std::string& where) {
         throw InputError(fmt::format("{} has a text of {} bytes (not a file of this program)",
                                      where, said.size()));
       }
-      said = parameters::without_controls(said);
+      said = base::without_controls(said);
     }
     return true;
   };
@@ -239,7 +239,7 @@ Json parsed(std::istream& in, const std::string& where) {
 std::string said_by(const std::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
-  return parameters::shown(end == std::string::npos ? text : text.substr(end + 2));
+  return base::shown(end == std::string::npos ? text : text.substr(end + 2));
 }
 
 }  // namespace fpkcheck::results

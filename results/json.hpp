@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "parameters/value.hpp"
+#include "base/options/value.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
 #include "transform/observation.hpp"
@@ -23,9 +23,9 @@ using Json = nlohmann::ordered_json;
 Json program_json(const Program& program);
 /// A case's name and its sections: "system", "impulse".
 Json problem_json(const problem::Problem& problem);
-Json value_json(const parameters::Value& value);
+Json value_json(const base::Value& value);
 /// An object with a field per value.
-Json values_json(const parameters::Values& values);
+Json values_json(const base::Values& values);
 Json moments_json(const transform::Moments& moments);
 
 /// Adds observations to an object: a path such as "quantiles.y[2].value" makes the objects and
@@ -37,8 +37,8 @@ void add_observations(const transform::Observations& observations, Json& object)
 transform::Observations observations_in(const Json& object);
 
 /// @throws nlohmann::json::exception, InputError
-parameters::Value value_in(const Json& json);
-parameters::Values values_in(const Json& object);
+base::Value value_in(const Json& json);
+base::Values values_in(const Json& object);
 problem::Problem problem_in(const Json& object);
 /// What stands for a number that JSON cannot have.
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();

@@ -8,8 +8,8 @@
 #include <istream>
 #include <ostream>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "results/csv_field.hpp"
 
 namespace fpkcheck::results {
@@ -65,9 +65,8 @@ class RowReader {
     if (fields.size() != kFields) {
       fail(fmt::format("{} fields (must be {})", fields.size(), kFields));
     }
-    const auto variable = parameters::value_named<transform::Variable>(fields[2]);
-    if (!variable)
-      fail(fmt::format("variable {} (must be y or ydot)", parameters::in_quotes(fields[2])));
+    const auto variable = base::value_named<transform::Variable>(fields[2]);
+    if (!variable) fail(fmt::format("variable {} (must be y or ydot)", base::in_quotes(fields[2])));
     const bool continues = !curves.empty() && curves.back().case_name == fields[0] &&
                            curves.back().curve.solution == fields[1] &&
                            curves.back().curve.variable == *variable;
@@ -89,7 +88,7 @@ class RowReader {
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(fmt::format("{}:{}: {}", parameters::shown(source_), line_number_, problem));
+    throw InputError(fmt::format("{}:{}: {}", base::shown(source_), line_number_, problem));
   }
 
  private:
@@ -98,7 +97,7 @@ class RowReader {
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc{} || stop != end)
-      fail(fmt::format("{} is not a number", parameters::in_quotes(text)));
+      fail(fmt::format("{} is not a number", base::in_quotes(text)));
     if (finite && !std::isfinite(value)) fail(fmt::format("{} (numbers must be finite)", text));
     return value;
   }

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "compare/reference.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "results/json.hpp"
 #include "results/solution_json.hpp"
 
@@ -109,9 +109,9 @@ Json case_json(const Case& one) {
 
 Variable variable_in(const Json& object) {
   const auto text = object.at("variable").get<std::string>();
-  const auto variable = parameters::value_named<Variable>(text);
+  const auto variable = base::value_named<Variable>(text);
   if (!variable)
-    throw InputError(fmt::format("variable {} (must be y or ydot)", parameters::in_quotes(text)));
+    throw InputError(fmt::format("variable {} (must be y or ydot)", base::in_quotes(text)));
   return *variable;
 }
 
@@ -187,8 +187,7 @@ Case case_in(const Json& json) {
   for (const auto& solution : json.at("solutions")) {
     one.solutions.push_back(solution_in(solution));
     if (!ids.insert(one.solutions.back().id()).second) {
-      throw InputError(parameters::shown(one.solutions.back().id()) +
-                       " is there twice (run again)");
+      throw InputError(base::shown(one.solutions.back().id()) + " is there twice (run again)");
     }
   }
   for (const auto& pair : json.at("comparisons")) one.pairs.push_back(pair_in(pair));
@@ -211,8 +210,7 @@ void require_summary(const Json& json, const std::string& where) {
   }
   if (json.at("schema") != kSummarySchema) {
     throw InputError(fmt::format("{} has schema {} (this program reads schema {}; run again)",
-                                 where, parameters::shown(json.at("schema").dump()),
-                                 kSummarySchema));
+                                 where, base::shown(json.at("schema").dump()), kSummarySchema));
   }
 }
 
@@ -238,12 +236,12 @@ Run read_summary(std::istream& in, const std::string& where) {
     for (const auto& one : json.at("cases")) {
       const auto name = one.at("name").get<std::string>();
       if (!names.insert(name).second) {
-        throw InputError(parameters::shown(name) + " is there twice (run again)");
+        throw InputError(base::shown(name) + " is there twice (run again)");
       }
       try {
         run.cases.push_back(case_in(one));
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", parameters::shown(name), error.what()));
+        throw InputError(fmt::format("{}: {}", base::shown(name), error.what()));
       }
     }
     if (json.contains("files")) {

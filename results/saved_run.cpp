@@ -8,10 +8,10 @@
 #include <set>
 #include <sstream>
 
-#include "files/journal.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/input_file.hpp"
-#include "parameters/shown.hpp"
+#include "base/files/input_file.hpp"
+#include "base/files/journal.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "results/crc32.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
@@ -21,14 +21,14 @@ namespace fpkcheck::results {
 namespace {
 
 namespace fs = std::filesystem;
-using parameters::in_quotes;
-using parameters::shown;
+using base::in_quotes;
+using base::shown;
 
 // Of hundreds of cases.
 constexpr std::size_t kMostBytesOfText = 64 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
-  auto text = parameters::read_input_file(file, kMostBytesOfText);
+  auto text = base::read_input_file(file, kMostBytesOfText);
   if (!text) {
     if (!file.has_parent_path()) {
       throw InputError(fmt::format(
@@ -94,7 +94,7 @@ bool any_has(const Run& run, std::vector<Element> Case::*list) {
 // The files of a run, noted as they are added.
 class SavedFiles {
  public:
-  SavedFiles(files::PendingFiles& files, const fs::path& directory)
+  SavedFiles(base::PendingFiles& files, const fs::path& directory)
       : files_(files), directory_(directory) {}
 
   void add(const char* name, const std::string& bytes) {
@@ -107,7 +107,7 @@ class SavedFiles {
   }
 
  private:
-  files::PendingFiles& files_;
+  base::PendingFiles& files_;
   const fs::path& directory_;
   std::vector<FileChecksum> checksums_;
 };
@@ -150,13 +150,13 @@ void load_joints(const fs::path& file, Run& run) {
 
 }  // namespace
 
-void add_summary_and_curves(files::PendingFiles& files, const fs::path& directory, const Run& run) {
+void add_summary_and_curves(base::PendingFiles& files, const fs::path& directory, const Run& run) {
   SavedFiles saved(files, directory);
   add_curves(saved, run);
   saved.add_summary(run);
 }
 
-void add_run(files::PendingFiles& files, const fs::path& directory, const Run& run) {
+void add_run(base::PendingFiles& files, const fs::path& directory, const Run& run) {
   SavedFiles saved(files, directory);
   add_curves(saved, run);
   if (any_has(run, &Case::joints)) {
@@ -168,7 +168,7 @@ void add_run(files::PendingFiles& files, const fs::path& directory, const Run& r
 }
 
 Run load_summary(const fs::path& file) {
-  files::finish_interrupted(file.parent_path());
+  base::finish_interrupted(file.parent_path());
   auto in = open_saved(file);
   return read_summary(in, shown(file.string()));
 }

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "files/pending_files.hpp"
+#include "base/files/pending_files.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {
@@ -18,15 +18,15 @@ inline constexpr const char* kJointFile = "joint.nc";
 /// solution has a joint density; else those of an earlier run are to go) and summary.json to the
 /// files that replace those of an earlier run. The summary has the checksums of the others.
 /// @throws std::runtime_error when a file cannot be written
-void add_run(files::PendingFiles& files, const std::filesystem::path& directory, const Run& run);
+void add_run(base::PendingFiles& files, const std::filesystem::path& directory, const Run& run);
 
 /// Adds summary.json, marginals.csv and smooth.csv alone.
-void add_summary_and_curves(files::PendingFiles& files, const std::filesystem::path& directory,
+void add_summary_and_curves(base::PendingFiles& files, const std::filesystem::path& directory,
                             const Run& run);
 
 /// Reads a summary.json, whatever the file's name. Where a run was killed as it put its files into
 /// that directory, they are put there first.
-/// @throws InputError on one line: no such file, and as read_summary and files::finish_interrupted
+/// @throws InputError on one line: no such file, and as read_summary and base::finish_interrupted
 Run load_summary(const std::filesystem::path& file);
 
 /// Reads the curves of a marginals.csv into the cases of a run.

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -69,10 +69,10 @@ Json identity_json(const Identity& identity) {
 }
 
 void read_identity(const Json& json, Identity& identity) {
-  const auto role = parameters::value_named<transform::Role>(json.at("role").get<std::string>());
+  const auto role = base::value_named<transform::Role>(json.at("role").get<std::string>());
   if (!role)
     throw InputError(
-        fmt::format("role {} is unknown (run again)", parameters::shown(json.at("role").dump())));
+        fmt::format("role {} is unknown (run again)", base::shown(json.at("role").dump())));
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
@@ -134,9 +134,9 @@ template <class Enum>
 std::optional<Enum> choice_in(const Json& json, const char* key, std::string_view unknown) {
   const auto text = json.at(key).get<std::string>();
   if (text == unknown) return std::nullopt;
-  const auto value = parameters::value_named<Enum>(text);
+  const auto value = base::value_named<Enum>(text);
   if (!value)
-    throw InputError(fmt::format("{} {} is unknown (run again)", key, parameters::in_quotes(text)));
+    throw InputError(fmt::format("{} {} is unknown (run again)", key, base::in_quotes(text)));
   return value;
 }
 

@@ -1,8 +1,8 @@
-"""Many sweeps as one small table, sweep/map/validity.csv: called by scripts/validity.
+"""Many sweeps as one small table, workflows/sweep/map/validity.csv: called by scripts/validity.
 
 A row is a problem: its groups, restitution, law and the mean's share of the root of E[Y^2]; then a cell a method, L1,
 letter of the status and milliseconds. The last method is the reference, and its L1 what it states of its own error
-(sweep/map/validity_map.hpp).
+(workflows/sweep/map/validity_map.hpp).
 """
 
 import argparse

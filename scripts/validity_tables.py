@@ -1,4 +1,4 @@
-"""The tables of docs/validity.md, from sweep/map/validity.csv: called by scripts/validity.
+"""The tables of docs/validity.md, from workflows/sweep/map/validity.csv: called by scripts/validity.
 
 Within 1 %: an answer with a density, `ok` or `inaccurate`, whose L1 of p(y) and of p(y') is below 0.01.
 """
@@ -50,7 +50,7 @@ class Point:
         return self.impulses / 2 * (1 + (1 - self.restitution) / (math.pi * self.damping_ratio))
 
     def distance(self, other):
-        """As sweep/map/place.hpp has it."""
+        """As workflows/sweep/map/place.hpp has it."""
         if self.law != other.law:
             return math.inf
         return math.hypot(

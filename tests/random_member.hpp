@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/confinement.hpp"
 #include "problem/problem.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "parameters/names.hpp"
+#include "base/options/names.hpp"
 #include "problem/model.hpp"
 
 namespace fpkcheck::transform {
@@ -17,12 +17,12 @@ enum class Role {
   equation,    ///< a density equation, discretised
   simulation,  ///< the trajectories themselves
 };
-inline constexpr parameters::Named<Role> kRoleNames[] = {{Role::given, "given"},
-                                                         {Role::closure, "closure"},
-                                                         {Role::equation, "equation"},
-                                                         {Role::simulation, "simulation"}};
-constexpr std::span<const parameters::Named<Role>> names(Role) { return kRoleNames; }
-constexpr std::string_view name(Role role) { return parameters::name_of(role); }
+inline constexpr base::Named<Role> kRoleNames[] = {{Role::given, "given"},
+                                                   {Role::closure, "closure"},
+                                                   {Role::equation, "equation"},
+                                                   {Role::simulation, "simulation"}};
+constexpr std::span<const base::Named<Role>> names(Role) { return kRoleNames; }
+constexpr std::string_view name(Role role) { return base::name_of(role); }
 
 /// How a solution looks in every picture and on the page.
 struct Look {
@@ -65,7 +65,7 @@ inline constexpr std::string_view kGivenInFile = "file", kGivenAsFunction = "giv
 bool is_guest(const Identity& identity);
 
 /// A member of a family that differs by its order: a closure, or a density that somebody brought along
-/// with others of its family (methods/given/families.hpp).
+/// with others of its family (methods/external/families.hpp).
 bool is_by_order(const Identity& identity);
 
 /// "km4/delta" in tables: the equation that was solved, and its impact; "given/-" where nobody

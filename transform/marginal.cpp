@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numerics/quadrature/panels.hpp"
 #include "transform/mass_transfer.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::transform {
 namespace {
@@ -36,16 +36,16 @@ std::vector<double> bin_averages(const SmoothDensity& density, Variable variable
   const auto at = [&](double x) {
     if (variable == Variable::y) {
       const auto p = [&](double v) { return density.value(x, v); };
-      return integrate_panels(p, -density.v_max, 0.0, kPanelsOfAMarginal) +
-             integrate_panels(p, 0.0, density.v_max, kPanelsOfAMarginal);
+      return numerics::integrate_panels(p, -density.v_max, 0.0, kPanelsOfAMarginal) +
+             numerics::integrate_panels(p, 0.0, density.v_max, kPanelsOfAMarginal);
     }
-    return integrate_panels([&](double y) { return density.value(y, x); }, density.y_min,
-                            density.y_max,
-                            density.y_min < 0 ? 2 * kPanelsOfAMarginal : kPanelsOfAMarginal);
+    return numerics::integrate_panels(
+        [&](double y) { return density.value(y, x); }, density.y_min, density.y_max,
+        density.y_min < 0 ? 2 * kPanelsOfAMarginal : kPanelsOfAMarginal);
   };
   std::vector<double> averages;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    averages.push_back(average(at, edges[b], edges[b + 1]));
+    averages.push_back(numerics::average(at, edges[b], edges[b + 1]));
   }
   return averages;
 }

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parameters/names.hpp"
+#include "base/options/names.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::transform {
@@ -12,10 +12,10 @@ namespace fpkcheck::transform {
 enum class Variable { y, ydot };
 inline constexpr Variable kVariables[] = {Variable::y, Variable::ydot};
 /// In tables and files.
-inline constexpr parameters::Named<Variable> kVariableNames[] = {
-    {Variable::y, "y", "displacement"}, {Variable::ydot, "ydot", "velocity"}};
-constexpr std::span<const parameters::Named<Variable>> names(Variable) { return kVariableNames; }
-constexpr std::string_view name(Variable variable) { return parameters::name_of(variable); }
+inline constexpr base::Named<Variable> kVariableNames[] = {{Variable::y, "y", "displacement"},
+                                                           {Variable::ydot, "ydot", "velocity"}};
+constexpr std::span<const base::Named<Variable>> names(Variable) { return kVariableNames; }
+constexpr std::string_view name(Variable variable) { return base::name_of(variable); }
 
 /// A marginal density as averages over bins, so that densities given on cells, by a histogram or by
 /// a function are compared like with like.

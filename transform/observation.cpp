@@ -30,16 +30,16 @@ Observer& Observer::add(Observation observation) {
   observations_.push_back(std::move(observation));
   return *this;
 }
-Observer& Observer::result(const std::string& path, parameters::Value value) {
+Observer& Observer::result(const std::string& path, base::Value value) {
   return add({.path = path, .value = std::move(value)});
 }
-Observer& Observer::work(const std::string& path, parameters::Value value) {
+Observer& Observer::work(const std::string& path, base::Value value) {
   return add({.path = path, .value = std::move(value), .kind = Kind::work});
 }
-Observer& Observer::text(const std::string& path, parameters::Value value) {
+Observer& Observer::text(const std::string& path, base::Value value) {
   return add({.path = path, .value = std::move(value), .kind = Kind::text});
 }
-Observer& Observer::error(const std::string& path, parameters::Value value) {
+Observer& Observer::error(const std::string& path, base::Value value) {
   return add({.path = path, .value = std::move(value), .kind = Kind::error});
 }
 Observer& Observer::empty_list(const std::string& path, Kind kind) {

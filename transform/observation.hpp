@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "parameters/value.hpp"
+#include "base/options/value.hpp"
 
 namespace fpkcheck::transform {
 
@@ -25,7 +25,7 @@ enum class Kind {
 /// or shows observations needs no list of any solver's names.
 struct Observation {
   std::string path;
-  parameters::Value value;  ///< nothing: there is none
+  base::Value value;  ///< nothing: there is none
   Kind kind = Kind::result;
   /// Path of the standard error of this value, itself an observation; empty where chance has no
   /// part.
@@ -51,10 +51,10 @@ std::optional<std::string> word(const Observations& observations, std::string_vi
 /// Gathers observations one by one.
 class Observer {
  public:
-  Observer& result(const std::string& path, parameters::Value value);
-  Observer& work(const std::string& path, parameters::Value value);
-  Observer& text(const std::string& path, parameters::Value value);
-  Observer& error(const std::string& path, parameters::Value value);
+  Observer& result(const std::string& path, base::Value value);
+  Observer& work(const std::string& path, base::Value value);
+  Observer& text(const std::string& path, base::Value value);
+  Observer& error(const std::string& path, base::Value value);
   Observer& add(Observation observation);
   /// The list under this path is empty.
   Observer& empty_list(const std::string& path, Kind kind = Kind::result);
@@ -67,13 +67,13 @@ class Observer {
 
 /// A count as a value.
 template <class Integer>
-parameters::Value counted(Integer count) {
+base::Value counted(Integer count) {
   return static_cast<std::int64_t>(count);
 }
 
 /// The number, if there is one, as a value.
-inline parameters::Value value_of(const std::optional<double>& number) {
-  return number ? parameters::Value(*number) : parameters::Value();
+inline base::Value value_of(const std::optional<double>& number) {
+  return number ? base::Value(*number) : base::Value();
 }
 
 }  // namespace fpkcheck::transform

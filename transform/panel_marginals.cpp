@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "transform/panels.hpp"
+#include "numerics/quadrature/panels.hpp"
 
 namespace fpkcheck::transform {
 namespace {
@@ -10,10 +10,10 @@ namespace {
 // Of y where it has no wall at 0.
 constexpr int kPanelsBetweenOpenEnds = 20;
 
-std::vector<WeightedPoint> half_line_points(double end, Panels panels) {
+std::vector<numerics::WeightedPoint> half_line_points(double end, Panels panels) {
   // Each covers about one standard deviation of a bell that fills the box.
   constexpr int kEven = 8;
-  if (panels == Panels::even) return panel_points(0.0, end, kEven);
+  if (panels == Panels::even) return numerics::panel_points(0.0, end, kEven);
   constexpr int kGraded = 12;
   constexpr double kGrading = 1.5;  // the last one is as wide as an even one
   const auto edge = [&](int k) {
@@ -26,9 +26,9 @@ std::vector<WeightedPoint> half_line_points(double end, Panels panels) {
     edges.push_back(edge(1) * std::pow(kFactor, k));
   }
   for (int k = 1; k <= kGraded; ++k) edges.push_back(edge(k));
-  std::vector<WeightedPoint> points;
+  std::vector<numerics::WeightedPoint> points;
   for (std::size_t k = 1; k < edges.size(); ++k) {
-    const auto panel = panel_points(edges[k - 1], edges[k], 1);
+    const auto panel = numerics::panel_points(edges[k - 1], edges[k], 1);
     points.insert(points.end(), panel.begin(), panel.end());
   }
   return points;
@@ -47,7 +47,7 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
                                Panels panels) {
   const auto y_points = density.y_min == 0
                             ? half_line_points(y_max, panels)
-                            : panel_points(density.y_min, y_max, kPanelsBetweenOpenEnds);
+                            : numerics::panel_points(density.y_min, y_max, kPanelsBetweenOpenEnds);
   auto v_points = half_line_points(v_max, panels);
   for (std::size_t j = 0, half = v_points.size(); j < half; ++j) {
     v_points.push_back({-v_points[j].at, v_points[j].weight});
@@ -81,7 +81,7 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
   return result;
 }
 
-double mean_of(const PanelMarginals& marginals, const problem::Polynomial& g) {
+double mean_of(const PanelMarginals& marginals, const numerics::Polynomial& g) {
   double sum = 0;
   for (std::size_t i = 0; i < marginals.y.size(); ++i) {
     sum += marginals.weight_y[i] * marginals.p_y[i] * g(marginals.y[i]);

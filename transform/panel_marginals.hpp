@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::transform {
@@ -32,7 +32,7 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
                                Panels panels = Panels::even);
 
 /// E[g(y)] for a polynomial g.
-double mean_of(const PanelMarginals& marginals, const problem::Polynomial& g);
+double mean_of(const PanelMarginals& marginals, const numerics::Polynomial& g);
 
 /// L1 distance of p(y) plus that of p(y'), of marginals at the same points.
 double distance(const PanelMarginals& a, const PanelMarginals& b);

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "numerics/quadrature/panels.hpp"
 #include "transform/density.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::transform {
 namespace {
@@ -12,10 +12,10 @@ constexpr int kPanels = 8;
 }  // namespace
 
 double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g) {
-  const auto y_points =
-      panel_points(density.y_min, density.y_max, density.y_min < 0 ? 2 * kPanels : kPanels);
-  auto v_points = panel_points(-density.v_max, 0.0, kPanels);
-  const auto upper = panel_points(0.0, density.v_max, kPanels);
+  const auto y_points = numerics::panel_points(density.y_min, density.y_max,
+                                               density.y_min < 0 ? 2 * kPanels : kPanels);
+  auto v_points = numerics::panel_points(-density.v_max, 0.0, kPanels);
+  const auto upper = numerics::panel_points(0.0, density.v_max, kPanels);
   v_points.insert(v_points.end(), upper.begin(), upper.end());
   double sum = 0;
   for (const auto& [y, y_weight] : y_points) {
@@ -28,7 +28,7 @@ double expectation(const SmoothDensity& density, const std::function<double(doub
 
 double impact_flux(const SmoothDensity& density, int power) {
   const auto integrand = [&](double v) { return std::pow(-v, power) * density.value(0, v); };
-  return integrate_panels(integrand, -density.v_max, 0.0, kPanels);
+  return numerics::integrate_panels(integrand, -density.v_max, 0.0, kPanels);
 }
 
 GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edges,
@@ -37,9 +37,10 @@ GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edg
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     for (std::size_t j = 0; j < grid.nv(); ++j) {
       const auto over_v = [&](double y) {
-        return average([&](double v) { return density.value(y, v); }, v_edges[j], v_edges[j + 1]);
+        return numerics::average([&](double v) { return density.value(y, v); }, v_edges[j],
+                                 v_edges[j + 1]);
       };
-      grid.averages.push_back(average(over_v, y_edges[i], y_edges[i + 1]));
+      grid.averages.push_back(numerics::average(over_v, y_edges[i], y_edges[i + 1]));
     }
   }
   return grid;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "parameters/value.hpp"
+#include "base/options/value.hpp"
 #include "transform/density.hpp"
 #include "transform/identity.hpp"
 #include "transform/marginal.hpp"
@@ -27,7 +27,7 @@ enum class Status {
   not_offered     ///< the solver does not treat such a problem
 };
 /// As written in summary.json.
-inline constexpr parameters::Named<Status> kStatusNames[] = {
+inline constexpr base::Named<Status> kStatusNames[] = {
     {Status::ok, "ok"},
     {Status::not_converged, "not_converged", "the equations are not met"},
     {Status::ill_posed, "ill_posed", "the discrete problem grows without bound"},
@@ -36,8 +36,8 @@ inline constexpr parameters::Named<Status> kStatusNames[] = {
      "the equations are met, but not by a probability density"},
     {Status::failed, "failed", "the solver broke down"},
     {Status::not_offered, "not_offered", "the solver does not treat such a problem"}};
-constexpr std::span<const parameters::Named<Status>> names(Status) { return kStatusNames; }
-constexpr std::string_view name(Status status) { return parameters::name_of(status); }
+constexpr std::span<const base::Named<Status>> names(Status) { return kStatusNames; }
+constexpr std::string_view name(Status status) { return base::name_of(status); }
 
 /// What a sequence of grids tends to, as far as its last two tell (Richardson):
 /// limit = fine + factor (fine - coarser), with the solution's own density the fine one.
@@ -87,7 +87,7 @@ struct RestAtom {
 /// What every solver returns, whatever its method, and what a run that was saved has of it.
 struct Solution {
   Identity identity;
-  parameters::Values options = {};  ///< what was asked for
+  base::Values options = {};  ///< what was asked for
   Status status = Status::failed;
   std::string reason = {};  ///< one sentence; never empty unless the status is ok
   double seconds = 0;       ///< wall-clock time of the solve

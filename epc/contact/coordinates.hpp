@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "epc/half_plane/points.hpp"
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::problem {
 struct Problem;
@@ -50,7 +50,7 @@ class Coordinates {
   double atom_weight() const { return atom_weight_; }
 
  private:
-  problem::Polynomial potential_, force_;
+  numerics::Polynomial potential_, force_;
   double atom_weight_;
 };
 

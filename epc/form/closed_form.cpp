@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -40,12 +40,12 @@ Variables variables_in(const Observations& observations) {
         "no \"coordinates\" (must be \"x1,x2\", \"y,v\", \"amplitude,phase\" or "
         "\"amplitude,velocity\"; a summary.json of an earlier version: run again)");
   }
-  const auto known = parameters::value_named<Variables>(*text);
+  const auto known = base::value_named<Variables>(*text);
   if (!known) {
     throw InputError(
         fmt::format("coordinates {} (must be \"x1,x2\", \"y,v\", \"amplitude,phase\" or "
                     "\"amplitude,velocity\")",
-                    parameters::in_quotes(*text)));
+                    base::in_quotes(*text)));
   }
   return *known;
 }

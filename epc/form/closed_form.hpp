@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
+#include "base/options/names.hpp"
 #include "epc/form/polynomial.hpp"
 #include "epc/form/rays.hpp"
-#include "parameters/names.hpp"
 #include "problem/frame.hpp"
 #include "transform/observation.hpp"
 
@@ -21,13 +21,13 @@ enum class Variables {
   /// Amplitude and velocity, contact::Coordinates: p(y, v) = C exp Q(rho, v) / (rho^2/2), and an atom
   contact
 };
-inline constexpr parameters::Named<Variables> kVariablesNames[] = {
+inline constexpr base::Named<Variables> kVariablesNames[] = {
     {Variables::plane, "x1,x2"},
     {Variables::physical, "y,v"},
     {Variables::polar, "amplitude,phase"},
     {Variables::contact, "amplitude,velocity"}};
-constexpr std::span<const parameters::Named<Variables>> names(Variables) { return kVariablesNames; }
-constexpr std::string_view name(Variables variables) { return parameters::name_of(variables); }
+constexpr std::span<const base::Named<Variables>> names(Variables) { return kVariablesNames; }
+constexpr std::string_view name(Variables variables) { return base::name_of(variables); }
 
 /// A box around what counts as the density.
 struct Box {

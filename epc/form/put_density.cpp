@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "numerics/quadrature/panels.hpp"
 #include "problem/motion_balances.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -15,7 +15,7 @@ double right_flux(const problem::Problem& problem, const transform::SmoothDensit
   constexpr int kPanels = 8;
   const double b = problem.system.right()->position;
   const auto integrand = [&](double v) { return std::pow(v, power) * density.value(b, v); };
-  return transform::integrate_panels(integrand, 0.0, density.v_max, kPanels);
+  return numerics::integrate_panels(integrand, 0.0, density.v_max, kPanels);
 }
 
 // E[v f].
@@ -71,9 +71,9 @@ transform::Moments physical_moments(const problem::Frame& frame,
   transform::Moments moments = marginals.moments;
   if (frame.is_identity()) return moments;
   const auto mean_of_power = [&](std::size_t n) {
-    problem::Polynomial::Coefficients power{};
+    numerics::Polynomial::Coefficients power{};
     power[n] = 1;
-    return mean_of(marginals, problem::Polynomial(power).of_shifted(frame.origin, frame.sign()));
+    return mean_of(marginals, numerics::Polynomial(power).of_shifted(frame.origin, frame.sign()));
   };
   moments.y1 = mean_of_power(1);
   moments.y2 = mean_of_power(2);

@@ -4,17 +4,17 @@
 #include <numbers>
 
 #include "epc/form/leading_form.hpp"
-#include "epc/roots/arclength.hpp"
-#include "epc/roots/dense.hpp"
+#include "numerics/linear_algebra/dense.hpp"
+#include "numerics/roots/arclength.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-using roots::Curve;
-using roots::CurveEnd;
-using roots::CurvePoint;
-using roots::Family;
-using roots::NewtonResult;
+using numerics::Curve;
+using numerics::CurveEnd;
+using numerics::CurvePoint;
+using numerics::Family;
+using numerics::NewtonResult;
 
 constexpr int kMaxPoints = 120;
 constexpr int kPolishing = 30;  // steps at the end of a curve
@@ -31,7 +31,7 @@ double absolute_moment(double m, double sigma) {
 std::vector<Term> elastic_white_noise(const ResidualCoefficients& f, const Deviations& sigma) {
   const double beta = f.damping / (f.rate_moment[2] / 2);
   std::vector<Term> terms{{0, 2, -beta / 2}};
-  for (int m = 0; m < static_cast<int>(problem::Polynomial::kDegree); ++m) {
+  for (int m = 0; m < static_cast<int>(numerics::Polynomial::kDegree); ++m) {
     const double odd = f.odd_force.coefficient(m), even = f.even_force.coefficient(m);
     if (odd != 0) terms.push_back({m + 1, 0, -beta * odd / (m + 1)});
     if (even != 0) {
@@ -73,7 +73,7 @@ BranchEnd end_of(const Curve& curve) {
 Branch branch_of(const Curve& curve, const Family& family, const Basis& basis) {
   Branch branch{.end = end_of(curve), .furthest = curve.furthest().t, .points = {}};
   for (const CurvePoint& point : curve.points) {
-    const auto regularity = roots::regularity(family.jacobian(point.a, point.t));
+    const auto regularity = numerics::regularity(family.jacobian(point.a, point.t));
     branch.points.push_back(
         {.fraction = point.t,
          .norm = point.a.norm(),
@@ -110,7 +110,7 @@ FollowedBranch follow_branch(const Projection& projection, const ResidualCoeffic
 
   const Family family = path_of(projection, full, residual_unit(projection, full));
   const Curve curve =
-      roots::follow(family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
+      numerics::follow(family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
   const CurvePoint& last = curve.furthest();
   NewtonResult root = root_of(curve, last, projection, partway(full, last.t), tolerance);
   root.iterations += start.iterations;
@@ -120,12 +120,12 @@ FollowedBranch follow_branch(const Projection& projection, const ResidualCoeffic
 NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
                            const Eigen::VectorXd& start, double tolerance) {
   const double unit = residual_unit(projection, f);
-  const Family family = roots::newton_homotopy(
+  const Family family = numerics::newton_homotopy(
       [&](const Eigen::VectorXd& a) -> Eigen::VectorXd { return projection.residual(f, a) / unit; },
       [&](const Eigen::VectorXd& a) -> Eigen::MatrixXd { return projection.jacobian(f, a) / unit; },
       start);
   const Curve curve =
-      roots::follow(family, start, {.tolerance = tolerance, .max_points = kMaxPoints});
+      numerics::follow(family, start, {.tolerance = tolerance, .max_points = kMaxPoints});
   return root_of(curve, curve.points.back(), projection, f, tolerance);
 }
 

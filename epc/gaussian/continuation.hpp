@@ -8,7 +8,7 @@ namespace fpkcheck::epc::gaussian {
 /// The branch, and the root where it reaches the full problem.
 struct FollowedBranch {
   Branch branch;
-  roots::NewtonResult root;  ///< converged only if it does; else at the greatest fraction
+  numerics::NewtonResult root;  ///< converged only if it does; else at the greatest fraction
 };
 
 /// Follows the solution of (23) by pseudo-arclength along the path of `partway`, from the exact
@@ -19,7 +19,7 @@ FollowedBranch follow_branch(const Projection& projection, const ResidualCoeffic
 
 /// Adds equations little by little: follows Newton's homotopy from the start, a root of the
 /// equations of lower order, to a root of all.
-roots::NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
-                                  const Eigen::VectorXd& start, double tolerance);
+numerics::NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
+                                     const Eigen::VectorXd& start, double tolerance);
 
 }  // namespace fpkcheck::epc::gaussian

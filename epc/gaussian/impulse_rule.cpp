@@ -3,8 +3,8 @@
 #include <cmath>
 #include <variant>
 
+#include "numerics/quadrature/panels.hpp"
 #include "problem/impulse_law.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -68,7 +68,7 @@ Rule piecewise_impulse_rule(const problem::ImpulseLaw& law) {
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
     const double from = pieces[i], to = pieces[i + 1];
     const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));
-    for (const auto& [at, weight] : transform::panel_points(from, to, panels)) {
+    for (const auto& [at, weight] : numerics::panel_points(from, to, panels)) {
       add(at, weight * law.density(at));
     }
   }

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "epc/gaussian/impulse_rule.hpp"
+#include "numerics/quadrature/panels.hpp"
 #include "problem/impulse_train.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -19,9 +19,9 @@ constexpr int kJumpPoints = 20;
 PlaneRule disc(const Deviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneRule rule;
-  for (const auto& [rho, rho_weight] : transform::panel_points(0, radius, kPanels)) {
+  for (const auto& [rho, rho_weight] : numerics::panel_points(0, radius, kPanels)) {
     const double ring = rho_weight * rho * std::exp(-rho * rho / 2) / (2 * std::numbers::pi);
-    for (const auto& [angle, width] : transform::panel_points(-half_turn, half_turn, kPanels)) {
+    for (const auto& [angle, width] : numerics::panel_points(-half_turn, half_turn, kPanels)) {
       const double x1 = sigma.x1 * rho * std::cos(angle), x2 = sigma.x2 * rho * std::sin(angle);
       rule.add(x1, x2, (symmetric ? 2 : 1) * ring * width);
       if (!symmetric) rule.add(-x1, -x2, ring * width);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "epc/roots/dense.hpp"
+#include "numerics/linear_algebra/dense.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 constexpr double kLeastShare = 1e-4;
 constexpr double kArmijo = 0.1;
 
-// (23) as roots::newton wants it.
+// (23) as numerics::newton wants it.
 struct NewtonEquations {
   struct Iterate {
     VectorXd a, residual;
@@ -28,11 +28,11 @@ struct NewtonEquations {
     return {a, residual, residual.lpNorm<Eigen::Infinity>() / unit};
   }
   Step step(const Iterate& here) const {
-    return {-roots::Factors(projection.jacobian(f, here.a)).solve(here.residual)};
+    return {-numerics::Factors(projection.jacobian(f, here.a)).solve(here.residual)};
   }
   double share(const Iterate& here, const Step& step) const {
     const double before = here.residual.norm();
-    return roots::halved_until(1, kLeastShare, [&](double share) {
+    return numerics::halved_until(1, kLeastShare, [&](double share) {
       const double after = projection.residual(f, here.a + share * step.change).norm();
       return after < (1 - kArmijo * share) * before;
     });
@@ -51,10 +51,10 @@ double residual_unit(const Projection& projection, const ResidualCoefficients& f
   return std::max(std::abs(f.damping), kRounding * sigma.x2 / sigma.x1);
 }
 
-roots::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,
-                           const VectorXd& start, const roots::NewtonOptions& options) {
-  return roots::newton(NewtonEquations{projection, f, residual_unit(projection, f)}, start,
-                       options);
+numerics::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,
+                              const VectorXd& start, const numerics::NewtonOptions& options) {
+  return numerics::newton(NewtonEquations{projection, f, residual_unit(projection, f)}, start,
+                          options);
 }
 
 }  // namespace fpkcheck::epc::gaussian

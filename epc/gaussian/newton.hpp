@@ -1,7 +1,7 @@
 #pragma once
 
 #include "epc/gaussian/projection.hpp"
-#include "epc/roots/newton.hpp"
+#include "numerics/roots/newton.hpp"
 
 namespace fpkcheck::epc::gaussian {
 
@@ -12,7 +12,7 @@ double residual_unit(const Projection& projection, const ResidualCoefficients& f
 /// The conventional Newton-Raphson method of the paper for (23), with the analytic Jacobian. The
 /// size of a residual is max |R_s(a)| / residual_unit. Damped, steps are halved until the residual
 /// falls (Armijo), and the iteration ends where no step along Newton's direction makes it fall.
-roots::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,
-                           const Eigen::VectorXd& start, const roots::NewtonOptions& options);
+numerics::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,
+                              const Eigen::VectorXd& start, const numerics::NewtonOptions& options);
 
 }  // namespace fpkcheck::epc::gaussian

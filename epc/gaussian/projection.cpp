@@ -12,7 +12,7 @@ namespace {
 
 // The degree of each part of F in x1 and in x2, Q_2 being of degree n-1 and the force of degree 5
 // at most, and of the projection function.
-constexpr int kForceDegree = problem::Polynomial::kDegree - 1;
+constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
 int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
 int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
 int impact_degree(int n) { return n + n; }

@@ -8,10 +8,10 @@ namespace {
 using problem::Equation;
 
 // The powers of one parity.
-problem::Polynomial part(const problem::Polynomial& polynomial, std::size_t parity) {
-  problem::Polynomial::Coefficients a = polynomial.coefficients();
+numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t parity) {
+  numerics::Polynomial::Coefficients a = polynomial.coefficients();
   for (std::size_t n = 1 - parity; n < a.size(); n += 2) a[n] = 0;
-  return problem::Polynomial(a);
+  return numerics::Polynomial(a);
 }
 
 // lambda E[Y^2]/2! [...] + lambda E[Y^4]/4! [...]
@@ -54,7 +54,7 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equa
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
   const bool folded = system.left().has_value();
-  const problem::Polynomial none({});
+  const numerics::Polynomial none({});
   return {
       .damping = system.damping(),
       .odd_force = folded ? part(system.force(), 1) : system.force(),

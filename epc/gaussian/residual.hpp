@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "numerics/polynomials/polynomial.hpp"
 #include "problem/model.hpp"
-#include "problem/polynomial.hpp"
 
 namespace fpkcheck::problem {
 struct Problem;
@@ -17,10 +17,10 @@ using RateMoments = std::array<double, 5>;
 /// Coefficients of the residual F, paper (22). The spring's force on the (z, z') plane is the odd
 /// continuation sgn(x1) g(|x1|): the odd powers of g as they are, the even ones times sgn(x1).
 struct ResidualCoefficients {
-  double damping;                  ///< c
-  problem::Polynomial odd_force;   ///< the odd powers of g
-  problem::Polynomial even_force;  ///< the even powers of g
-  double impact_loss;              ///< 1 - r
+  double damping;                   ///< c
+  numerics::Polynomial odd_force;   ///< the odd powers of g
+  numerics::Polynomial even_force;  ///< the even powers of g
+  double impact_loss;               ///< 1 - r
   RateMoments rate_moment;
   /// Share of what `kf` adds to the terms above: the jump integral
   /// lambda ( E[exp(Q(x1, x2 - sgn(x1) Y) - Q)] - 1 ) less its Kramers-Moyal series up to the
@@ -30,7 +30,7 @@ struct ResidualCoefficients {
   /// itself: odd_force is all of g, even_force is 0, the damping is f = y' (damping_polynomial(y) +
   /// rayleigh y'^2), and F is unfolded_part().
   bool folded = true;
-  problem::Polynomial damping_polynomial{{}};
+  numerics::Polynomial damping_polynomial{{}};
   double rayleigh = 0;
 };
 

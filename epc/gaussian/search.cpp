@@ -9,14 +9,14 @@
 #include "epc/gaussian/continuation.hpp"
 #include "epc/gaussian/projection.hpp"
 #include "epc/gaussian/support.hpp"
-#include "epc/roots/dense.hpp"
+#include "numerics/linear_algebra/dense.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
+using numerics::NewtonResult;
 using problem::Equation;
-using roots::NewtonResult;
 
 // Of the coefficients, between two discs of the jump integral; roots on a plateau stay below 0.01.
 constexpr double kDiscSensitivityAllowed = 0.05;
@@ -29,7 +29,7 @@ std::vector<Term> linearised(const Deviations& sigma) {
 // Without a wall nothing is folded, and a force or impulses of no symmetry take all monomials.
 MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
   if (problem.system.left()) return options.monomials;
-  const problem::Polynomial& force = problem.system.force();
+  const numerics::Polynomial& force = problem.system.force();
   const bool symmetric = force.coefficient(0) == 0 && force.coefficient(2) == 0 &&
                          problem.impulses.rate_moment(1) == 0 && problem.impulses.law().symmetric();
   return symmetric ? options.monomials : MonomialSet::general;
@@ -142,7 +142,8 @@ class Seeker {
 
   double condition() const {
     const Eigen::VectorXd a = projection_.basis().scaled(search_.root->terms());
-    const Eigen::VectorXd values = roots::singular_values(projection_.jacobian(coefficients_, a));
+    const Eigen::VectorXd values =
+        numerics::singular_values(projection_.jacobian(coefficients_, a));
     return values[0] / values[values.size() - 1];
   }
 

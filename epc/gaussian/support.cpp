@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "epc/form/allowed.hpp"
-#include "transform/panels.hpp"
+#include "numerics/quadrature/panels.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -105,7 +105,7 @@ void Support::measure(const std::vector<Ray>& rays) {
   least_radius_ = least;
   greatest_radius_ = greatest;
 
-  const auto unit = transform::panel_points(0.0, 1.0, kPanelsOfARay);
+  const auto unit = numerics::panel_points(0.0, 1.0, kPanelsOfARay);
   double edge_sum = 0, sum = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const double radius = radius_[k];

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "epc/roots/dense.hpp"
+#include "numerics/linear_algebra/dense.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -29,7 +29,7 @@ double condition_of(const MatrixXd& jacobian, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> factors(covariance);
   MatrixXd scaled = factors.matrixL().solve(jacobian);
   scaled = factors.matrixL().solve(scaled.transpose().eval());
-  const VectorXd values = roots::singular_values(scaled);
+  const VectorXd values = numerics::singular_values(scaled);
   return values[0] / values[values.size() - 1];
 }
 

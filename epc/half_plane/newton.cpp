@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "epc/half_plane/metric.hpp"
-#include "epc/roots/dense.hpp"
+#include "numerics/linear_algebra/dense.hpp"
 
 namespace fpkcheck::epc::half_plane {
 namespace {
@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double kLongestStep = 2;
 constexpr double kLeastShare = 1e-6;
 
-// Galerkin's equations as roots::newton wants them.
+// Galerkin's equations as numerics::newton wants them.
 struct NewtonEquations {
   struct Iterate {
     VectorXd a;
@@ -28,7 +28,7 @@ struct NewtonEquations {
   };
   struct Step {
     VectorXd change;
-    roots::Factors factors;
+    numerics::Factors factors;
   };
 
   Iterate at(const VectorXd& a) const {
@@ -41,7 +41,7 @@ struct NewtonEquations {
   }
 
   Step step(const Iterate& here) const {
-    roots::Factors factors(galerkin.jacobian(here.density));
+    numerics::Factors factors(galerkin.jacobian(here.density));
     VectorXd change = -factors.solve(here.residual);
     return {std::move(change), std::move(factors)};
   }
@@ -55,7 +55,7 @@ struct NewtonEquations {
       const VectorXd next = step.factors.solve(galerkin.residual(trial));
       return length(next, here.metric) <= (1 - share / 4) * whole;
     };
-    return roots::halved_until(std::min(1.0, kLongestStep / whole), kLeastShare, shortens);
+    return numerics::halved_until(std::min(1.0, kLongestStep / whole), kLeastShare, shortens);
   }
 
   const Galerkin& galerkin;
@@ -64,13 +64,13 @@ struct NewtonEquations {
 
 }  // namespace
 
-roots::NewtonResult newton(const Galerkin& equations, const VectorXd& start, double unit,
-                           const roots::NewtonOptions& options) {
-  return roots::newton(NewtonEquations{equations, unit}, start, options);
+numerics::NewtonResult newton(const Galerkin& equations, const VectorXd& start, double unit,
+                              const numerics::NewtonOptions& options) {
+  return numerics::newton(NewtonEquations{equations, unit}, start, options);
 }
 
-roots::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start,
-                             const std::function<bool()>& give_up) {
+numerics::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start,
+                                const std::function<bool()>& give_up) {
   const auto residual = [&](const VectorXd& a) -> VectorXd {
     const Galerkin::Density density = equations.density(a);
     if (density.finite) return equations.residual(density);
@@ -80,20 +80,20 @@ roots::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start,
     return equations.jacobian(equations.density(a));
   };
   // In coefficients of functions of about unit variance, well enough for Newton's method to go on.
-  return roots::follow(roots::newton_homotopy(residual, jacobian, start), start,
-                       {.tolerance = 0,
-                        .short_correction = 1e-6,
-                        .first_step = 0.2,
-                        .greatest_step = 1,
-                        .least_step = 1e-5,
-                        .growth = 1.5,
-                        .leash = 1,
-                        .max_points = 120,
-                        .greatest_norm = std::numeric_limits<double>::infinity(),
-                        .least_t = -1,
-                        .locate_folds = false,
-                        .correct_end = false,
-                        .give_up = give_up});
+  return numerics::follow(numerics::newton_homotopy(residual, jacobian, start), start,
+                          {.tolerance = 0,
+                           .short_correction = 1e-6,
+                           .first_step = 0.2,
+                           .greatest_step = 1,
+                           .least_step = 1e-5,
+                           .growth = 1.5,
+                           .leash = 1,
+                           .max_points = 120,
+                           .greatest_norm = std::numeric_limits<double>::infinity(),
+                           .least_t = -1,
+                           .locate_folds = false,
+                           .correct_end = false,
+                           .give_up = give_up});
 }
 
 }  // namespace fpkcheck::epc::half_plane

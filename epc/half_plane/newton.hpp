@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "epc/half_plane/galerkin.hpp"
-#include "epc/roots/arclength.hpp"
-#include "epc/roots/newton.hpp"
+#include "numerics/roots/arclength.hpp"
+#include "numerics/roots/newton.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
@@ -12,13 +12,13 @@ namespace fpkcheck::epc::half_plane {
 /// change of Q_n under the density: no step changes it by more than 2, and each must shorten the
 /// next simplified step (Deuflhard's natural monotonicity test). A residual's size is size_of.
 /// @param unit rate_unit
-roots::NewtonResult newton(const Galerkin& equations, const Eigen::VectorXd& start, double unit,
-                           const roots::NewtonOptions& options);
+numerics::NewtonResult newton(const Galerkin& equations, const Eigen::VectorXd& start, double unit,
+                              const numerics::NewtonOptions& options);
 
 /// Newton's homotopy from the start, past folds. It rescues starts from which damped Newton steps
 /// end at a point where the Jacobian is singular. The end is to be refined by Newton's method.
 /// @param give_up asked before each step: whether it took too long already
-roots::Curve follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start,
-                             const std::function<bool()>& give_up = {});
+numerics::Curve follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start,
+                                const std::function<bool()>& give_up = {});
 
 }  // namespace fpkcheck::epc::half_plane

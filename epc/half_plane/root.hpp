@@ -6,7 +6,7 @@
 
 #include "epc/form/polynomial.hpp"
 #include "epc/half_plane/points.hpp"
-#include "epc/roots/newton.hpp"
+#include "numerics/roots/newton.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
@@ -34,7 +34,7 @@ struct Root {
   /// make.
   double quadrature_change = 0;
   /// At the order asked for, or the one that failed; iterations in all.
-  roots::NewtonResult newton;
+  numerics::NewtonResult newton;
   double condition = 0;
   int homotopies = 0;   ///< how often damped Newton steps were lost and a homotopy was followed
   std::string failure;  ///< one sentence when there is no root

@@ -10,15 +10,15 @@
 #include "epc/half_plane/first_decayed.hpp"
 #include "epc/half_plane/metric.hpp"
 #include "epc/half_plane/newton.hpp"
-#include "epc/roots/dense.hpp"
+#include "numerics/linear_algebra/dense.hpp"
 
 namespace fpkcheck::epc::half_plane {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using roots::NewtonOptions;
-using roots::NewtonResult;
+using numerics::NewtonOptions;
+using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMostRefinements = 4;
@@ -188,9 +188,9 @@ class Search {
     NewtonResult result = newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
     if (result.converged) return result;
-    const roots::Curve rescue = follow_homotopy(
+    const numerics::Curve rescue = follow_homotopy(
         start.equations, start.a, [this] { return std::chrono::steady_clock::now() >= end_; });
-    const bool arrived = rescue.end == roots::CurveEnd::arrived;
+    const bool arrived = rescue.end == numerics::CurveEnd::arrived;
     ++homotopies_;
     iterations_ += rescue.iterations;
     if (arrived) {
@@ -233,7 +233,7 @@ class Search {
   // On more points, is it still a root?
   static double change_on(const Equations& fine, const Equations& coarse, const VectorXd& a) {
     const Galerkin::Density density = coarse.density(a);
-    const roots::Factors factors(coarse.jacobian(density));
+    const numerics::Factors factors(coarse.jacobian(density));
     const VectorXd step = factors.solve(fine.residual(fine.density(a)));
     return length(step, coarse.covariance(density));
   }

@@ -32,7 +32,7 @@ class AveragedExponent {
   const Band& holding(double y, double energy) const;
   double slope_above(const Band& band) const;
 
-  problem::Polynomial potential_;
+  numerics::Polynomial potential_;
   double bottom_;  // min V
   std::vector<Band> bands_;
   std::vector<std::size_t> levels_;  // the first band of each energy, and the end

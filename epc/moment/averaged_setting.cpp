@@ -23,10 +23,7 @@ namespace {
 // The levels lie where Phi is d^2/2, as far out as that many deviations of a Gaussian are: what is
 // tried, in this order.
 constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
-// Where Q_n falls by this much without ever rising, the level lies there, and it does not matter.
-constexpr double kWholeDepth = 42;
 constexpr double kFarthest = 8;  // of the first level
-constexpr double kFurther = 1.05;
 // The confinement at an energy is (energy / level)^16: 5e-4 and 4e-8 at the end of the bulk.
 constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;
 constexpr double kAboveBarrier = 1.3;

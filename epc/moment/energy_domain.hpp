@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "epc/half_plane/points.hpp"
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::problem {
@@ -64,7 +64,7 @@ class EnergyDomain {
   double continued(double wall, double far) const;
   Map map_of(const problem::Swing& part) const;
 
-  problem::Polynomial potential_;  // V
+  numerics::Polynomial potential_;  // V
   double level_;
   double least_ = 0;  // min V
   double wall_low_, wall_high_;

@@ -29,10 +29,7 @@ using half_plane::Stage;
 // The level in deviations of v, if the density fell like exp(-h/T) with T = E[v^2]: what is tried,
 // in this order.
 constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
-// Where Q_n falls by this much without ever rising, the level lies there, and it does not matter.
-constexpr double kWholeDepth = 42;
 constexpr double kFarthestDeviations = 16;
-constexpr double kFurther = 1.05;  // of a level, to be worth another solve
 
 double level_of(const Shape& shape, double deviations) {
   return shape.temperature * deviations * deviations / 2;

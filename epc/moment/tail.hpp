@@ -25,4 +25,10 @@ struct Fall {
 Fall fall_of(const Polynomial& q, const problem::Problem& problem, double from, double farthest,
              double depth);
 
+/// Where Q_n falls by this much without ever rising, the level lies there: what is beyond has less
+/// than e^-42 = 6e-19 of the density's peak.
+inline constexpr double kWholeDepth = 42;
+/// How much farther out a level must lie to be worth another solution.
+inline constexpr double kFurther = 1.05;
+
 }  // namespace fpkcheck::epc::moment

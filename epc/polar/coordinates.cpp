@@ -24,14 +24,14 @@ double own_stiffness(const problem::Problem& problem) {
 }
 
 // A polynomial divided by y^power and multiplied by a factor, with another constant.
-problem::Polynomial divided(const problem::Polynomial& polynomial, std::size_t power, double factor,
-                            double constant) {
-  problem::Polynomial::Coefficients a{};
+numerics::Polynomial divided(const numerics::Polynomial& polynomial, std::size_t power,
+                             double factor, double constant) {
+  numerics::Polynomial::Coefficients a{};
   for (std::size_t n = power; n < a.size(); ++n) {
     a[n - power] = factor * polynomial.coefficient(n);
   }
   a[0] = constant;
-  return problem::Polynomial(a);
+  return numerics::Polynomial(a);
 }
 
 // Gauss-Legendre panels on [0, end] between the breaks: points in proportion, and some for the

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "epc/half_plane/points.hpp"
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::problem {
 struct Problem;
@@ -45,9 +45,9 @@ class Coordinates {
   /// At least y(w), and not far from it.
   double bound(double w) const;
 
-  problem::Polynomial share_;  // 2 V(y) / y^2
-  problem::Polynomial pull_;   // V'(y) / y
-  problem::Polynomial force_;  // g(y) / y
+  numerics::Polynomial share_;  // 2 V(y) / y^2
+  numerics::Polynomial pull_;   // V'(y) / y
+  numerics::Polynomial force_;  // g(y) / y
 };
 
 /// Gauss-Legendre in rho and theta, the coordinates s and t of the points: what fans out from the

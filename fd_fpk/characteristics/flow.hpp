@@ -84,7 +84,7 @@ class Flow {
   double end_of_reach(double y, double energy, Side side) const;
 
   problem::System system_;
-  problem::Polynomial force_, tangent_, potential_, damping_, damping_slope_;
+  numerics::Polynomial force_, tangent_, potential_, damping_, damping_slope_;
   double rayleigh_;
   std::vector<double> turns_, bends_;  // of U; of g'
 };

@@ -112,7 +112,7 @@ LineOperator last_value(const Line& line, int points) {
   return assemble(1, line.cells(), entries);
 }
 
-LineOperator weighted_averages(const Line& line, int points, const problem::Polynomial& weight,
+LineOperator weighted_averages(const Line& line, int points, const numerics::Polynomial& weight,
                                std::optional<int> barrier) {
   Triplets entries;
   const std::size_t degree = weight.degree();

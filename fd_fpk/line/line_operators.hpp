@@ -5,7 +5,7 @@
 #include <span>
 
 #include "fd_fpk/line/line.hpp"
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 /// One-dimensional operators on cell averages of a line. The plane's operator is a sum of
 /// tensor products of these. Each is exact on polynomials up to a degree that its order states.
@@ -32,7 +32,7 @@ LineOperator last_value(const Line& line, int points);
 
 /// Averages of weight(x) p over each cell from averages of p, shape (cells, cells). Stencils of
 /// `points` cells (odd) do not reach across the inner face `barrier`, if one is given.
-LineOperator weighted_averages(const Line& line, int points, const problem::Polynomial& weight,
+LineOperator weighted_averages(const Line& line, int points, const numerics::Polynomial& weight,
                                std::optional<int> barrier = {});
 
 /// Point values within the cells: row i n + k holds the value at face(i) + fractions[k] width(i),

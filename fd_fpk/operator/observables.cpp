@@ -15,21 +15,21 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // factor x^power
-problem::Polynomial monomial(int power, double factor = 1) {
-  problem::Polynomial::Coefficients a{};
+numerics::Polynomial monomial(int power, double factor = 1) {
+  numerics::Polynomial::Coefficients a{};
   a[static_cast<std::size_t>(power)] = factor;
-  return problem::Polynomial(a);
+  return numerics::Polynomial(a);
 }
 
 // Integral of a polynomial against the averages of a marginal.
 double integral(const Line& line, const Eigen::VectorXd& marginal, int order,
-                const problem::Polynomial& weight) {
+                const numerics::Polynomial& weight) {
   return line.widths().dot(weighted_averages(line, weighting_points(order), weight) * marginal);
 }
 
 // The integral of a product of polynomials against the joint density.
 double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int order,
-                      const problem::Polynomial& of_x1, const problem::Polynomial& of_x2) {
+                      const numerics::Polynomial& of_x1, const numerics::Polynomial& of_x2) {
   const int points = weighting_points(order);
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   const Eigen::RowVectorXd v =
@@ -69,10 +69,10 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
   if (frame.is_identity()) return result;
   const Eigen::VectorXd y = marginals(grid, averages).y;
   // y = frame.origin + sign x as a polynomial of x
-  const problem::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
-  const auto of_y = [&](const problem::Polynomial::Coefficients& monomial_of_y) {
+  const numerics::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
+  const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
     return integral(grid.x1, y, order,
-                    problem::Polynomial(monomial_of_y).of_shifted(frame.origin, frame.sign()));
+                    numerics::Polynomial(monomial_of_y).of_shifted(frame.origin, frame.sign()));
   };
   result.y1 = of_y(y1);
   result.y2 = of_y(y2);
@@ -153,7 +153,8 @@ transform::Moments beyond_box(const problem::Problem& problem, const Grid& grid,
 
 double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
                    int order) {
-  const problem::Polynomial y = problem::Polynomial({0, 1}).of_shifted(frame.origin, frame.sign());
+  const numerics::Polynomial y =
+      numerics::Polynomial({0, 1}).of_shifted(frame.origin, frame.sign());
   return frame.sign() * joint_integral(grid, averages, order, y, monomial(1));
 }
 

@@ -49,7 +49,7 @@ LineOperator rows_only(const LineOperator& matrix, int first, int count) {
 SparseColumns streaming(const Grid& grid, int order, int weight_points) {
   const Line& x1 = grid.x1;
   const LineOperator minus_speed =
-      weighted_averages(grid.x2, weight_points, problem::Polynomial({0, -1}));
+      weighted_averages(grid.x2, weight_points, numerics::Polynomial({0, -1}));
   const int half = grid.nv() / 2;
   const LineOperator rightwards = divergence(x1) * face_values(x1, order, Bias::left);
   const LineOperator leftwards = divergence(x1) * face_values(x1, order, Bias::right);
@@ -158,7 +158,7 @@ SparseColumns wall_flux(const Grid& grid, int order, End end) {
   const bool left = end == End::left;
   // On the wall the density jumps at x2 = 0: stencils stay on the outgoing side.
   const LineOperator speed = weighted_averages(grid.x2, weighting_points(order),
-                                               problem::Polynomial({0, left ? -1.0 : 1.0}), half);
+                                               numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
   LineOperator in_order(half, grid.nv());
   for (int b = 0; b < half; ++b) in_order.insert(b, outgoing(grid, end, b)) = 1.0;
   return tensor(left ? end_value(grid.x1, order) : last_value(grid.x1, order),

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "mcs/deposit/deposit.hpp"
-#include "mcs/lanes/lanes.hpp"
+#include "numerics/simd/simd.hpp"
 
 // Included by the files that are compiled for different instructions, and inlined there: see
 // mcs/motion/advance_lanes.hpp. Here the lanes are the functions of one sample, not samples.
@@ -11,18 +11,20 @@
 namespace fpkcheck::mcs {
 namespace {
 
-using Eight = LanesOf<8>::Real;
+using Eight = simd::LanesOf<8>::Real;
 
 /// Horner's rule for eight polynomials.
 template <int kDegree>
 FPKCHECK_INLINE Eight polynomials(const double* coefficients, double t) {
-  Eight sum = load<Eight>(coefficients);
+  Eight sum = simd::load<Eight>(coefficients);
 #pragma GCC unroll 8
-  for (int n = 1; n <= kDegree; ++n) sum = sum * t + load<Eight>(coefficients + 8 * n);
+  for (int n = 1; n <= kDegree; ++n) sum = sum * t + simd::load<Eight>(coefficients + 8 * n);
   return sum;
 }
 
-FPKCHECK_INLINE void add(double* to, const Eight& what) { store(load<Eight>(to) + what, to); }
+FPKCHECK_INLINE void add(double* to, const Eight& what) {
+  simd::store(simd::load<Eight>(to) + what, to);
+}
 
 /// The functions that do not vanish at a point.
 struct Functions {
@@ -67,7 +69,7 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposi
   double* line = deposit.lattice.data() + first * deposit.lattice_pitch + cell - 3;
 #pragma GCC unroll 6
   for (int i = 0; i < 6; ++i) {
-    add(line, lane(rates, i) * stencil);
+    add(line, simd::lane(rates, i) * stencil);
     line += deposit.lattice_pitch;
   }
 }
@@ -83,7 +85,7 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
   double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
 #pragma GCC unroll 6
   for (int i = 0; i < 6; ++i) {
-    add(row, lane(of_value, i) * in_v.value + lane(of_slope, i) * in_v.slope);
+    add(row, simd::lane(of_value, i) * in_v.value + simd::lane(of_slope, i) * in_v.slope);
     row += deposit.flow_pitch;
   }
   const DepositGrid& grid = plan.grid;
@@ -96,7 +98,7 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
       double* line = deposit.flow.data() + in_y.first * deposit.flow_pitch + after.first;
 #pragma GCC unroll 6
       for (int i = 0; i < 6; ++i) {
-        add(line, (lane(rates, i) * shift.probability) * after.value);
+        add(line, (simd::lane(rates, i) * shift.probability) * after.value);
         line += deposit.flow_pitch;
       }
     }
@@ -119,7 +121,7 @@ FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, d
   add(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
   for (int i = 0; i < 2; ++i) {  // no others have a slope at the wall
-    const double at = lane(wall.value, i) + y_before * lane(wall.slope, i);
+    const double at = simd::lane(wall.value, i) + y_before * simd::lane(wall.slope, i);
     add(row + before.first, (-per_sample * at) * before.value);
     row += deposit.flow_pitch;
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

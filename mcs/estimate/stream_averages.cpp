@@ -38,7 +38,7 @@ double physical_moment(const Simulation& simulation, const StreamRecord& record,
 }
 
 double mean_of(const Simulation& simulation, const StreamRecord& record,
-               const problem::Polynomial& g) {
+               const numerics::Polynomial& g) {
   double mean = g.coefficient(0);
   for (std::size_t n = 1; n <= g.degree(); ++n) {
     if (g.coefficient(n) == 0) continue;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mcs/simulation/simulation.hpp"
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -13,7 +13,7 @@ double moment(const Simulation& simulation, const StreamRecord& record, int p, i
 /// The mean of a polynomial of y in one stream. @pre its degree is kHighestPower or less, or
 /// 6 or less where the record has general sums
 double mean_of(const Simulation& simulation, const StreamRecord& record,
-               const problem::Polynomial& g);
+               const numerics::Polynomial& g);
 
 /// The same with the physical y and y' of the problem's frame.
 double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q);

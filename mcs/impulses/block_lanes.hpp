@@ -10,7 +10,7 @@ namespace fpkcheck::mcs {
 namespace {
 
 constexpr int kWide = 8;
-using Wide = LanesOf<kWide>::Real;
+using Wide = simd::LanesOf<kWide>::Real;
 
 template <class Law>
 FPKCHECK_INLINE void make_amplitudes(const Excitation& excitation, const Uniforms& u,
@@ -23,8 +23,8 @@ FPKCHECK_INLINE void make_amplitudes(const Excitation& excitation, const Uniform
   } else {
     for (int k = 0; k < kBlock; k += kWide) {
       const Wide standard =
-          StandardAmplitude<Law>::of(load<Wide>(&u.second[k]), load<Wide>(&u.third[k]));
-      store<Wide>(excitation.mean + excitation.width * standard, &block.amplitude[k]);
+          StandardAmplitude<Law>::of(simd::load<Wide>(&u.second[k]), simd::load<Wide>(&u.third[k]));
+      simd::store<Wide>(excitation.mean + excitation.width * standard, &block.amplitude[k]);
     }
   }
 }
@@ -40,9 +40,10 @@ FPKCHECK_INLINE Block make_block_in_lanes(const Excitation& excitation, const Un
   Block block;
   const bool poisson = excitation.arrivals == Excitation::Arrivals::poisson;
   for (int k = 0; k < kBlock; k += kWide) {
-    const Wide wait = poisson ? -logarithm(load<Wide>(&u.first[k])) * excitation.interval
-                              : all_lanes<Wide>(excitation.interval);
-    store<Wide>(wait, &block.waiting[k]);
+    const Wide wait = poisson
+                          ? -simd::logarithm(simd::load<Wide>(&u.first[k])) * excitation.interval
+                          : simd::all_lanes<Wide>(excitation.interval);
+    simd::store<Wide>(wait, &block.waiting[k]);
   }
   make_amplitudes_of(DrawnLaws(), excitation, u, block);
   return block;

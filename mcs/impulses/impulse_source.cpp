@@ -1,12 +1,13 @@
 #include "mcs/impulses/impulse_source.hpp"
 
-#include "mcs/lanes/instruction_set.hpp"
+#include "numerics/simd/instruction_set.hpp"
 
 namespace fpkcheck::mcs {
 
 void ImpulseSource::make_block() {
-  static const auto make = compiled_for(available_lanes().back().instructions, baseline::make_block,
-                                        avx2::make_block, avx512::make_block);
+  static const auto make =
+      simd::compiled_for(simd::available_lanes().back().instructions, baseline::make_block,
+                         avx2::make_block, avx512::make_block);
   const Uniforms u = uniforms(seed_, stream_, Purpose::impulses, number_);
   block_ = make(excitation_, u);
   if (number_ == 0 && excitation_.arrivals == Excitation::Arrivals::even) {

@@ -1,12 +1,13 @@
 #include "mcs/impulses/noise_source.hpp"
 
-#include "mcs/lanes/instruction_set.hpp"
+#include "numerics/simd/instruction_set.hpp"
 
 namespace fpkcheck::mcs {
 
 void NoiseSource::make_block() {
-  static const auto make = compiled_for(available_lanes().back().instructions, baseline::make_block,
-                                        avx2::make_block, avx512::make_block);
+  static const auto make =
+      simd::compiled_for(simd::available_lanes().back().instructions, baseline::make_block,
+                         avx2::make_block, avx512::make_block);
   static const Excitation normal = standard_normal_excitation();
   block_ = make(normal, uniforms(seed_, stream_, Purpose::noise, number_));
 }

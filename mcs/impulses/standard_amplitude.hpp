@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mcs/lanes/elementary.hpp"
+#include "numerics/simd/elementary.hpp"
 
 namespace fpkcheck::problem {
 struct ExponentialLaw;
@@ -27,7 +27,8 @@ template <>
 struct StandardAmplitude<problem::GaussianLaw> {
   template <class Real>
   FPKCHECK_INLINE static Real of(const Real& u, const Real& w) {
-    return square_root(-2.0 * logarithm(u)) * sine_of_quarter_turns(2.0 * w - 1.0);
+    return simd::square_root(-2.0 * simd::logarithm(u)) *
+           simd::sine_of_quarter_turns(2.0 * w - 1.0);
   }
 };
 
@@ -35,8 +36,8 @@ template <>
 struct StandardAmplitude<problem::LaplaceLaw> {
   template <class Real>
   FPKCHECK_INLINE static Real of(const Real& u, const Real& w) {
-    const Real size = -logarithm(u);
-    return select(2.0 * w - 1.0 < 0.0, -size, size);
+    const Real size = -simd::logarithm(u);
+    return simd::select(2.0 * w - 1.0 < 0.0, -size, size);
   }
 };
 
@@ -44,7 +45,8 @@ template <>
 struct StandardAmplitude<problem::TwoPointLaw> {
   template <class Real>
   FPKCHECK_INLINE static Real of(const Real&, const Real& w) {
-    return select(2.0 * w - 1.0 < 0.0, all_lanes<Real>(-1.0), all_lanes<Real>(1.0));
+    return simd::select(2.0 * w - 1.0 < 0.0, simd::all_lanes<Real>(-1.0),
+                        simd::all_lanes<Real>(1.0));
   }
 };
 
@@ -60,7 +62,7 @@ template <>
 struct StandardAmplitude<problem::ExponentialLaw> {
   template <class Real>
   FPKCHECK_INLINE static Real of(const Real& u, const Real&) {
-    return -1.0 - logarithm(u);
+    return -1.0 - simd::logarithm(u);
   }
 };
 

@@ -5,7 +5,7 @@
 namespace fpkcheck::mcs {
 
 void advance(const Motion& motion, std::span<Stream* const> streams, double time,
-             const LaneSet& lanes) {
+             const simd::LaneSet& lanes) {
   for (Stream* stream : streams) {
     stream->branch.remaining = time;
     if (motion.splitting && motion.records) motion.splitting->begin(*stream);

@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "mcs/lanes/instruction_set.hpp"
 #include "mcs/motion/oscillator.hpp"
 #include "mcs/streams/splitting.hpp"
 #include "mcs/streams/stream.hpp"
+#include "numerics/simd/instruction_set.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -30,7 +30,7 @@ struct Motion {
 /// instructions used.
 /// @param streams any number; as many as there are lanes go side by side
 void advance(const Motion& motion, std::span<Stream* const> streams, double time,
-             const LaneSet& lanes);
+             const simd::LaneSet& lanes);
 
 // As many streams as `width`, whose remaining time is set: the same function, compiled for
 // different instructions.

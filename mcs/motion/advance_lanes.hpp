@@ -1,10 +1,10 @@
 #pragma once
 
 #include "mcs/deposit/deposit_lanes.hpp"
-#include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/flight.hpp"
 #include "mcs/motion/sample_lanes.hpp"
+#include "numerics/simd/simd.hpp"
 
 // Included by the files that are compiled for different instructions (InstructionSet). All of
 // it is inlined or has internal linkage, so that no function compiled for instructions that a
@@ -43,7 +43,7 @@ void receive_impulse(const Motion& motion, Stream& stream) {
 /// The branches of streams in lanes, and what they see.
 template <int W>
 struct Lanes {
-  using Real = typename LanesOf<W>::Real;
+  using Real = typename simd::LanesOf<W>::Real;
   using Mask = decltype(Real{} < Real{});
   template <class Number>
   using Array = LaneArray<Number, W>;
@@ -72,31 +72,31 @@ struct Lanes {
       a[4].at[i] = b.remaining;
       a[5].at[i] = motion.splitting ? motion.splitting->weight(b) : 1.0;
     }
-    y = load<Real>(a[0].at);
-    v = load<Real>(a[1].at);
-    until_impulse = load<Real>(a[2].at);
-    until_sample = load<Real>(a[3].at);
-    remaining = load<Real>(a[4].at);
-    weight = load<Real>(a[5].at);
+    y = simd::load<Real>(a[0].at);
+    v = simd::load<Real>(a[1].at);
+    until_impulse = simd::load<Real>(a[2].at);
+    until_sample = simd::load<Real>(a[3].at);
+    remaining = simd::load<Real>(a[4].at);
+    weight = simd::load<Real>(a[5].at);
   }
   FPKCHECK_INLINE void store_branch(int i) const {
     Branch& b = streams[i]->branch;
-    b.y = lane(y, i);
-    b.v = lane(v, i);
-    b.until_impulse = lane(until_impulse, i);
-    b.until_sample = lane(until_sample, i);
-    b.remaining = lane(remaining, i);
+    b.y = simd::lane(y, i);
+    b.v = simd::lane(v, i);
+    b.until_impulse = simd::lane(until_impulse, i);
+    b.until_sample = simd::lane(until_sample, i);
+    b.remaining = simd::lane(remaining, i);
   }
 
   FPKCHECK_INLINE void store_sums() const {
     for (int i = 0; i < W; ++i) {
       StreamRecord& record = streams[i]->record;
-      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += lane(powers[p], i);
-      record.samples += lane(samples, i);
-      record.impacts += lane(impacts, i);
-      record.impact_speed += lane(impact_speed, i);
-      record.impact_energy += lane(impact_energy, i);
-      record.flights += static_cast<std::uint64_t>(lane(flights, i));
+      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += simd::lane(powers[p], i);
+      record.samples += simd::lane(samples, i);
+      record.impacts += simd::lane(impacts, i);
+      record.impact_speed += simd::lane(impact_speed, i);
+      record.impact_energy += simd::lane(impact_energy, i);
+      record.flights += static_cast<std::uint64_t>(simd::lane(flights, i));
     }
   }
 
@@ -105,19 +105,19 @@ struct Lanes {
   FPKCHECK_INLINE void rebound(const Mask& active) {
     const Mask impact = active & (y <= 0.0) & (v < 0.0);
     if constexpr (kRecords) {
-      const Real counted = where(impact, weight);
+      const Real counted = simd::where(impact, weight);
       impacts = impacts + counted;
       impact_speed = impact_speed - counted * v;
       impact_energy = impact_energy + counted * (v * v);
     }
-    const Real after = select(impact, -motion.oscillator.restitution * v, v);
-    if (kRecords && motion.deposit && any(impact)) {
+    const Real after = simd::select(impact, -motion.oscillator.restitution * v, v);
+    if (kRecords && motion.deposit && simd::any(impact)) {
       for (int i = 0; i < W; ++i) {
-        if (lane(impact, i) == 0) continue;
-        deposit_impact(*motion.deposit, streams[i]->record.deposit, lane(beyond_wall, i),
-                       lane(v, i), lane(after, i), lane(weight, i));
+        if (simd::lane(impact, i) == 0) continue;
+        deposit_impact(*motion.deposit, streams[i]->record.deposit, simd::lane(beyond_wall, i),
+                       simd::lane(v, i), simd::lane(after, i), simd::lane(weight, i));
       }
-      beyond_wall = select(impact, Real{}, beyond_wall);
+      beyond_wall = simd::select(impact, Real{}, beyond_wall);
     }
     v = after;
   }
@@ -125,12 +125,13 @@ struct Lanes {
   FPKCHECK_INLINE void sample(const BasicFlight<Real>& flight, const Real& span) {
     for (;;) {
       const Mask due = until_sample < span;
-      if (!any(due)) break;
-      const Real time = where(due, until_sample);
+      if (!simd::any(due)) break;
+      const Real time = simd::where(due, until_sample);
       const BasicState<Real> at = flight.at(time);
-      count(at, where(due, weight));
+      count(at, simd::where(due, weight));
       if (motion.deposit) deposit(at, flight.own_acceleration(time), due);
-      until_sample = until_sample + where(due, all_lanes<Real>(motion.sampling_interval));
+      until_sample =
+          until_sample + simd::where(due, simd::all_lanes<Real>(motion.sampling_interval));
     }
     until_sample = until_sample - span;
   }
@@ -139,14 +140,14 @@ struct Lanes {
   FPKCHECK_INLINE void deposit(const BasicState<Real>& at, const Real& acceleration,
                                const Mask& due) const {
     Array<double> ys, vs, as;
-    store(larger(at.y, Real{}), ys.at);
-    store(at.v, vs.at);
-    store(acceleration, as.at);
+    simd::store(simd::larger(at.y, Real{}), ys.at);
+    simd::store(at.v, vs.at);
+    simd::store(acceleration, as.at);
 #pragma GCC unroll 1
     for (int i = 0; i < W; ++i) {
-      if (lane(due, i) == 0) continue;
+      if (simd::lane(due, i) == 0) continue;
       deposit_sample(*motion.deposit, streams[i]->record.deposit, ys.at[i], vs.at[i], as.at[i],
-                     lane(weight, i));
+                     simd::lane(weight, i));
     }
   }
 
@@ -155,7 +156,7 @@ struct Lanes {
     add_powers(at, counted, powers);
     samples = samples + counted;
     // A sample within rounding of an impact may lie beyond the wall by as much.
-    const Real in_front = larger(at.y, Real{});
+    const Real in_front = simd::larger(at.y, Real{});
     put_into_bins(*motion.y_bins, *motion.v_bins, in_front, at.v, counted, streams, cells);
   }
 
@@ -163,11 +164,11 @@ struct Lanes {
   FPKCHECK_INLINE void find_peaks(const BasicFlight<Real>& flight, const Real& span,
                                   const BasicState<Real>& end) {
     const Mask peak = (v > 0.0) & (end.v < 0.0);
-    if (!any(peak)) return;
+    if (!simd::any(peak)) return;
     const Real height = flight.at(flight.peak_time(span, end)).y;
     for (int i = 0; i < W; ++i) {
-      if (lane(v, i) > 0 && lane(end.v, i) < 0) {
-        streams[i]->record.peaks[(*motion.y_bins)(lane(height, i))] += lane(weight, i);
+      if (simd::lane(v, i) > 0 && simd::lane(end.v, i) < 0) {
+        streams[i]->record.peaks[(*motion.y_bins)(simd::lane(height, i))] += simd::lane(weight, i);
       }
     }
   }
@@ -178,23 +179,23 @@ struct Lanes {
     const Mask impulse_now = active & (until_impulse <= 0.0);
     const bool splits = kRecords && motion.splitting;
     if (splits) {
-      if (!any(impulse_now) && !any(active & (remaining <= 0.0))) return;
+      if (!simd::any(impulse_now) && !simd::any(active & (remaining <= 0.0))) return;
       for (int i = 0; i < W; ++i) {
         store_branch(i);
         Stream& stream = *streams[i];
-        if (lane(impulse_now, i) != 0) receive_impulse<kRecords>(motion, stream);
+        if (simd::lane(impulse_now, i) != 0) receive_impulse<kRecords>(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.whole()) follow_next(stream);
       }
       load_branches();
       return;
     }
-    if (!any(impulse_now)) return;
+    if (!simd::any(impulse_now)) return;
     Array<double> ys, vs, untils;
-    store(y, ys.at);
-    store(v, vs.at);
-    store(until_impulse, untils.at);
+    simd::store(y, ys.at);
+    simd::store(v, vs.at);
+    simd::store(until_impulse, untils.at);
     for (int i = 0; i < W; ++i) {
-      if (!(untils.at[i] <= 0) || lane(impulse_now, i) == 0) continue;
+      if (!(untils.at[i] <= 0) || simd::lane(impulse_now, i) == 0) continue;
       Branch& b = streams[i]->branch;
       b.y = ys.at[i];
       b.v = vs.at[i];
@@ -202,8 +203,8 @@ struct Lanes {
       vs.at[i] = b.v;
       untils.at[i] = b.until_impulse;
     }
-    v = load<Real>(vs.at);
-    until_impulse = load<Real>(untils.at);
+    v = simd::load<Real>(vs.at);
+    until_impulse = simd::load<Real>(untils.at);
   }
 
   template <bool kRecords>
@@ -213,31 +214,31 @@ struct Lanes {
     load_branches();
     for (;;) {
       const Mask active = remaining > 0.0;
-      if (!any(active)) break;
+      if (!simd::any(active)) break;
       // Every turn of the loop either moves a lane on in time or brings it to y = 0; at y = 0 the
       // velocity has been made >= 0, so that the turn after moves on. At rest (y = v = 0) time runs
       // on to the next impulse.
       rebound<kRecords>(active);
       const BasicFlight<Real> flight(oscillator, {y, v});
-      Real span = smaller(smaller(flight.reach(motion.step), until_impulse), remaining);
-      span = where(active, span);
+      Real span = simd::smaller(simd::smaller(flight.reach(motion.step), until_impulse), remaining);
+      span = simd::where(active, span);
       BasicState<Real> end = flight.at(span);
       const Mask impact = (end.y < 0.0) & (y > 0.0);
-      if (any(impact)) {
-        span = select(impact, flight.impact_time(span, end, impact), span);
+      if (simd::any(impact)) {
+        span = simd::select(impact, flight.impact_time(span, end, impact), span);
         const BasicState<Real> at_wall = flight.at(span);
-        end.v = select(impact, at_wall.v, end.v);
-        if (kRecords && motion.deposit) beyond_wall = select(impact, at_wall.y, beyond_wall);
-        end.y = select(impact, Real{}, end.y);
+        end.v = simd::select(impact, at_wall.v, end.v);
+        if (kRecords && motion.deposit) beyond_wall = simd::select(impact, at_wall.y, beyond_wall);
+        end.y = simd::select(impact, Real{}, end.y);
       }
       if constexpr (kRecords) {
-        flights = flights + where(active, all_lanes<Real>(1.0));
+        flights = flights + simd::where(active, simd::all_lanes<Real>(1.0));
         sample(flight, span);
         find_peaks(flight, span, end);
       }
       remaining = remaining - span;
       until_impulse = until_impulse - span;
-      y = larger(end.y, Real{});
+      y = simd::larger(end.y, Real{});
       v = end.v;
       single_events<kRecords>(active);
     }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/free_motion.hpp"
 #include "mcs/motion/oscillator.hpp"
 #include "mcs/motion/taylor_polynomial.hpp"
+#include "numerics/simd/simd.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -54,17 +54,17 @@ class BasicFlight {
     Real s = first_guess(end, at_end);
     Mask open = wanted;
     // Halley's steps triple the number of digits: two of them as a rule.
-    for (int iteration = 0; iteration < kMostIterations && any(open); ++iteration) {
+    for (int iteration = 0; iteration < kMostIterations && simd::any(open); ++iteration) {
       const BasicState<Real> state = at(s);
       const Mask beyond = state.y < 0.0;
-      above = select(beyond, above, s);
-      below = select(beyond, s, below);
+      above = simd::select(beyond, above, s);
+      below = simd::select(beyond, s, below);
       const Real halley =
           s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
       const Mask inside = (halley >= above) & (halley <= below);
-      const Real next = select(inside, halley, 0.5 * (above + below));
-      const Real moved = larger(next - s, s - next);
-      s = select(open, next, s);
+      const Real next = simd::select(inside, halley, 0.5 * (above + below));
+      const Real moved = simd::larger(next - s, s - next);
+      s = simd::select(open, next, s);
       // A correction of 1e-6 by a step of third order leaves an error of rounding.
       open = open & (moved > 1e-6 * end);
     }
@@ -79,7 +79,7 @@ class BasicFlight {
     const Real newton = chord - state.v / acceleration(state);
     using Mask = decltype(newton >= 0.0);
     const Mask inside = (newton >= 0.0) & (newton <= end);
-    return select(inside, newton, chord);
+    return simd::select(inside, newton, chord);
   }
 
  private:
@@ -94,7 +94,7 @@ class BasicFlight {
     const Real s = end * u * u * (3.0 - 2.0 * u) + u * u1 * drop * (u / at_end.v - u1 / a_[1]);
     using Mask = decltype(s > 0.0);
     const Mask inside = (s > 0.0) & (s < end);
-    return select(inside, s, end * u);
+    return simd::select(inside, s, end * u);
   }
 
   const Oscillator& oscillator_;

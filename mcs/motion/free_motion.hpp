@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "mcs/lanes/elementary.hpp"
-#include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/oscillator.hpp"
+#include "numerics/simd/elementary.hpp"
+#include "numerics/simd/simd.hpp"
 
 /// The free motion, paper (1) without impulses: y'' = -(c y' + g(y)), y >= 0. Each function has the
 /// paper's spring, g(y) = k y + mu y^3, by formulas of its own, and any other one by loops over its
@@ -19,7 +19,7 @@ using Series = std::array<Real, kSeriesOrder + 1>;
 
 /// sum_n p_n y^n by Horner's rule, n up to `degree`.
 template <class Real>
-FPKCHECK_INLINE Real horner(const problem::Polynomial& p, int degree, const Real& y) {
+FPKCHECK_INLINE Real horner(const numerics::Polynomial& p, int degree, const Real& y) {
   Real sum{};
   for (int n = degree; n >= 0; --n) sum = sum * y + p.coefficient(static_cast<std::size_t>(n));
   return sum;
@@ -97,13 +97,13 @@ FPKCHECK_INLINE Real frequency_bound(const Oscillator& o, const Real& y, const R
     const double k = o.stiffness, mu = o.cubic;
     const Real y2 = y * y;
     const Real energy = 0.5 * (v * v) + y2 * (k / 2 + (mu / 4) * y2);
-    return square_root(k + 6.0 * square_root(mu * energy)) + o.damping;
+    return simd::square_root(k + 6.0 * simd::square_root(mu * energy)) + o.damping;
   }
   constexpr double kSmallest = 1e-290;  // with a logarithm
   const Real energy = 0.5 * (v * v) + horner(o.potential, o.degree + 1, y);
-  const Real power = larger(energy / o.least_potential, all_lanes<Real>(kSmallest));
-  const Real largest_y = exponential(logarithm(power) / (o.degree + 1.0));
-  return square_root(horner(o.steepest, o.degree - 1, largest_y)) + o.damping;
+  const Real power = simd::larger(energy / o.least_potential, simd::all_lanes<Real>(kSmallest));
+  const Real largest_y = simd::exponential(simd::logarithm(power) / (o.degree + 1.0));
+  return simd::square_root(horner(o.steepest, o.degree - 1, largest_y)) + o.damping;
 }
 
 }  // namespace fpkcheck::mcs

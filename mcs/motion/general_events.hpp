@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mcs/lanes/elementary.hpp"
 #include "mcs/motion/general_motion.hpp"
+#include "numerics/simd/elementary.hpp"
 
 // Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
 namespace fpkcheck::mcs {
@@ -48,11 +48,12 @@ inline void receive_kick(const GeneralMotion& motion, Stream& stream) {
   const double next = kick_interval(motion, b.y, b.v);
   const double time = (g.kick_interval + next) / 2;
   const double x = kicks.damping * time;
-  const double decay = exponential(larger(smaller(-x, 300.0), -300.0));
+  const double decay = simd::exponential(simd::larger(simd::smaller(-x, 300.0), -300.0));
   // 2 D time (1 - exp(-2x)) / (2x), by the series where the difference loses digits
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
-  const double kick = square_root(2 * kicks.diffusion * time * mean_decay) * stream.noise.next();
+  const double kick =
+      simd::square_root(2 * kicks.diffusion * time * mean_decay) * stream.noise.next();
   const double before = b.v;
   const double damped = decay * b.v;
   b.v = damped + kick;

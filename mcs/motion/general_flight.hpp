@@ -23,7 +23,7 @@ class GeneralFlight {
   template <class Mask>
   FPKCHECK_INLINE void hold(const Mask& held) {
 #pragma GCC unroll 16
-    for (int n = 1; n <= kOrder; ++n) a_[n] = select(held, Real{}, a_[n]);
+    for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(held, Real{}, a_[n]);
   }
 
   /// How long the polynomial is used: `phase` radians of a frequency w with |d^n y/ds^n| <= A w^n for
@@ -33,25 +33,28 @@ class GeneralFlight {
   /// The velocity of a flight obeys a linear equation with the coefficient g'(y): within less than
   /// half a period (phase < pi) it changes its sign at most once (Sturm).
   FPKCHECK_INLINE Real reach(double phase) const {
-    const Real extent = oscillator_.length + larger(a_[0], -a_[0]);
+    const Real extent = oscillator_.length + simd::larger(a_[0], -a_[0]);
     const Real over = 1.0 / extent;
-    Real logarithm_of_frequency = all_lanes<Real>(-1e3);
+    Real logarithm_of_frequency = simd::all_lanes<Real>(-1e3);
     double factorial = 1;
 #pragma GCC unroll 16
     for (int n = 2; n <= kOrder; ++n) {
       factorial *= n;
       if (n <= kOrder - kLooked) continue;
-      const Real size = factorial * larger(a_[n], -a_[n]) * over + 1e-290;
-      logarithm_of_frequency = larger(logarithm_of_frequency, logarithm(size) * (1.0 / n));
+      const Real size = factorial * simd::larger(a_[n], -a_[n]) * over + 1e-290;
+      logarithm_of_frequency =
+          simd::larger(logarithm_of_frequency, simd::logarithm(size) * (1.0 / n));
     }
     const double longest = 1e-2 * oscillator_.frequency;
-    Real frequency = exponential(larger(logarithm_of_frequency, all_lanes<Real>(-600.0))) + longest;
+    Real frequency =
+        simd::exponential(simd::larger(logarithm_of_frequency, simd::all_lanes<Real>(-600.0))) +
+        longest;
     const Real slope = general_stiffness(oscillator_, a_[0]);
-    const Real stiffness = larger(slope, -slope);
+    const Real stiffness = simd::larger(slope, -slope);
     const Real c = oscillator_.damping[0] +
                    a_[0] * (oscillator_.damping[1] + a_[0] * oscillator_.damping[2]) +
                    (3 * oscillator_.rayleigh) * (a_[1] * a_[1]);
-    frequency = larger(frequency, square_root(stiffness) + larger(c, -c));
+    frequency = simd::larger(frequency, simd::square_root(stiffness) + simd::larger(c, -c));
     return phase / frequency;
   }
 
@@ -65,18 +68,18 @@ class GeneralFlight {
   FPKCHECK_INLINE Real turning_time(const Real& end, const BasicState<Real>& at_end,
                                     const Mask& wanted) const {
     Real low{}, high = end;
-    Real s = end * (a_[1] / (a_[1] - select(wanted, at_end.v, -a_[1] - 1.0)));
+    Real s = end * (a_[1] / (a_[1] - simd::select(wanted, at_end.v, -a_[1] - 1.0)));
     Mask open = wanted;
-    for (int n = 0; n < kMostIterations && any(open); ++n) {
+    for (int n = 0; n < kMostIterations && simd::any(open); ++n) {
       const Real v = at(s).v;
       const Mask before = v * a_[1] > 0.0;
-      low = select(before, s, low);
-      high = select(before, high, s);
+      low = simd::select(before, s, low);
+      high = simd::select(before, high, s);
       const Real newton = s - v / acceleration(s);
       const Mask inside = (newton >= low) & (newton <= high);
-      const Real next = select(inside, newton, 0.5 * (low + high));
-      const Real moved = larger(next - s, s - next);
-      s = select(open, next, s);
+      const Real next = simd::select(inside, newton, 0.5 * (low + high));
+      const Real moved = simd::larger(next - s, s - next);
+      s = simd::select(open, next, s);
       open = open & (moved > 1e-4 * s);
     }
     return s;
@@ -90,18 +93,18 @@ class GeneralFlight {
                                    const Real& guess, const Mask& wanted) const {
     Real s = guess;
     Mask open = wanted;
-    for (int n = 0; n < kMostIterations && any(open); ++n) {
+    for (int n = 0; n < kMostIterations && simd::any(open); ++n) {
       const BasicState<Real> state = at(s);
       const Real distance = inside * (state.y - wall), speed = inside * state.v;
       const Mask before = distance > 0.0;
-      low = select(before, s, low);
-      high = select(before, high, s);
+      low = simd::select(before, s, low);
+      high = simd::select(before, high, s);
       const Real halley =
           s - distance * speed / (speed * speed - 0.5 * (distance * (inside * acceleration(s))));
       const Mask fine = (halley >= low) & (halley <= high);
-      const Real next = select(fine, halley, 0.5 * (low + high));
-      const Real moved = larger(next - s, s - next);
-      s = select(open, next, s);
+      const Real next = simd::select(fine, halley, 0.5 * (low + high));
+      const Real moved = simd::larger(next - s, s - next);
+      s = simd::select(open, next, s);
       // A correction of 1e-6 by a step of third order leaves an error of rounding.
       open = open & (moved > 1e-6 * s);
     }

@@ -11,7 +11,7 @@ namespace {
 /// The branches of streams in lanes, and what they see.
 template <int W, int kOrder>
 struct GeneralLanes {
-  using Real = typename LanesOf<W>::Real;
+  using Real = typename simd::LanesOf<W>::Real;
   using Mask = decltype(Real{} < Real{});
   using Flight = GeneralFlight<Real, kOrder>;
   template <class Number>
@@ -46,44 +46,44 @@ struct GeneralLanes {
       a[6].at[i] = g.bouncing;
       a[7].at[i] = weight_of(motion, *streams[i]);
     }
-    y = load<Real>(a[0].at);
-    v = load<Real>(a[1].at);
-    until_impulse = load<Real>(a[2].at);
-    until_sample = load<Real>(a[3].at);
-    remaining = load<Real>(a[4].at);
-    until_kick = load<Real>(a[5].at);
-    bouncing = load<Real>(a[6].at);
-    weight = load<Real>(a[7].at);
+    y = simd::load<Real>(a[0].at);
+    v = simd::load<Real>(a[1].at);
+    until_impulse = simd::load<Real>(a[2].at);
+    until_sample = simd::load<Real>(a[3].at);
+    remaining = simd::load<Real>(a[4].at);
+    until_kick = simd::load<Real>(a[5].at);
+    bouncing = simd::load<Real>(a[6].at);
+    weight = simd::load<Real>(a[7].at);
   }
   FPKCHECK_INLINE void store_branches() const {
     for (int i = 0; i < W; ++i) {
       Branch& b = streams[i]->branch;
-      b.y = lane(y, i);
-      b.v = lane(v, i);
-      b.until_impulse = lane(until_impulse, i);
-      b.until_sample = lane(until_sample, i);
-      b.remaining = lane(remaining, i);
-      streams[i]->general.until_kick = lane(until_kick, i);
-      streams[i]->general.bouncing = lane(bouncing, i);
+      b.y = simd::lane(y, i);
+      b.v = simd::lane(v, i);
+      b.until_impulse = simd::lane(until_impulse, i);
+      b.until_sample = simd::lane(until_sample, i);
+      b.remaining = simd::lane(remaining, i);
+      streams[i]->general.until_kick = simd::lane(until_kick, i);
+      streams[i]->general.bouncing = simd::lane(bouncing, i);
     }
   }
 
   FPKCHECK_INLINE void store_sums() const {
     for (int i = 0; i < W; ++i) {
       StreamRecord& record = streams[i]->record;
-      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += lane(powers[p], i);
-      record.samples += lane(samples, i);
-      record.impacts += lane(impacts, i);
-      record.impact_speed += lane(left_speed, i);
-      record.impact_energy += lane(left_energy, i);
-      record.flights += static_cast<std::uint64_t>(lane(flights, i));
+      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += simd::lane(powers[p], i);
+      record.samples += simd::lane(samples, i);
+      record.impacts += simd::lane(impacts, i);
+      record.impact_speed += simd::lane(left_speed, i);
+      record.impact_energy += simd::lane(left_energy, i);
+      record.flights += static_cast<std::uint64_t>(simd::lane(flights, i));
       GeneralSums& sums = *record.general;
-      sums.y5 += lane(y5, i);
-      sums.y6 += lane(y6, i);
-      sums.right_speed += lane(right_speed, i);
-      sums.right_energy += lane(right_energy, i);
-      sums.rest_left += lane(rest_left, i);
-      sums.rest_right += lane(rest_right, i);
+      sums.y5 += simd::lane(y5, i);
+      sums.y6 += simd::lane(y6, i);
+      sums.right_speed += simd::lane(right_speed, i);
+      sums.right_energy += simd::lane(right_energy, i);
+      sums.rest_left += simd::lane(rest_left, i);
+      sums.rest_right += simd::lane(rest_right, i);
     }
   }
 
@@ -96,9 +96,9 @@ struct GeneralLanes {
     Mask impact = active & (inwards * (y - wall.position) <= 0.0) & (bouncing < 0.0);
     // Pressed to the wall it comes back however slow it is, and may stay.
     impact = impact & (wall.pressing > 0 ? speed >= 0.0 : speed > 0.0);
-    if (!any(impact)) return;
+    if (!simd::any(impact)) return;
     if (motion.records) {
-      const Real counted = where(impact, weight);
+      const Real counted = simd::where(impact, weight);
       impacts = impacts + counted;
       speed_sum = speed_sum + counted * speed;
       energy_sum = energy_sum + counted * (speed * speed);
@@ -106,31 +106,32 @@ struct GeneralLanes {
     Real after = -r * v;
     if (wall.pressing > 0) {
       const Mask stays = impact & (speed < wall.slow);
-      if (any(stays)) {
+      if (simd::any(stays)) {
         // Bounces of r, r^2, .. times the speed, each for 2 speed / pressing; of r = 1 no end.
         constexpr double kForever = 1e300;
         const double times = r < 1 ? 2 * r / ((1 - r) * wall.pressing) : 0;
-        const Real time = r < 1 ? speed * times : all_lanes<Real>(kForever);
-        bouncing = select(stays, time, bouncing);
-        after = select(stays, Real{}, after);
+        const Real time = r < 1 ? speed * times : simd::all_lanes<Real>(kForever);
+        bouncing = simd::select(stays, time, bouncing);
+        after = simd::select(stays, Real{}, after);
         if (motion.records && r < 1) {
-          const Real counted = where(stays, weight);
+          const Real counted = simd::where(stays, weight);
           speed_sum = speed_sum + counted * (speed * (r / (1 - r)));
           energy_sum = energy_sum + counted * (speed * speed * (r * r / (1 - r * r)));
         }
       }
     }
-    v = select(impact, after, v);
+    v = simd::select(impact, after, v);
   }
 
   FPKCHECK_INLINE void sample(const Flight& flight, const Real& span, const Mask& held) {
     const bool rests = !motion.kicks.present();
     for (;;) {
       const Mask due = until_sample < span;
-      if (!any(due)) break;
-      const Real time = where(due, until_sample);
+      if (!simd::any(due)) break;
+      const Real time = simd::where(due, until_sample);
       count(flight.at(time), due, due & held & (bouncing <= time), rests);
-      until_sample = until_sample + where(due, all_lanes<Real>(motion.sampling_interval));
+      until_sample =
+          until_sample + simd::where(due, simd::all_lanes<Real>(motion.sampling_interval));
     }
     until_sample = until_sample - span;
   }
@@ -138,19 +139,19 @@ struct GeneralLanes {
   // A lane with nothing to count counts it with the weight 0.
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Mask& due, const Mask& at_rest,
                              bool rests) {
-    const Real counted = where(due, weight);
+    const Real counted = simd::where(due, weight);
     add_powers(at, counted, powers);
     const Real x = at.y, xx = x * x;
     y5 = y5 + counted * (xx * xx * x);
     y6 = y6 + counted * (xx * xx * xx);
     samples = samples + counted;
     Real into_bins = counted;
-    if (rests && any(at_rest)) {
-      into_bins = select(at_rest, Real{}, counted);
+    if (rests && simd::any(at_rest)) {
+      into_bins = simd::select(at_rest, Real{}, counted);
       const GeneralWall& right = motion.oscillator.right;
-      const Real resting = where(at_rest, weight);
+      const Real resting = simd::where(at_rest, weight);
       if (right.stands) {
-        const Real there = select(x > right.position / 2, resting, Real{});
+        const Real there = simd::select(x > right.position / 2, resting, Real{});
         rest_right = rest_right + there;
         rest_left = rest_left + (resting - there);
       } else {
@@ -166,19 +167,19 @@ struct GeneralLanes {
     Real between = x;
     if (motion.oscillator.right.stands) {
       const double last = motion.oscillator.right.position - motion.y_bins->hair();
-      between = smaller(between, all_lanes<Real>(last));
+      between = simd::smaller(between, simd::all_lanes<Real>(last));
     }
-    if (motion.oscillator.left.stands) between = larger(between, Real{});
+    if (motion.oscillator.left.stands) between = simd::larger(between, Real{});
     return between;
   }
 
   /// Adds what each lane counts to the bin of y in the lanes of the mask.
   FPKCHECK_INLINE void note(std::vector<double> StreamRecord::*of, const Real& at,
                             const Mask& there) {
-    if (!any(there)) return;
+    if (!simd::any(there)) return;
     for (int i = 0; i < W; ++i) {
-      if (lane(there, i) == 0) continue;
-      (streams[i]->record.*of)[(*motion.y_bins)(lane(at, i))] += lane(weight, i);
+      if (simd::lane(there, i) == 0) continue;
+      (streams[i]->record.*of)[(*motion.y_bins)(simd::lane(at, i))] += simd::lane(weight, i);
     }
   }
 
@@ -190,7 +191,7 @@ struct GeneralLanes {
     const GeneralOscillator& o = motion.oscillator;
     const Mask turned = free & (v * end.v < 0.0);
     Real turning{}, extreme = y;
-    if (any(turned)) {
+    if (simd::any(turned)) {
       turning = flight.turning_time(span, end, turned);
       extreme = flight.at(turning).y;
     }
@@ -209,29 +210,33 @@ struct GeneralLanes {
     left = left_first | (left & (right_first == none));
     right = right_first | (right & (left_first == none));
     const Mask impact = left | right;
-    if (any(impact)) {
-      const Real wall = select(right, all_lanes<Real>(o.right.position), Real{});
-      const Real inside = select(right, all_lanes<Real>(-1.0), all_lanes<Real>(1.0));
+    if (simd::any(impact)) {
+      const Real wall = simd::select(right, simd::all_lanes<Real>(o.right.position), Real{});
+      const Real inside =
+          simd::select(right, simd::all_lanes<Real>(-1.0), simd::all_lanes<Real>(1.0));
       const Mask after_turn = turned & (first == none);
-      const Real low = select(after_turn, turning, Real{});
-      const Real high = select(first, turning, span);
+      const Real low = simd::select(after_turn, turning, Real{});
+      const Real high = simd::select(first, turning, span);
       // From the parabola about the extreme; without one, from the chord.
       const Real from_extreme = extreme - wall;
-      const Real of_first = 1.0 - square_root(larger(from_extreme / (extreme - y), Real{}));
-      const Real of_last = square_root(larger(from_extreme / (extreme - end.y), Real{}));
+      const Real of_first =
+          1.0 - simd::square_root(simd::larger(from_extreme / (extreme - y), Real{}));
+      const Real of_last =
+          simd::square_root(simd::larger(from_extreme / (extreme - end.y), Real{}));
       const Real of_chord = (y - wall) / (y - end.y);
-      const Real part = select(first, of_first, select(after_turn, of_last, of_chord));
-      const Real guess = smaller(larger(low + (high - low) * part, low), high);
-      span = select(impact, flight.impact_time(wall, inside, low, high, guess, impact), span);
+      const Real part = simd::select(first, of_first, simd::select(after_turn, of_last, of_chord));
+      const Real guess = simd::smaller(simd::larger(low + (high - low) * part, low), high);
+      span = simd::select(impact, flight.impact_time(wall, inside, low, high, guess, impact), span);
       const BasicState<Real> at_wall = flight.at(span);
-      end.v = select(impact, at_wall.v, end.v);
-      end.y = select(impact, wall, end.y);
+      end.v = simd::select(impact, at_wall.v, end.v);
+      end.y = simd::select(impact, wall, end.y);
     }
     if (!motion.records) return;
     note(&StreamRecord::peaks, extreme, high_turn & (right_first == none));
     note(&StreamRecord::troughs, extreme, low_turn & (left_first == none));
     if (o.right.stands) {
-      note(&StreamRecord::peaks, all_lanes<Real>(o.right.position - motion.y_bins->hair()), right);
+      note(&StreamRecord::peaks, simd::all_lanes<Real>(o.right.position - motion.y_bins->hair()),
+           right);
     }
   }
 
@@ -239,11 +244,11 @@ struct GeneralLanes {
   FPKCHECK_INLINE void single_events(const Mask& active) {
     const Mask impulse_now = active & (until_impulse <= 0.0);
     if (motion.records && motion.splitting) {  // there are no kicks then
-      if (!any(impulse_now) && !any(active & (remaining <= 0.0))) return;
+      if (!simd::any(impulse_now) && !simd::any(active & (remaining <= 0.0))) return;
       store_branches();
       for (int i = 0; i < W; ++i) {
         Stream& stream = *streams[i];
-        if (lane(impulse_now, i) != 0) receive_general_impulse(motion, stream);
+        if (simd::lane(impulse_now, i) != 0) receive_general_impulse(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.whole()) follow_next(stream);
       }
       load_branches();
@@ -251,15 +256,15 @@ struct GeneralLanes {
     }
     const Mask kick_now = active & (until_kick <= 0.0);
     const Mask now = impulse_now | kick_now;
-    if (!any(now)) return;
+    if (!simd::any(now)) return;
     Array<double> a[5];
-    store(y, a[0].at);
-    store(v, a[1].at);
-    store(until_impulse, a[2].at);
-    store(until_kick, a[3].at);
-    store(bouncing, a[4].at);
+    simd::store(y, a[0].at);
+    simd::store(v, a[1].at);
+    simd::store(until_impulse, a[2].at);
+    simd::store(until_kick, a[3].at);
+    simd::store(bouncing, a[4].at);
     for (int i = 0; i < W; ++i) {
-      if (lane(now, i) == 0) continue;
+      if (simd::lane(now, i) == 0) continue;
       Stream& stream = *streams[i];
       Branch& b = stream.branch;
       b.y = a[0].at[i];
@@ -267,17 +272,17 @@ struct GeneralLanes {
       b.until_impulse = a[2].at[i];
       stream.general.until_kick = a[3].at[i];
       stream.general.bouncing = a[4].at[i];
-      if (lane(impulse_now, i) != 0) receive_general_impulse(motion, stream);
-      if (lane(kick_now, i) != 0) receive_kick(motion, stream);
+      if (simd::lane(impulse_now, i) != 0) receive_general_impulse(motion, stream);
+      if (simd::lane(kick_now, i) != 0) receive_kick(motion, stream);
       a[1].at[i] = b.v;
       a[2].at[i] = b.until_impulse;
       a[3].at[i] = stream.general.until_kick;
       a[4].at[i] = stream.general.bouncing;
     }
-    v = load<Real>(a[1].at);
-    until_impulse = load<Real>(a[2].at);
-    until_kick = load<Real>(a[3].at);
-    bouncing = load<Real>(a[4].at);
+    v = simd::load<Real>(a[1].at);
+    until_impulse = simd::load<Real>(a[2].at);
+    until_kick = simd::load<Real>(a[3].at);
+    bouncing = simd::load<Real>(a[4].at);
   }
 
   FPKCHECK_INLINE void move() {
@@ -285,32 +290,32 @@ struct GeneralLanes {
     load_branches();
     for (;;) {
       const Mask active = remaining > 0.0;
-      if (!any(active)) break;
+      if (!simd::any(active)) break;
       // Every turn of the loop either moves a lane on in time or brings it to a wall; there the
       // velocity has been turned inwards, or the lane is held, so that the turn after moves on.
       if (o.left.stands) rebound(o.left, 1, active, left_speed, left_energy);
       if (o.right.stands) rebound(o.right, -1, active, right_speed, right_energy);
       const Mask held = bouncing >= 0.0;
       Flight flight(o, {y, v});
-      if (any(held)) flight.hold(held);
-      Real span = smaller(smaller(until_impulse, until_kick), remaining);
+      if (simd::any(held)) flight.hold(held);
+      Real span = simd::smaller(simd::smaller(until_impulse, until_kick), remaining);
       const Mask free = active & (bouncing < 0.0);
-      span = select(free, smaller(span, flight.reach(motion.step)), span);
-      span = where(active, span);
+      span = simd::select(free, simd::smaller(span, flight.reach(motion.step)), span);
+      span = simd::where(active, span);
       BasicState<Real> end = flight.at(span);
       meet(flight, span, end, free);
       if (motion.records) {
-        flights = flights + where(active, all_lanes<Real>(1.0));
+        flights = flights + simd::where(active, simd::all_lanes<Real>(1.0));
         sample(flight, span, held);
       }
       remaining = remaining - span;
       until_impulse = until_impulse - span;
       until_kick = until_kick - span;
-      bouncing = select(held, larger(bouncing - span, Real{}), bouncing);
+      bouncing = simd::select(held, simd::larger(bouncing - span, Real{}), bouncing);
       // Beyond a wall by no more than a grazing turn's rounding.
       y = end.y;
-      if (o.left.stands) y = larger(y, Real{});
-      if (o.right.stands) y = smaller(y, all_lanes<Real>(o.right.position));
+      if (o.left.stands) y = simd::larger(y, Real{});
+      if (o.right.stands) y = simd::smaller(y, simd::all_lanes<Real>(o.right.position));
       v = end.v;
       single_events(active);
     }

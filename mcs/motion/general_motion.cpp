@@ -24,7 +24,7 @@ double kick_interval(const GeneralMotion& motion, double y, double v) {
 }
 
 void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
-             const LaneSet& lanes) {
+             const simd::LaneSet& lanes) {
   for (Stream* stream : streams) {
     stream->branch.remaining = time;
     if (motion.splitting && motion.records) motion.splitting->begin(*stream);

@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "mcs/lanes/instruction_set.hpp"
 #include "mcs/motion/general_oscillator.hpp"
 #include "mcs/streams/splitting.hpp"
 #include "mcs/streams/stream.hpp"
+#include "numerics/simd/instruction_set.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -28,7 +28,7 @@ struct GeneralMotion {
 /// What a stream does depends on nothing but the stream: not on its neighbours, their number or the
 /// instructions used.
 void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
-             const LaneSet& lanes);
+             const simd::LaneSet& lanes);
 
 /// The time to the kick after the one at (y, v). Next to a wall that takes energy it is a part of the
 /// time in which noise alone changes the motion, v^2/D or (distance^2/D)^(1/3): else kicks would

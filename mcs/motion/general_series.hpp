@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "mcs/lanes/elementary.hpp"
-#include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/general_oscillator.hpp"
+#include "numerics/simd/elementary.hpp"
+#include "numerics/simd/simd.hpp"
 
 // Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
 namespace fpkcheck::mcs {
@@ -16,14 +16,14 @@ using GeneralSeries = std::array<Real, kOrder + 1>;
 
 template <class Real>
 FPKCHECK_INLINE Real general_force(const GeneralOscillator& o, const Real& y) {
-  Real sum = all_lanes<Real>(o.force[5]);
+  Real sum = simd::all_lanes<Real>(o.force[5]);
   for (std::size_t n = 5; n-- > 0;) sum = sum * y + o.force[n];
   return sum;
 }
 
 template <class Real>
 FPKCHECK_INLINE Real general_stiffness(const GeneralOscillator& o, const Real& y) {
-  Real sum = all_lanes<Real>(5 * o.force[5]);
+  Real sum = simd::all_lanes<Real>(5 * o.force[5]);
   for (std::size_t n = 4; n > 0; --n) sum = sum * y + static_cast<double>(n) * o.force[n];
   return sum;
 }

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstddef>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/system.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-using problem::Polynomial;
+using numerics::Polynomial;
 
 Polynomial steepest_of(const Polynomial& force) {
   Polynomial::Coefficients magnitudes{};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::problem {
 class System;
@@ -17,11 +17,11 @@ struct Oscillator {
   ///         flights rests on both
   explicit Oscillator(const problem::System& system);
   /// @param spring g, of degree 1 .. kHighestDegree
-  Oscillator(double c, double r, const problem::Polynomial& spring);
+  Oscillator(double c, double r, const numerics::Polynomial& spring);
 
   double damping;      ///< c
   double restitution;  ///< r
-  problem::Polynomial force, potential;
+  numerics::Polynomial force, potential;
   int degree;  ///< of the force
 
   /// g(y) = k y + mu y^3, the paper's spring: it has formulas of its own.
@@ -29,7 +29,7 @@ struct Oscillator {
   double stiffness, cubic;  ///< k, mu
 
   /// sum_n n |g_n| y^(n-1): no tangent and no secant of the spring is steeper, from 0 to y.
-  problem::Polynomial steepest;
+  numerics::Polynomial steepest;
   /// How far out an energy E reaches: y <= (E / least_potential)^(1/(degree + 1)), as
   /// U(y) >= least_potential y^(degree + 1).
   double least_potential;

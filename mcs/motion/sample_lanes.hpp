@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mcs/lanes/lanes.hpp"
 #include "mcs/motion/taylor_polynomial.hpp"
 #include "mcs/streams/stream.hpp"
+#include "numerics/simd/simd.hpp"
 
 // What samples in lanes are counted into, whatever the oscillator. Included by the files that are
 // compiled for different instructions, as motion/advance_lanes.hpp.
@@ -18,8 +18,8 @@ struct alignas(64) LaneArray {
 /// either side of it.
 template <class Real>
 FPKCHECK_INLINE Real place(const BinFinder& bins, const Real& x) {
-  return smaller(larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
-                 all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
+  return simd::smaller(simd::larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
+                       simd::all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
 }
 
 /// Adds kPowers of a state, weighted.
@@ -44,21 +44,22 @@ FPKCHECK_INLINE void put_into_bins(const BinFinder& y_bins, const BinFinder& v_b
                                    const Real& v, const Real& counted, Stream* const* streams,
                                    double* const (&cells)[W]) {
   if (y_bins.even() && v_bins.even()) {
-    const auto row = truncated(place(y_bins, y));
+    const auto row = simd::truncated(place(y_bins, y));
     // At rest the side of 0 counts, however close: half of a spike is there.
-    const Real hair = all_lanes<Real>(v_bins.hair());
-    const Real off_zero = select(v < 0.0, smaller(v, -hair), larger(v, hair));
-    const auto column = truncated(place(v_bins, off_zero));
+    const Real hair = simd::all_lanes<Real>(v_bins.hair());
+    const Real off_zero = simd::select(v < 0.0, simd::smaller(v, -hair), simd::larger(v, hair));
+    const auto column = simd::truncated(place(v_bins, off_zero));
     const auto cell = row * static_cast<std::int32_t>(v_bins.bins() + 2) + column;
     LaneArray<std::int32_t, W> cell_of;
     LaneArray<double, W> weights;
     __builtin_memcpy(&cell_of, &cell, sizeof cell);
-    store(counted, weights.at);
+    simd::store(counted, weights.at);
 #pragma GCC unroll 8
     for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
   } else {
     for (int i = 0; i < W; ++i) {
-      streams[i]->record.histogram.add(y_bins(lane(y, i)), v_bins(lane(v, i)), lane(counted, i));
+      streams[i]->record.histogram.add(y_bins(simd::lane(y, i)), v_bins(simd::lane(v, i)),
+                                       simd::lane(counted, i));
     }
   }
 }

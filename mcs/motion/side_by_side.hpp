@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "mcs/lanes/instruction_set.hpp"
 #include "mcs/streams/stream.hpp"
+#include "numerics/simd/instruction_set.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -13,10 +13,10 @@ using MoveStreams = void(const Motion& motion, Stream* const* streams, int width
 
 /// Any number of streams: as many as there are lanes go side by side, those left over one by one.
 template <class Motion>
-void move_side_by_side(const Motion& motion, std::span<Stream* const> streams, const LaneSet& lanes,
-                       MoveStreams<Motion>* baseline, MoveStreams<Motion>* avx2,
-                       MoveStreams<Motion>* avx512) {
-  const auto move = compiled_for(lanes.instructions, baseline, avx2, avx512);
+void move_side_by_side(const Motion& motion, std::span<Stream* const> streams,
+                       const simd::LaneSet& lanes, MoveStreams<Motion>* baseline,
+                       MoveStreams<Motion>* avx2, MoveStreams<Motion>* avx512) {
+  const auto move = simd::compiled_for(lanes.instructions, baseline, avx2, avx512);
   const auto width = static_cast<std::size_t>(lanes.width);
   std::size_t next = 0;
   for (; next + width <= streams.size(); next += width) {

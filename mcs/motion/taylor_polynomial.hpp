@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "mcs/lanes/lanes.hpp"
+#include "numerics/simd/simd.hpp"
 
 namespace fpkcheck::mcs {
 

@@ -12,13 +12,13 @@
 #include <string_view>
 #include <utility>
 
-#include "files/pending_files.hpp"
-#include "files/whole_file.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/input_file.hpp"
-#include "parameters/shown.hpp"
+#include "base/files/input_file.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
+#include "base/text/shown.hpp"
 #include "problem/problem.hpp"
-#include "process/files_in_hand.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -35,7 +35,7 @@ std::uint64_t checksum(std::string_view text) {
 }
 
 std::string unwritten(const std::string& path, const std::string& why) {
-  return fmt::format("cannot write the checkpoint {} ({})", parameters::shown(path), why);
+  return fmt::format("cannot write the checkpoint {} ({})", base::shown(path), why);
 }
 
 constexpr const char* kNoPlace = "is there such a directory, writable and with space?";
@@ -50,8 +50,8 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
   const std::uint64_t sum = checksum(text);
   text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   try {
-    const process::FilesInHand in_hand;
-    files::write_file(path, text);
+    const base::FilesInHand in_hand;
+    base::write_file(path, text);
     return "";
   } catch (const std::runtime_error&) {
     return unwritten(path, kNoPlace);
@@ -114,9 +114,9 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
         unwritten(path_, "something else is there, which would be lost: name another file"));
   }
   try {
-    const process::FilesInHand in_hand;
-    const fs::path probe = files::partial_beside(path_);
-    files::write_new(probe, kFirstLine);
+    const base::FilesInHand in_hand;
+    const fs::path probe = base::partial_beside(path_);
+    base::write_new(probe, kFirstLine);
     fs::remove(probe);
   } catch (const std::system_error&) {
     throw InputError(unwritten(path_, kNoPlace));
@@ -155,8 +155,8 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
   // The largest have all streams, deposits on the finest grids and the finest bins.
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-  const auto read = parameters::read_input_file(path, kMostBytes);
-  const std::string name = parameters::shown(path);
+  const auto read = base::read_input_file(path, kMostBytes);
+  const std::string name = base::shown(path);
   if (!read) {
     throw InputError(
         fmt::format("cannot read the checkpoint {} (there is no such file) name one that "

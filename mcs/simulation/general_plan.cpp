@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "base/input_error.hpp"
 #include "mcs/offered.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::mcs {

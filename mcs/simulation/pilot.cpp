@@ -20,19 +20,19 @@ constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
 
 // That of the energy by which is split: of the spring's, and of the mean of the impulses where the
 // oscillator is not the paper's, whose potential may hold without.
-problem::Polynomial potential_of(const problem::Problem& problem, const Plan& plan) {
+numerics::Polynomial potential_of(const problem::Problem& problem, const Plan& plan) {
   if (!plan.general) return problem.system.potential();
   const problem::UndampedOrbits orbits(problem);
   auto coefficients = orbits.potential().coefficients();
   coefficients[0] -= orbits.lowest_potential();
-  return problem::Polynomial(coefficients);
+  return numerics::Polynomial(coefficients);
 }
 
 }  // namespace
 
 Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
-  const problem::Polynomial potential = potential_of(problem, plan);
+  const numerics::Polynomial potential = potential_of(problem, plan);
   Plan pilot = plan;
   pilot.seed = ~plan.seed;  // numbers that no simulation of this seed uses
   pilot.samples_per_round =

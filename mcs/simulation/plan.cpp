@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/input_error.hpp"
 #include "mcs/simulation/workers.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 

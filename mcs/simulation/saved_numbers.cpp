@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

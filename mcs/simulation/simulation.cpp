@@ -7,11 +7,11 @@
 #include <ostream>
 #include <utility>
 
+#include "base/input_error.hpp"
 #include "mcs/motion/start.hpp"
 #include "mcs/simulation/general_start.hpp"
 #include "mcs/simulation/saved_numbers.hpp"
 #include "mcs/simulation/workers.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
@@ -149,7 +149,7 @@ void Simulation::round() {
 }
 
 void Simulation::move(bool recorded, double time) {
-  static const LaneSet lanes = available_lanes().back();
+  static const simd::LaneSet lanes = simd::available_lanes().back();
   if (general_) {
     GeneralMotion motion = *general_;
     motion.records = recorded;

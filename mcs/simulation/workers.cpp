@@ -6,12 +6,12 @@
 #include <thread>
 #include <vector>
 
-#include "process/processors.hpp"
+#include "base/process/processors.hpp"
 
 namespace fpkcheck::mcs {
 
 int number_of_threads(const std::optional<int>& asked) {
-  return asked.value_or(process::processors());
+  return asked.value_or(base::processors());
 }
 
 void share_work(int threads, std::size_t shares, const std::function<void(std::size_t)>& work) {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::mcs {
 

@@ -23,7 +23,7 @@ std::uint64_t bits(int first, int last) {
 
 }  // namespace
 
-Splitting::Splitting(const problem::Polynomial& potential, std::vector<double> thresholds,
+Splitting::Splitting(const numerics::Polynomial& potential, std::vector<double> thresholds,
                      double largest_energy)
     : potential_(potential),
       thresholds_(std::move(thresholds)),

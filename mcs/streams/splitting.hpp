@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mcs/streams/stream.hpp"
-#include "problem/polynomial.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -40,7 +40,7 @@ class Splitting {
   /// @param potential V, 0 at the least
   /// @param thresholds increasing energies; may be empty; at most kMostThresholds are used
   /// @param largest_energy of the bins in which energies are counted
-  Splitting(const problem::Polynomial& potential, std::vector<double> thresholds,
+  Splitting(const numerics::Polynomial& potential, std::vector<double> thresholds,
             double largest_energy);
 
   double weight(const Branch& branch) const {
@@ -61,7 +61,7 @@ class Splitting {
   bool may_split(const StreamRecord& record) const;
   void split(Stream& stream, int from, bool at_impulse) const;
 
-  problem::Polynomial potential_;
+  numerics::Polynomial potential_;
   std::vector<double> thresholds_;
   std::vector<double> weights_;
   BinFinder energy_bins_;

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/amplitude_table.hpp"
 
 namespace fpkcheck::problem {

@@ -20,20 +20,20 @@
 #include <utility>
 #include <vector>
 
+#include "base/input_error.hpp"
+#include "base/options/asked_name.hpp"
+#include "base/text/shown.hpp"
 #include "compare/axes.hpp"
 #include "extension/options.hpp"
 #include "extension/saving.hpp"
 #include "extension/solving.hpp"
 #include "methods/builtin.hpp"
-#include "methods/given/between_walls.hpp"
-#include "methods/given/families.hpp"
-#include "methods/given/given_methods.hpp"
-#include "methods/given/label.hpp"
-#include "methods/given/own_density.hpp"
-#include "methods/given/own_samples.hpp"
-#include "parameters/asked_name.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "methods/external/between_walls.hpp"
+#include "methods/external/families.hpp"
+#include "methods/external/given_methods.hpp"
+#include "methods/external/label.hpp"
+#include "methods/external/own_density.hpp"
+#include "methods/external/own_samples.hpp"
 #include "problem/case_file.hpp"
 #include "problem/named_cases.hpp"
 #include "report/table.hpp"
@@ -60,7 +60,7 @@ py::array_t<double> cells(const transform::GridDensity& density) {
   return py::array_t<double>({density.ny(), density.nv()}, density.averages.data());
 }
 
-parameters::Value value_in(const py::handle& object, const std::string& name) {
+base::Value value_in(const py::handle& object, const std::string& name) {
   if (object.is_none()) return {};
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) {
@@ -73,11 +73,11 @@ parameters::Value value_in(const py::handle& object, const std::string& name) {
   if (py::isinstance<py::float_>(object)) return object.cast<double>();
   if (py::isinstance<py::str>(object)) return object.cast<std::string>();
   throw py::type_error(fmt::format("{} is of type {} (use a number, a text, a bool or None)",
-                                   parameters::in_quotes(name), Py_TYPE(object.ptr())->tp_name));
+                                   base::in_quotes(name), Py_TYPE(object.ptr())->tp_name));
 }
 
-parameters::Values values_in(const py::dict& dict) {
-  parameters::Values values;
+base::Values values_in(const py::dict& dict) {
+  base::Values values;
   for (const auto& [key, value] : dict) {
     const auto name = key.cast<std::string>();
     values.push_back({name, value_in(value, name)});
@@ -85,7 +85,7 @@ parameters::Values values_in(const py::dict& dict) {
   return values;
 }
 
-py::object object_of(const parameters::Value& value) {
+py::object object_of(const base::Value& value) {
   return std::visit(
       [](const auto& held) -> py::object {
         using Held = std::decay_t<decltype(held)>;
@@ -162,10 +162,10 @@ methods::OwnDensity own_density(const std::string& label,
   if (order && *order < 1) {
     throw InputError(fmt::format("{} = {} (must be 1 or more)", of("order"), *order));
   }
-  if (equation) own.equation = parameters::asked_name<problem::Equation>(of("equation"), *equation);
+  if (equation) own.equation = base::asked_name<problem::Equation>(of("equation"), *equation);
   // Trajectories alone are reflected exactly.
-  own.impact = parameters::asked_name<problem::Impact>(of("impact"), impact,
-                                                       std::span(problem::kImpactNames).first(2));
+  own.impact = base::asked_name<problem::Impact>(of("impact"), impact,
+                                                 std::span(problem::kImpactNames).first(2));
   return own;
 }
 

@@ -7,15 +7,15 @@
 #include <optional>
 #include <variant>
 
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 
 namespace fpkcheck::python {
 namespace {
 
-using parameters::NamedValue;
-using parameters::Value;
-using parameters::Values;
+using base::NamedValue;
+using base::Value;
+using base::Values;
 
 // The name that the solver knows the option by; nothing where it is none of its.
 std::optional<std::string> own_name(const methods::Solver& solver, const std::string& option) {
@@ -38,20 +38,20 @@ void require_known(const methods::Registry& registry, const std::string& option)
   if (known.empty()) {
     for (const auto& solver : registry.solvers()) known.push_back(solver.name + ".NAME");
   }
-  throw InputError(fmt::format("options: {} is no option (known: {})",
-                               parameters::in_quotes(option), fmt::join(known, ", ")));
+  throw InputError(fmt::format("options: {} is no option (known: {})", base::in_quotes(option),
+                               fmt::join(known, ", ")));
 }
 
 // Of the type that the parameter takes.
-Value fitting(const parameters::Parameter& parameter, const NamedValue& given) {
-  const std::string label = fmt::format("options: {} =", parameters::shown(given.name));
+Value fitting(const base::Parameter& parameter, const NamedValue& given) {
+  const std::string label = fmt::format("options: {} =", base::shown(given.name));
   if (const auto* text = std::get_if<std::string>(&given.value)) {
     return value_from(parameter, *text, label);
   }
   const auto value = parameter.accepted(given.value);
   if (!value) {
-    throw InputError(fmt::format("{} {} (must be {})", label, parameters::text_of(given.value),
-                                 parameter.allowed()));
+    throw InputError(
+        fmt::format("{} {} (must be {})", label, base::text_of(given.value), parameter.allowed()));
   }
   return *value;
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/options/value.hpp"
 #include "methods/registry.hpp"
-#include "parameters/value.hpp"
 
 namespace fpkcheck::python {
 
@@ -14,7 +14,6 @@ namespace fpkcheck::python {
 /// @throws InputError as Registry::select; for an option that no solver has, that is not of its
 ///         type or out of its range, or that makes the method another one
 std::vector<methods::Method> methods_with(const methods::Registry& registry,
-                                          const std::string& list,
-                                          const parameters::Values& options);
+                                          const std::string& list, const base::Values& options);
 
 }  // namespace fpkcheck::python

@@ -8,9 +8,9 @@
 #include <future>
 #include <mutex>
 
+#include "base/process/files_in_hand.hpp"
+#include "base/process/stop.hpp"
 #include "methods/builtin.hpp"
-#include "process/files_in_hand.hpp"
-#include "process/stop.hpp"
 #include "report/report.hpp"
 #include "results/directory.hpp"
 #include "results/saved_run.hpp"
@@ -35,7 +35,7 @@ void let_hdf5_be_silent_here() {
 std::vector<std::string> written(const std::filesystem::path& directory, const results::Run& run) {
   const std::lock_guard lock(files_mutex());
   let_hdf5_be_silent_here();
-  const process::FilesInHand in_hand;
+  const base::FilesInHand in_hand;
   const auto prepared = results::make_writable(directory);
   return report::write_report(directory, run);
 }
@@ -49,9 +49,9 @@ std::vector<std::string> save(const std::filesystem::path& directory, const resu
   try {
     while (warnings.wait_for(50ms) != std::future_status::ready) look();
   } catch (...) {
-    process::request_stop(SIGINT);
+    base::request_stop(SIGINT);
     warnings.wait();
-    process::request_stop(0);
+    base::request_stop(0);
     throw;
   }
   return warnings.get();

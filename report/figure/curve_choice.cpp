@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
 #include "compare/reference.hpp"
-#include "parameters/input_error.hpp"
-#include "parameters/shown.hpp"
 #include "report/references.hpp"
 
 namespace fpkcheck::report {
@@ -84,7 +84,7 @@ void require_curves(const std::vector<std::string>& wanted, std::span<const Iden
     }
     throw InputError(
         fmt::format("--curves: {} is none of the solutions (use all, a family, or of {})",
-                    parameters::in_quotes(item), fmt::join(ids, ", ")));
+                    base::in_quotes(item), fmt::join(ids, ", ")));
   }
 }
 

@@ -9,9 +9,9 @@
 #include <future>
 #include <iterator>
 
-#include "files/pending_files.hpp"
-#include "parameters/shown.hpp"
-#include "process/stop.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/process/stop.hpp"
+#include "base/text/shown.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 
@@ -25,7 +25,7 @@ std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
   return start == std::string::npos
              ? "it said nothing"
-             : parameters::shown(text.substr(start, text.find('\n', start) - start));
+             : base::shown(text.substr(start, text.find('\n', start) - start));
 }
 
 std::string bytes_of(const fs::path& file) {
@@ -98,7 +98,7 @@ void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::pa
   if (const auto at = text.find(name); at != std::string::npos) {
     text.replace(at, name.size(), included);
   }
-  files::PendingFiles files;
+  base::PendingFiles files;
   files.add(picture, text);
   files.add(picture.parent_path() / included, bytes_of(art));
   files.commit();
@@ -113,7 +113,7 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
     draw_latex(gnuplot, script, picture);
     return;
   }
-  files::replace_file(picture, [&](const fs::path& temporary) {
+  base::replace_file(picture, [&](const fs::path& temporary) {
     let_draw(gnuplot, script, format, temporary, picture);
     if (format != name(FigureFormat::svg) || width == FigureWidth::screen) return;
     const std::string svg = in_millimetres(bytes_of(temporary), millimetres(width));
@@ -148,11 +148,11 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
                                         const std::string& script, const FigureOptions& options,
                                         const std::string& gnuplot) {
   fs::create_directories(figures);
-  files::write_file(figures / (stem + ".gp"), script);
+  base::write_file(figures / (stem + ".gp"), script);
   try {
-    if (process::stop_requested()) return {};
+    if (base::stop_requested()) return {};
     auto warnings = draw_all(gnuplot, figures, stem, options);
-    return process::stop_requested() ? std::vector<std::string>() : warnings;
+    return base::stop_requested() ? std::vector<std::string>() : warnings;
   } catch (const GnuplotMissing& missing) {
     return {fmt::format("no picture: {} (install gnuplot, then `cd {} && gnuplot {}.gp` draws it)",
                         missing.what(), figures.string(), stem)};

@@ -18,7 +18,7 @@
 #include <system_error>
 #include <thread>
 
-#include "process/stop.hpp"
+#include "base/process/stop.hpp"
 
 extern char** environ;
 
@@ -64,7 +64,7 @@ class ErrorPipe {
     std::array<char, 4096> buffer;
     for (;;) {
       constexpr int kMilliseconds = 50;  // between looks at the clock and at the signals
-      if (process::stop_requested() || Clock::now() > deadline) return std::nullopt;
+      if (base::stop_requested() || Clock::now() > deadline) return std::nullopt;
       pollfd end{.fd = ends_[0], .events = POLLIN, .revents = 0};
       const int ready = poll(&end, 1, kMilliseconds);
       if (ready == 0) continue;
@@ -121,7 +121,7 @@ std::optional<int> wait_for(pid_t child, Clock::time_point deadline) {
   constexpr std::chrono::milliseconds kFirstPause(1), kLongestPause(20);
   for (auto pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
     if (const auto exit_code = look_after(child, WNOHANG)) return exit_code;
-    if (process::stop_requested() || Clock::now() > deadline) return std::nullopt;
+    if (base::stop_requested() || Clock::now() > deadline) return std::nullopt;
     std::this_thread::sleep_for(pause);
   }
 }

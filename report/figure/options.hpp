@@ -5,33 +5,30 @@
 #include <string_view>
 #include <vector>
 
-#include "parameters/names.hpp"
+#include "base/options/names.hpp"
 
 /// What whoever asks for pictures may choose.
 namespace fpkcheck::report {
 
 /// `tex` is LaTeX: STEM.tex with the texts, for \input, and what they stand on in STEM-tex.pdf.
 enum class FigureFormat { png, svg, pdf, tex };
-inline constexpr parameters::Named<FigureFormat> kFigureFormatNames[] = {
-    {FigureFormat::png, "png"},
-    {FigureFormat::svg, "svg"},
-    {FigureFormat::pdf, "pdf"},
-    {FigureFormat::tex, "tex"}};
-constexpr std::span<const parameters::Named<FigureFormat>> names(FigureFormat) {
+inline constexpr base::Named<FigureFormat> kFigureFormatNames[] = {{FigureFormat::png, "png"},
+                                                                   {FigureFormat::svg, "svg"},
+                                                                   {FigureFormat::pdf, "pdf"},
+                                                                   {FigureFormat::tex, "tex"}};
+constexpr std::span<const base::Named<FigureFormat>> names(FigureFormat) {
   return kFigureFormatNames;
 }
-constexpr std::string_view name(FigureFormat format) { return parameters::name_of(format); }
+constexpr std::string_view name(FigureFormat format) { return base::name_of(format); }
 
 /// Where a picture is to stand: what is narrow has fewer panels beside one another.
 enum class FigureWidth { screen, two_columns, one_column };
-inline constexpr parameters::Named<FigureWidth> kFigureWidthNames[] = {
+inline constexpr base::Named<FigureWidth> kFigureWidthNames[] = {
     {FigureWidth::screen, "screen"},
     {FigureWidth::two_columns, "170", "both columns of a journal, in mm"},
     {FigureWidth::one_column, "85", "one column of a journal, in mm"}};
-constexpr std::span<const parameters::Named<FigureWidth>> names(FigureWidth) {
-  return kFigureWidthNames;
-}
-constexpr std::string_view name(FigureWidth width) { return parameters::name_of(width); }
+constexpr std::span<const base::Named<FigureWidth>> names(FigureWidth) { return kFigureWidthNames; }
+constexpr std::string_view name(FigureWidth width) { return base::name_of(width); }
 
 struct FigureOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};

@@ -18,7 +18,7 @@ using transform::Variable;
 
 std::string title(Panel panel, const FigureSide& side, char letter, const std::string& reference,
                   bool briefly) {
-  const std::string variable(parameters::meaning_of(side.variable));
+  const std::string variable(base::meaning_of(side.variable));
   const auto named = [&](const std::string& what) {
     return fmt::format("({}) {}{}", letter, briefly ? "" : variable + ", ", what);
   };

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "files/pending_files.hpp"
-#include "process/stop.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/process/stop.hpp"
 #include "report/budget/figure.hpp"
 #include "report/figure/curve_choice.hpp"
 #include "report/figure/drawing.hpp"
@@ -71,11 +71,11 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   remove_pictures(directory, run);
   for (const auto& picture : others) remove_pictures_of(figures, picture.stem);
   for (const auto& [stem, script] : pictures) {
-    files::write_file(figures / (stem + ".gp"), script);
+    base::write_file(figures / (stem + ".gp"), script);
   }
   try {
     for (const auto& picture : pictures) {
-      if (process::stop_requested()) return {};
+      if (base::stop_requested()) return {};
       const auto own = draw_all(gnuplot, figures, picture.stem, options);
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
@@ -85,7 +85,7 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
                     missing.what(), directory.string()));
   }
   // What did not become of the last one is no news then.
-  return process::stop_requested() ? std::vector<std::string>() : warnings;
+  return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 
 }  // namespace fpkcheck::report

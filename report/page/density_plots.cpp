@@ -230,7 +230,7 @@ std::vector<Plot> density_plots(const results::Case& one, const FigureContent& c
                                 const std::set<std::string>& shown, const std::string& prefix) {
   std::vector<Plot> plots;
   for (const auto& side : content.sides) {
-    std::string caption(parameters::meaning_of(side.variable));
+    std::string caption(base::meaning_of(side.variable));
     caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
     caption += fmt::format(" {}: ", variable_text(side.variable));
     if (!content.reference.empty()) {

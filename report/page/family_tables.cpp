@@ -21,7 +21,7 @@ constexpr int kDigits = 4;
 
 bool repeats_an_option(const Observation& observation, const Solution& solution) {
   return std::ranges::find(solution.options,
-                           parameters::NamedValue{observation.path, observation.value}) !=
+                           base::NamedValue{observation.path, observation.value}) !=
          solution.options.end();
 }
 
@@ -42,8 +42,7 @@ std::vector<std::string> told_paths(const Family& family) {
       if (observation.path.find('[') != std::string::npos) continue;
       const auto known = std::ranges::find(paths, observation.path);
       at = (known != paths.end() ? known : paths.insert(at, observation.path)) + 1;
-      if (!parameters::is_nothing(observation.value) &&
-          !repeats_an_option(observation, *solution)) {
+      if (!base::is_nothing(observation.value) && !repeats_an_option(observation, *solution)) {
         told.insert(observation.path);
       }
     }
@@ -67,7 +66,7 @@ std::string readable(const std::string& path) {
 // for a rejection.
 std::string told(const Solution& solution, const std::string& path) {
   const Observation* found = find(solution.observations, path);
-  std::string text = value_text(found ? found->value : parameters::Value(), kDigits);
+  std::string text = value_text(found ? found->value : base::Value(), kDigits);
   const bool is_confined = transform::word(solution.observations, "tail.kind") == "confined";
   if (path == "support.rises_from" && is_confined && text != kNoValue) {
     text = fmt::format("confined (Q_n from {})", text);

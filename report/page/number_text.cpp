@@ -41,7 +41,7 @@ std::string number_text(const std::optional<double>& value, int digits) {
       without_bare_point(fmt::format("{:#.{}g}", *value, digits), digits));
 }
 
-std::string value_text(const parameters::Value& value, int digits) {
+std::string value_text(const base::Value& value, int digits) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
   if (const auto* count = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *count);
   if (const auto* word = std::get_if<std::string>(&value)) return *word;

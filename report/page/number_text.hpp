@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "parameters/value.hpp"
+#include "base/options/value.hpp"
 
 /// Numbers as the page shows them; a dash for what is absent or not finite.
 namespace fpkcheck::report {
@@ -14,7 +14,7 @@ std::string number_text(const std::optional<double>& value, int digits);
 
 /// Whatever a parameter or an observation holds: a count with all its digits, a number with those
 /// it has, at most so many, yes or no, a word as it is.
-std::string value_text(const parameters::Value& value, int digits = 6);
+std::string value_text(const base::Value& value, int digits = 6);
 
 /// An L1 distance: 0.0044, 6.0e-6.
 std::string l1_cell(const std::optional<double>& l1);

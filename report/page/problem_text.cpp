@@ -91,7 +91,7 @@ std::string parts_html() {
 }
 
 // The value of a parameter in another problem; nothing where it has none.
-std::optional<parameters::Value> value_in(const Problem& other, const ShownParameter& parameter) {
+std::optional<base::Value> value_in(const Problem& other, const ShownParameter& parameter) {
   for (const auto& candidate : problem::shown_parameters(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {
       return candidate.value;

@@ -25,7 +25,7 @@ std::string without_trailing_spaces(std::string line) {
 
 fmt::text_style status_style(const std::string& cell) {
   using transform::Status;
-  const auto status = parameters::value_named<Status>(cell);
+  const auto status = base::value_named<Status>(cell);
   if (status == Status::ok) return fmt::fg(fmt::terminal_color::green);
   if (status == Status::failed || status == Status::ill_posed) {
     return fmt::fg(fmt::terminal_color::red);

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "process/stop.hpp"
+#include "base/process/stop.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 // other, once in some hundred signals.
 [[noreturn]] void end_as_the_grace_ends() {
   alarm(20);
-  process::request_stop(SIGINT);
+  base::request_stop(SIGINT);
   {
     const Deadline deadline;
     wake_deadline();
@@ -37,7 +37,7 @@ TEST(Ending, OfACommandThatDoesNotEndIsThatOfTheDeadline) {
   EXPECT_EXIT(
       {
         alarm(20);
-        process::request_stop(SIGTERM);
+        base::request_stop(SIGTERM);
         const Deadline deadline;
         wake_deadline();
         while (true) pause();

@@ -12,10 +12,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "files/whole_file.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/process/stop.hpp"
 #include "methods/builtin.hpp"
-#include "process/stop.hpp"
-#include "study/toy_methods.hpp"
+#include "workflows/study/toy_methods.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -253,7 +253,7 @@ TEST_F(Program, ASecondRunLeavesNothingOfTheFirst) {
                      "--out", out})
                 .exit_code,
             kDone);
-  const fs::path partial = files::partial_beside(fs::path(out) / "figures" / "case2.png");
+  const fs::path partial = base::partial_beside(fs::path(out) / "figures" / "case2.png");
   const std::string mine = partial.string();
   constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
   std::ofstream(mine.substr(0, mine.rfind('-') + 1) + kNobody) << "stopped";
@@ -345,12 +345,12 @@ methods::Registry stopped_within(const std::string& case_name) {
   for (const auto& toy : {tests::Toy{"plain", "plain", transform::Role::closure},
                           tests::Toy{"cells", "cells", transform::Role::equation}}) {
     auto solver = tests::toy_solver(toy);
-    solver.method = [made = solver.method, case_name](const parameters::Values& values) {
+    solver.method = [made = solver.method, case_name](const base::Values& values) {
       methods::Method method = made(values);
       method.parallel = true;  // each alone, in their order
       method.solve = [solve = method.solve, case_name, id = method.id()](
                          const problem::Problem& problem, const methods::Setting& setting) {
-        if (problem.name == case_name && id == "plain") process::request_stop(SIGINT);
+        if (problem.name == case_name && id == "plain") base::request_stop(SIGINT);
         return solve(problem, setting);
       };
       return method;

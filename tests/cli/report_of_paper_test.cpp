@@ -7,16 +7,16 @@
 #include <iterator>
 #include <string>
 
+#include "base/files/pending_files.hpp"
 #include "cli/program.hpp"
-#include "files/pending_files.hpp"
 #include "methods/builtin.hpp"
-#include "paper/claims.hpp"
-#include "paper/files.hpp"
-#include "paper/judge.hpp"
-#include "paper/judged_run.hpp"
-#include "paper/table.hpp"
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
+#include "workflows/paper/claims.hpp"
+#include "workflows/paper/files.hpp"
+#include "workflows/paper/judge.hpp"
+#include "workflows/paper/judged_run.hpp"
+#include "workflows/paper/table.hpp"
 
 /// `report` of a directory that `paper` left.
 namespace fpkcheck::cli {
@@ -37,7 +37,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 // What a run saves, without page and pictures.
 void save(const fs::path& directory, const results::Run& run) {
-  files::PendingFiles files;
+  base::PendingFiles files;
   results::add_run(files, directory, run);
   files.commit();
 }

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "base/input_error.hpp"
 #include "compare/comparison.hpp"
 #include "made_up_solutions.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::compare {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "base/input_error.hpp"
 #include "closures.hpp"
 #include "epc/solve.hpp"
 #include "family.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "transform/change_of_frame.hpp"
 #include "transform/panel_marginals.hpp"
 

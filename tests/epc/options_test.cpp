@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::epc {
 namespace {

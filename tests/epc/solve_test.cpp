@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/input_error.hpp"
 #include "closures.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::epc {
 namespace {

@@ -37,7 +37,7 @@ std::vector<std::string> outermost(const Observations& observations) {
 
 bool is_nothing(const Observations& observations, const char* path) {
   const auto* found = find(observations, path);
-  return found != nullptr && parameters::is_nothing(found->value);
+  return found != nullptr && base::is_nothing(found->value);
 }
 
 TEST(ClosureSummary, OfTheFormulationGaussianHasTheFieldsOfTheFiles) {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "base/input_error.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "trapezoid.hpp"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "family.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::exact {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "linear_problem.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::exact {
 

@@ -8,9 +8,9 @@
 #include <numeric>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "linear_problem.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::exact {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "base/input_error.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::exact {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::exact {

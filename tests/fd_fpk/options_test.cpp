@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "thorough.hpp"
 #include "uniform_edges.hpp"
 

@@ -60,16 +60,16 @@ TEST(Summary, OfCharacteristicsTellsWhatTheyHold) {
   summary.visits = 1000;
   summary.rest_mass = 0.25;
   const auto all = observations(summary);
-  EXPECT_EQ(find(all, "transport")->value, parameters::Value(std::string("characteristics")));
+  EXPECT_EQ(find(all, "transport")->value, base::Value(std::string("characteristics")));
   EXPECT_EQ(find(all, "visits")->kind, Kind::work);
   EXPECT_EQ(number(all, "rest_mass"), 0.25);
 }
 
 TEST(Summary, TellsTheAnswerFromTheWork) {
   const auto all = observations({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
-  EXPECT_EQ(find(all, "nx")->value, parameters::Value(std::int64_t{40}));
+  EXPECT_EQ(find(all, "nx")->value, base::Value(std::int64_t{40}));
   EXPECT_EQ(find(all, "nx")->kind, Kind::result);
-  EXPECT_EQ(find(all, "steps")->value, parameters::Value(std::int64_t{5}));
+  EXPECT_EQ(find(all, "steps")->value, base::Value(std::int64_t{5}));
   for (const auto* work : {"nonzeros", "leak", "steps", "factorisations", "rhs_evaluations",
                            "krylov_iterations", "factor_entries", "factor_seconds",
                            "krylov_seconds", "residual", "stepped_against_direct"}) {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "exact/linear_moments.hpp"
 #include "family.hpp"
 #include "fd_fpk/offered.hpp"
 #include "fd_fpk/solve.hpp"
 #include "fd_fpk/transient.hpp"
-#include "parameters/input_error.hpp"
 #include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::fd_fpk {

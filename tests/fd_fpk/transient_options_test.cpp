@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

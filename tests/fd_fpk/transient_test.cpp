@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/input_error.hpp"
 #include "dense_eigenvalues.hpp"
 #include "exact/linear_moments.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

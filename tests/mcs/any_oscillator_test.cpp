@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "family.hpp"
 #include "mcs/offered.hpp"
 #include "mcs/solve.hpp"
-#include "parameters/input_error.hpp"
 #include "statistics.hpp"
 #include "transform/change_of_frame.hpp"
 

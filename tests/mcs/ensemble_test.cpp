@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "base/input_error.hpp"
 #include "exact/linear_moments.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "statistics.hpp"
 
 namespace fpkcheck::mcs {

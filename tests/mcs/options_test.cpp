@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

@@ -106,7 +106,7 @@ TEST(Summary, TellsResultsFromWorkAndYardsticks) {
     EXPECT_EQ(at(all, path).kind, Kind::result) << path;
   }
   const auto without = observations({});
-  EXPECT_TRUE(parameters::is_nothing(at(without, "kick_interval").value));
+  EXPECT_TRUE(base::is_nothing(at(without, "kick_interval").value));
   EXPECT_EQ(at(without, "splitting_thresholds[]").kind, Kind::work);
 }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
 #include "family.hpp"
 #include "mcs/offered.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "statistics.hpp"
 #include "temporary_directory.hpp"
 

@@ -22,7 +22,7 @@ using transform::Solution;
 using transform::Status;
 using transform::Variable;
 
-Solution solved(const std::string& id, const parameters::Values& given = {}) {
+Solution solved(const std::string& id, const base::Values& given = {}) {
   const auto p = tests::paper_case(1);
   const auto axes = compare::comparison_axes(p);
   return solve_by(*builtin().by_id(id, given), p, {axes, {}});
@@ -181,7 +181,7 @@ TEST(MeasuredError, IsTheDistanceToTheReferenceWhereResidualsGiveNone) {
 
 TEST(ProblemResiduals, AreFittedOnceForAllThreads) {
   const ProblemResiduals residuals(tests::paper_case(2));
-  std::vector<const dual::DensityResiduals*> seen(4);
+  std::vector<const backward::DensityResiduals*> seen(4);
   {
     std::vector<std::jthread> threads;
     for (auto& one : seen) threads.emplace_back([&] { one = residuals.get(); });

@@ -6,10 +6,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/input_error.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -92,10 +92,10 @@ TEST(Registry, EveryMethodSaysWhatItIsAndLooksLikeNoOther) {
 }
 
 TEST(Registry, WhatIsGivenReplacesTheOptionsOfThoseThatKnowIt) {
-  const parameters::Values given{{"time", 123.0}, {"seed", std::int64_t{9}}};
+  const base::Values given{{"time", 123.0}, {"seed", std::int64_t{9}}};
   const auto option = [&](const Method& method, const std::string& name) {
-    const auto found = std::ranges::find(method.options, name, &parameters::NamedValue::name);
-    return found == method.options.end() ? std::string("none") : parameters::text_of(found->value);
+    const auto found = std::ranges::find(method.options, name, &base::NamedValue::name);
+    return found == method.options.end() ? std::string("none") : base::text_of(found->value);
   };
   EXPECT_EQ(option(*builtin().by_id("mcs", given), "time"), "123");
   EXPECT_EQ(option(*builtin().by_id("mcs", given), "seed"), "9");

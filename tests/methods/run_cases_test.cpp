@@ -9,9 +9,9 @@
 #include <system_error>
 #include <thread>
 
+#include "base/input_error.hpp"
 #include "methods/builtin.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::methods {
 namespace {

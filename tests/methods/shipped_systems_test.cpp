@@ -8,8 +8,8 @@
 #include "exact/energy_law.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
+#include "numerics/quadrature/panels.hpp"
 #include "problem/case_file.hpp"
-#include "transform/panels.hpp"
 
 // Each shipped system (docs/systems.md): its exact law where one is known, else finite differences and
 // simulation, which share the problem alone.
@@ -20,7 +20,7 @@ using transform::Solution;
 using transform::Variable;
 
 Solution solved(const problem::Problem& problem, const std::string& id,
-                const parameters::Values& options = {}) {
+                const base::Values& options = {}) {
   const auto registry = builtin();
   const auto method = registry.select(id, options).front();
   return solve_by(method, problem, {compare::comparison_axes(problem), {}});
@@ -38,7 +38,7 @@ TEST_P(ExactSystems, AreSolvedByFiniteDifferences) {
     const auto marginal = transform::marginal(solution, variable, edges(axes, variable));
     double l1 = 0;
     for (std::size_t k = 0; k < marginal.size(); ++k) {
-      const double exact = transform::average(
+      const double exact = numerics::average(
           [&](double x) {
             return variable == Variable::y ? law.displacement_marginal(x)
                                            : law.velocity_marginal(x);

@@ -2,21 +2,21 @@
 
 #include <cmath>
 
-#include "check/baseline.hpp"
-#include "check/check.hpp"
-#include "files/pending_files.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
 #include "results/saved_run.hpp"
-#include "study/order.hpp"
 #include "temporary_directory.hpp"
 #include "transform/panel_marginals.hpp"
 #include "unpacked.hpp"
+#include "workflows/check/baseline.hpp"
+#include "workflows/check/check.hpp"
+#include "workflows/study/order.hpp"
 
 /// A method from outside the tree: by its entry in the registry alone it stands in every table,
 /// picture and file, in the error budget, the study of orders and the regression test.
@@ -28,12 +28,11 @@ struct Bell {
   double stretch = 1;
 };
 
-const parameters::Description<Bell>& bell_description() {
+const base::Description<Bell>& bell_description() {
   static const auto description =
-      parameters::Description<Bell>("bell ")
-          .add("order", &Bell::order, {"N", "the higher, the narrower"},
-               parameters::even_between(2, 8))
-          .add("stretch", &Bell::stretch, {"S", "in y"}, parameters::positive());
+      base::Description<Bell>("bell ")
+          .add("order", &Bell::order, {"N", "the higher, the narrower"}, base::even_between(2, 8))
+          .add("stretch", &Bell::stretch, {"S", "in y"}, base::positive());
   return description;
 }
 
@@ -174,7 +173,7 @@ TEST_F(ToyClosure, IsStudiedOverItsOrder) {
 
 TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
   const tests::TemporaryDirectory directory;
-  files::PendingFiles files;
+  base::PendingFiles files;
   results::add_run(files, directory.path(), run_);
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});

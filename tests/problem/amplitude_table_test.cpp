@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "laws.hpp"
-#include "parameters/input_error.hpp"
 #include "problem/case_file.hpp"
 #include "temporary_directory.hpp"
 

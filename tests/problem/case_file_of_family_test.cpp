@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/case_file.hpp"
 #include "problem/features.hpp"
 #include "problem/named_cases.hpp"

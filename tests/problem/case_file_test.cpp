@@ -7,7 +7,7 @@
 
 #include <sstream>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "problem/impulse_law.hpp"
 #include "problem/named_cases.hpp"
 

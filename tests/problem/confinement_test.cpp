@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "base/input_error.hpp"
 #include "family.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {

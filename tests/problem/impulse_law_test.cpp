@@ -9,8 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "laws.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {

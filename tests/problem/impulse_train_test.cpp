@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "laws.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {

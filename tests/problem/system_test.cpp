@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {

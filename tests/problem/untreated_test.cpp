@@ -29,7 +29,7 @@ TEST(Untreated, IsKnownByEachOfItsWordsInKeysAndCommands) {
 
 // A key of the program's own is none of them.
 TEST(Untreated, IsNoKeyThatTheProgramHas) {
-  for (const parameters::Descriptions* section : case_descriptions()) {
+  for (const base::Descriptions* section : case_descriptions()) {
     for (const auto& parameter : section->all()) {
       EXPECT_EQ(untreated_text(section->prefix() + parameter.name), "") << parameter.name;
     }

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 
 namespace fpkcheck::problem {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "files/pending_files.hpp"
-#include "files/whole_file.hpp"
-#include "parameters/input_error.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/input_error.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::results {
@@ -46,7 +46,7 @@ TEST(RunDirectory, GoesAgainWhenNothingIsPutIntoIt) {
   EXPECT_TRUE(parent.entries().empty());
   {
     const auto made = make_writable(parent.path() / "a" / "b");
-    files::write_file(parent.path() / "a" / "f", "text");
+    base::write_file(parent.path() / "a" / "f", "text");
   }
   EXPECT_FALSE(fs::exists(parent.path() / "a" / "b"));
   EXPECT_TRUE(fs::exists(parent.path() / "a" / "f"));
@@ -80,13 +80,13 @@ TEST(RunDirectory, StaysAsLongAsAnotherRunNeedsIt) {
     const auto made = make_writable(directory);
     second = elsewhere([&] {
       const auto found = make_writable(directory);
-      files::write_file(holds, "");
+      base::write_file(holds, "");
       while (!fs::exists(first_ended)) usleep(1000);
-      files::write_file(directory / "f", "text");
+      base::write_file(directory / "f", "text");
     });
     while (!fs::exists(holds)) usleep(1000);
   }
-  files::write_file(first_ended, "");
+  base::write_file(first_ended, "");
   EXPECT_TRUE(ended_well(second));
   EXPECT_EQ(tests::contents(directory / "f"), "text");
   EXPECT_EQ(std::distance(fs::directory_iterator(directory), fs::directory_iterator()), 1);
@@ -117,7 +117,7 @@ TEST(RunDirectory, ThatCannotBeIsRefusedInOneLineAndNothingIsLeft) {
 
 TEST(RunDirectory, WhereAFileStandsIsRefused) {
   const tests::TemporaryDirectory parent;
-  files::write_file(parent.path() / "file", "text");
+  base::write_file(parent.path() / "file", "text");
   EXPECT_NE(refusal_to_write(parent.path() / "file").find("Not a directory"), std::string::npos);
   EXPECT_NE(refusal_to_write(parent.path() / "file" / "below").find("ot a directory"),
             std::string::npos);
@@ -127,7 +127,7 @@ TEST(RunDirectory, WhereAFileStandsIsRefused) {
 // Of somebody else, of a run that is at work, and of one that was stopped.
 TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
   const tests::TemporaryDirectory directory;
-  const std::string own = files::partial_beside(directory.path() / "f").filename().string();
+  const std::string own = base::partial_beside(directory.path() / "f").filename().string();
   const std::string before_pid = own.substr(0, own.rfind('-') + 1);
   constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
   const std::vector<std::string> stay{".movie.mkv.partial-download",

@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "files/pending_files.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
 #include "opened_netcdf.hpp"
-#include "parameters/input_error.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 
@@ -46,7 +46,7 @@ results::Run small_run() {
 }
 
 void write(const fs::path& file, const results::Run& run) {
-  files::write_file(file, joint_netcdf(run));
+  base::write_file(file, joint_netcdf(run));
 }
 
 void expect_same(const JointDensity& read, const JointDensity& written) {
@@ -113,7 +113,7 @@ TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
   const std::string whole = contents(file);
   for (const std::string& broken :
        {std::string(), std::string("not netCDF"), whole.substr(0, whole.size() / 2)}) {
-    files::write_file(file, broken);
+    base::write_file(file, broken);
     try {
       read_joint_netcdf(file);
       ADD_FAILURE() << "accepted " << broken.size() << " bytes of " << whole.size();

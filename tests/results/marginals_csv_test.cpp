@@ -4,8 +4,8 @@
 
 #include <sstream>
 
+#include "base/input_error.hpp"
 #include "made_up_solutions.hpp"
-#include "parameters/input_error.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::results {

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/input_error.hpp"
 #include "family.hpp"
-#include "parameters/input_error.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::results {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "files/pending_files.hpp"
-#include "parameters/input_error.hpp"
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
 #include "results/run_json.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using tests::contains;
 
 void save(const fs::path& directory, const results::Run& run) {
-  files::PendingFiles files;
+  base::PendingFiles files;
   add_run(files, directory, run);
   files.commit();
 }
@@ -101,12 +101,12 @@ TEST(SavedRun, OfWhichAFileWasChangedIsRefused) {
   const auto digit = text.find_last_of("12345678");
   std::string changed = text;
   ++changed[digit];
-  files::write_file(file, changed);
+  base::write_file(file, changed);
   EXPECT_TRUE(contains(refusal_to_load(directory.path()), "are not of the same run"));
   // The ends of lines do not count.
   std::string other_ends;
   for (const char c : text) other_ends += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  files::write_file(file, other_ends);
+  base::write_file(file, other_ends);
   EXPECT_EQ(refusal_to_load(directory.path()), "accepted");
 }
 

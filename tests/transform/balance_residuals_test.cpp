@@ -38,8 +38,8 @@ TEST(PanelMarginals, GiveTheMeanOfAPolynomial) {
   const double mean = std::sqrt(2 / std::numbers::pi);
   for (const auto panels : {Panels::even, Panels::graded, Panels::shrinking}) {
     const auto marginals = panel_marginals(bell, bell.y_max, bell.v_max, panels);
-    EXPECT_NEAR(mean_of(marginals, problem::Polynomial({0, 3, 0, 0.5})), 4 * mean, 1e-8);
-    EXPECT_NEAR(mean_of(marginals, problem::Polynomial({0, 3}).times_argument()), 3, 1e-8);
+    EXPECT_NEAR(mean_of(marginals, numerics::Polynomial({0, 3, 0, 0.5})), 4 * mean, 1e-8);
+    EXPECT_NEAR(mean_of(marginals, numerics::Polynomial({0, 3}).times_argument()), 3, 1e-8);
   }
 }
 

@@ -10,9 +10,9 @@
 #include "epc/form/closed_form.hpp"
 #include "epc/solve.hpp"
 #include "family.hpp"
+#include "numerics/quadrature/panels.hpp"
 #include "problem/case_file.hpp"
 #include "transform/change_of_frame.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -99,10 +99,10 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
     for (std::size_t i = 60; i < cells.ny(); i += 25) {
       for (std::size_t j = 5; j < cells.nv(); j += 31) {
         const double average = cells.average(i, j);
-        const double own = transform::average(
+        const double own = numerics::average(
             [&](double y) {
-              return transform::average([&](double v) { return again.value(y, v); },
-                                        cells.v_edges[j], cells.v_edges[j + 1]);
+              return numerics::average([&](double v) { return again.value(y, v); },
+                                       cells.v_edges[j], cells.v_edges[j + 1]);
             },
             cells.y_edges[i], cells.y_edges[i + 1]);
         EXPECT_NEAR(own, average, 1e-6 * average) << i << ' ' << j;

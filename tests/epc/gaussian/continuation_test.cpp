@@ -10,7 +10,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-using roots::NewtonResult;
+using numerics::NewtonResult;
 
 TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
   for (int number = 1; number <= 3; ++number) {
@@ -72,7 +72,7 @@ TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
   const problem::Problem p = tests::make_problem({.restitution = 1});
   const Projection projection = projection_of(p, 6);
   ResidualCoefficients f = residual_coefficients(p, Equation::white);
-  f.odd_force = problem::Polynomial({0, 1, 0, 0.1, 0, 0.02});
+  f.odd_force = numerics::Polynomial({0, 1, 0, 0.1, 0, 0.02});
   const auto [branch, root] = follow_branch(projection, f, 1e-10);
   EXPECT_EQ(branch.end, BranchEnd::full_problem);
   EXPECT_TRUE(root.converged);
@@ -86,7 +86,7 @@ TEST(Continuation, StartsNearTheDensityOfASpringOfEvenPowers) {
   const problem::Problem p = tests::make_problem({});
   const Projection projection = projection_of(p, 6);
   ResidualCoefficients f = residual_coefficients(p, Equation::km4);
-  f.even_force = problem::Polynomial({0, 0, 0.2});
+  f.even_force = numerics::Polynomial({0, 0, 0.2});
   const auto [branch, root] = follow_branch(projection, f, 1e-10);
   EXPECT_EQ(branch.end, BranchEnd::full_problem);
   EXPECT_TRUE(root.converged);

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "epc/gaussian/projection.hpp"
+#include "numerics/quadrature/panels.hpp"
 #include "paper_cases.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -47,10 +47,10 @@ TEST(JumpRemainder, IsTheJumpIntegralLessItsSeries) {
            impulses.rate_moment(4) / 24 * fourth;
   };
   Eigen::Vector3d expected = Eigen::Vector3d::Zero();
-  for (const auto& [rho, rho_weight] : transform::panel_points(0, radius, 6)) {
+  for (const auto& [rho, rho_weight] : numerics::panel_points(0, radius, 6)) {
     for (const double side : {0.0, std::numbers::pi}) {
       for (const auto& [angle, width] :
-           transform::panel_points(side - std::numbers::pi / 2, side + std::numbers::pi / 2, 6)) {
+           numerics::panel_points(side - std::numbers::pi / 2, side + std::numbers::pi / 2, 6)) {
         const double x1 = s1 * rho * std::cos(angle), x2 = s2 * rho * std::sin(angle);
         const double weight =
             rho_weight * width * rho * std::exp(-rho * rho / 2) / (2 * std::numbers::pi);

@@ -8,7 +8,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-using roots::NewtonResult;
+using numerics::NewtonResult;
 
 TEST(GaussianNewton, StopsAfterTheStepsAllowed) {
   const problem::Problem p = tests::paper_case(1);

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "numerics/quadrature/panels.hpp"
 #include "paper_cases.hpp"
-#include "transform/panels.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -41,7 +41,7 @@ class BruteForce {
   using Complex = std::complex<double>;
 
   /// @param force g(y), y >= 0
-  BruteForce(const problem::Problem& problem, const problem::Polynomial& force, Equation equation,
+  BruteForce(const problem::Problem& problem, const numerics::Polynomial& force, Equation equation,
              Polynomial q)
       : problem_(problem), force_(force), higher_(equation == Equation::km4), q_(std::move(q)) {}
 
@@ -97,7 +97,7 @@ class BruteForce {
   }
 
   problem::Problem problem_;
-  problem::Polynomial force_;
+  numerics::Polynomial force_;
   bool higher_;
   Polynomial q_;
 };
@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(AllForms, ProjectionOf,
 // A spring of every power up to the fifth: the even ones carry sgn(x1) on the plane.
 TEST(Projection, TakesEveryPowerOfTheSpring) {
   const problem::Problem problem = skewed_problem();
-  const problem::Polynomial even({0, 0, 0.3, 0, -0.05}), odd({0, 0.7, 0, 0.4, 0, 0.02}),
+  const numerics::Polynomial even({0, 0, 0.3, 0, -0.05}), odd({0, 0.7, 0, 0.4, 0, 0.02}),
       force({0, 0.7, 0.3, 0.4, -0.05, 0.02});
   ResidualCoefficients f = residual_coefficients(problem, Equation::km4);
   f.even_force = even;
@@ -218,7 +218,7 @@ TEST(Projection, SplitsTheForceByTheParityOfItsPowers) {
   const problem::Problem problem = skewed_problem();
   const ResidualCoefficients f = residual_coefficients(problem, Equation::km4);
   EXPECT_EQ(f.odd_force.coefficients(), problem.system.force().coefficients());
-  EXPECT_EQ(f.even_force.coefficients(), problem::Polynomial::Coefficients{});
+  EXPECT_EQ(f.even_force.coefficients(), numerics::Polynomial::Coefficients{});
 }
 
 TEST(Projection, OddMonomialsSeeNothingOfAPointSymmetricPolynomial) {

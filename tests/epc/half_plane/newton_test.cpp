@@ -37,7 +37,7 @@ TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto direct = newton(equations, start, p.system.damping(), {.max_iterations = 60});
   ASSERT_TRUE(direct.converged);
   const auto path = follow_homotopy(equations, start);
-  ASSERT_EQ(path.end, roots::CurveEnd::arrived);
+  ASSERT_EQ(path.end, numerics::CurveEnd::arrived);
   EXPECT_GT(path.points.size(), 4u);  // it is far
   EXPECT_EQ(path.points.back().t, 1);
   const auto refined = newton(equations, path.points.back().a, p.system.damping(), {});

@@ -10,9 +10,9 @@
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "family.hpp"
+#include "numerics/quadrature/panels.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
-#include "transform/panels.hpp"
 
 // The formulation moment beyond the paper's class: walls anywhere or none, wells, rings, noise.
 namespace fpkcheck::epc {
@@ -41,8 +41,8 @@ struct Distance {
 // In L1, of p(y) and of p(v), over the box of the first.
 Distance distance(const SmoothDensity& p, const std::function<double(double, double)>& q) {
   constexpr int kPanels = 16;
-  const auto ys = transform::panel_points(p.y_min, p.y_max, kPanels);
-  const auto vs = transform::panel_points(-p.v_max, p.v_max, kPanels);
+  const auto ys = numerics::panel_points(p.y_min, p.y_max, kPanels);
+  const auto vs = numerics::panel_points(-p.v_max, p.v_max, kPanels);
   std::vector<double> of_v(vs.size());
   Distance sum;
   for (const auto& y : ys) {

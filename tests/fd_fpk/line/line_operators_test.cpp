@@ -61,7 +61,7 @@ TEST(LineOperators, NothingFlowsThroughTheEndFaces) {
 }
 
 TEST(LineOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier) {
-  const problem::Polynomial weight({0.3, -1.0, 0.5, 2.0, 0.0, 0.7});
+  const numerics::Polynomial weight({0.3, -1.0, 0.5, 2.0, 0.0, 0.7});
   const int barrier = 7;
   for (const int points : {1, 3, 5}) {
     const LineOperator op = weighted_averages(kLine, points, weight, barrier);
@@ -93,7 +93,7 @@ TEST(LineOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
              6 * std::cos(x);
     };
     const Eigen::VectorXd weighted =
-        weighted_averages(line, 3, problem::Polynomial({0, 0, 0, 1})) * averages;
+        weighted_averages(line, 3, numerics::Polynomial({0, 0, 0, 1})) * averages;
     double largest = 0;
     for (int i = 0; i < cells - 1; ++i) {
       const double exact = (primitive(line.face(i + 1)) - primitive(line.face(i))) / line.width(i);
@@ -121,7 +121,7 @@ TEST(LineOperators, StencilsStayWithinABoundaryOnTheRight) {
   const Eigen::VectorXd p = monomial_averages(line, degree);
   EXPECT_NEAR((last_value(line, degree + 1) * p)(0), std::pow(3.2, degree), 1e-10);
   const Eigen::VectorXd times_x =
-      weighted_averages(line, degree + 1, problem::Polynomial({0, 1})) * p;
+      weighted_averages(line, degree + 1, numerics::Polynomial({0, 1})) * p;
   const Eigen::VectorXd exact = monomial_averages(line, degree + 1);
   for (const Bias bias : {Bias::left, Bias::right}) {
     const Eigen::VectorXd values = face_values(line, degree + 1, bias) * p;

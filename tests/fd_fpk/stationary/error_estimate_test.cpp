@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/input_error.hpp"
 #include "distances.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/linear_density.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "transform/richardson.hpp"
 
 namespace fpkcheck::fd_fpk {

@@ -15,7 +15,7 @@
 namespace {
 
 namespace methods = fpkcheck::methods;
-namespace parameters = fpkcheck::parameters;
+namespace base = fpkcheck::base;
 namespace problem = fpkcheck::problem;
 namespace transform = fpkcheck::transform;
 
@@ -23,10 +23,10 @@ struct Options {
   double widths = 8;  ///< of the box, in deviations
 };
 
-const parameters::Description<Options>& description() {
-  static const auto description = parameters::Description<Options>("linear ").add(
+const base::Description<Options>& description() {
+  static const auto description = base::Description<Options>("linear ").add(
       "widths", &Options::widths, {"N", "half-width of the box in deviations"},
-      parameters::between(5, 20));
+      base::between(5, 20));
   return description;
 }
 

@@ -7,12 +7,12 @@
 #include <functional>
 #include <numeric>
 
-#include "mcs/lanes/instruction_set.hpp"
+#include "base/input_error.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/trajectory.hpp"
 #include "mcs/solve.hpp"
+#include "numerics/simd/instruction_set.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::mcs {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "laws.hpp"
-#include "mcs/lanes/instruction_set.hpp"
+#include "numerics/simd/instruction_set.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::mcs {

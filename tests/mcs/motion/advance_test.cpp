@@ -57,7 +57,8 @@ std::vector<Group> groups_of_all_kinds() {
   }
   // A spring that has no formulas of its own.
   groups.emplace_back(tests::make_problem({.law = "uniform"}));
-  groups.back().oscillator = Oscillator(0.1, 0.8, problem::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}));
+  groups.back().oscillator =
+      Oscillator(0.1, 0.8, numerics::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}));
   return groups;
 }
 
@@ -111,7 +112,7 @@ TEST(Advance, DoesWhatTheTrajectoryDoes) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = 3});
   for (const auto& oscillator :
        {Oscillator(problem.system),
-        Oscillator(0.1, 0.6, problem::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}))}) {
+        Oscillator(0.1, 0.6, numerics::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}))}) {
     Group group(problem);
     group.oscillator = oscillator;
     constexpr double kTime = 30;

@@ -16,9 +16,9 @@ Oscillator paper_oscillator(int number) { return Oscillator(tests::paper_case(nu
 
 /// A spring by its coefficients g_1, g_2, ..
 Oscillator with_spring(std::initializer_list<double> g, double damping = 0.1) {
-  problem::Polynomial::Coefficients coefficients{};
+  numerics::Polynomial::Coefficients coefficients{};
   std::ranges::copy(g, coefficients.begin() + 1);
-  return {damping, 1, problem::Polynomial(coefficients)};
+  return {damping, 1, numerics::Polynomial(coefficients)};
 }
 
 // Damped free motion of the linear oscillator, w = sqrt(k - c^2/4).

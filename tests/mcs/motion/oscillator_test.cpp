@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/input_error.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-using problem::Polynomial;
+using numerics::Polynomial;
 
 Oscillator with_spring(const Polynomial::Coefficients& g) { return {0.1, 1, Polynomial(g)}; }
 

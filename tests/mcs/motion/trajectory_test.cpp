@@ -108,8 +108,8 @@ TEST(Trajectory, KeepsTheEnergyLedger) {
   // The paper's spring, and two that have no formulas of their own.
   for (const auto& oscillator :
        {Oscillator(problem.system),
-        Oscillator(0.1, 0.9, problem::Polynomial({0, 1, 0, 1, 0, 1, 0})),
-        Oscillator(0.1, 0.9, problem::Polynomial({0, 1, -0.5, 0.5, 0, 0, 0}))}) {
+        Oscillator(0.1, 0.9, numerics::Polynomial({0, 1, 0, 1, 0, 1, 0})),
+        Oscillator(0.1, 0.9, numerics::Polynomial({0, 1, -0.5, 0.5, 0, 0, 0}))}) {
     const State start{0.5, 1.0};
     Trajectory trajectory(oscillator, ImpulseSource(problem.impulses, 5, 0), start, kAutomaticStep);
     Ledger ledger{oscillator};

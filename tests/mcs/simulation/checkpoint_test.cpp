@@ -12,10 +12,10 @@
 #include <thread>
 #include <vector>
 
+#include "base/input_error.hpp"
+#include "base/process/files_in_hand.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
-#include "process/files_in_hand.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -55,7 +55,7 @@ class Checkpoint : public testing::Test {
 // Whoever ends the process waits for files in hand, and nobody else has any from then on.
 TEST_F(Checkpoint, IsNotBegunWhenTheProcessIsToEnd) {
   const auto wait_in_vain = [&] {
-    process::reserve_files_for_this_thread();
+    base::reserve_files_for_this_thread();
     std::thread([&] {
       Options options = brief(false);
       options.checkpoint = file_;

@@ -145,7 +145,7 @@ struct Walks {
   double most_for_one = 0;  // impulses of branches for one of the stream, beyond the free ones
 
   Walks(const std::vector<double>& thresholds, int count, int steps) {
-    const Splitting splitting(problem::Polynomial({0, 0, 0.5}), thresholds, 1e4);
+    const Splitting splitting(numerics::Polynomial({0, 0, 0.5}), thresholds, 1e4);
     std::vector<double> weights;
     std::array<std::vector<double>, Walk::kSpeeds.size()> all;
     for (int k = 0; k < count; ++k) {

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "compare/budget.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/input_error.hpp"
 #include "changed_case.hpp"
-#include "parameters/input_error.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -1,5 +1,5 @@
 #include "report/page/page.hpp"
-#include "files/pending_files.hpp"
+#include "base/files/pending_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -176,7 +176,7 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   // Of single precision, as a run has them.
   for (double& p : run.cases[0].joints.back().density.averages) p = static_cast<float>(p);
   const tests::TemporaryDirectory directory;
-  files::PendingFiles files;
+  base::PendingFiles files;
   results::add_run(files, directory.path(), run);
   files.commit();
   EXPECT_TRUE(page(results::load_run(directory.path())) == page(run));

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "backward/bounds/functional.hpp"
+#include "backward/bounds/grid.hpp"
+#include "backward/bounds/weight.hpp"
+#include "backward/generator/displacement_operators.hpp"
+#include "backward/generator/velocity_operators.hpp"
+
+namespace fpkcheck::backward {
+
+/// V = sum c_{ab} A_a(y) B_b(v) and U: what is claimed to solve L V = U - f.
+struct Candidate {
+  const Eigen::MatrixXd& coefficients;
+  double mean;
+};
+
+struct CheckSetting {
+  const problem::Problem& problem;
+  const numerics::SplineBasis& displacement;
+  const ImpactBasis& velocity;
+  const DisplacementOperators& y;
+  const VelocityOperators& v;
+  const Weight& weight;
+  Ends ends = {};
+};
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "backward/bounds/functional.hpp"
+#include "backward/bounds/grid.hpp"
+#include "numerics/interval/enclosure.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::backward {
+
+/// How the time was spent, and what limits the width.
+struct OneGridReport {
+  int unknowns = 0;
+  double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
+  struct Each {
+    double mean;            ///< U
+    double least, largest;  ///< range of (f + L V - U)/tau in the box
+    double outside;         ///< bound of its absolute value outside the box
+    long boxes;
+  };
+  std::vector<Each> each;
+};
+
+/// Bounds of all functionals from one grid.
+std::vector<numerics::Enclosure> bounds_on_grid(const problem::Problem& problem,
+                                                const Weight& weight, const Grid& grid,
+                                                const std::vector<Functional>& functionals,
+                                                int threads, OneGridReport* report = nullptr);
+
+}  // namespace fpkcheck::backward

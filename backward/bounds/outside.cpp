@@ -1,0 +1,167 @@
+#include "backward/bounds/outside.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "backward/bounds/functional_enclosure.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+// A part of the outside: G is at least `energy` there, V has no larger slopes than these, and its
+// oscillation in v is no larger.
+struct Region {
+  numerics::Interval energy;
+  double y_slope, v_slope, oscillation;
+};
+
+class Outside {
+ public:
+  Outside(const CheckSetting& setting, const Functional& functional, const Candidate& candidate)
+      : s_(setting), functional_(functional), candidate_(candidate) {}
+
+  double bound() const {
+    double largest = 0;
+    for (int span = 0; span < s_.displacement.spans(); ++span) {
+      largest = std::max({largest, bound_in(above(span)), bound_in(below(span))});
+    }
+    for (const bool at_right : {true, false}) {
+      if (!(at_right ? s_.ends.right_open : s_.ends.left_open)) continue;
+      for (int span = 0; span < s_.velocity.speeds().spans(); ++span) {
+        largest = std::max({largest, bound_in(beyond(at_right, span, true)),
+                            bound_in(beyond(at_right, span, false))});
+      }
+      largest = std::max(largest, bound_in(corners(at_right)));
+    }
+    return largest;
+  }
+
+ private:
+  int last_row() const { return static_cast<int>(candidate_.coefficients.rows()) - 1; }
+  int last_column() const { return static_cast<int>(candidate_.coefficients.cols()) - 1; }
+  numerics::Interval c() const { return s_.weight.damping; }
+  numerics::Interval k() const { return s_.weight.stiffness; }
+  numerics::Interval cubic() const { return s_.weight.cubic; }
+  numerics::Interval stiffness() const { return k() - square(c()) / 4.0; }  // > 0
+  numerics::Interval r() const { return s_.velocity.restitution(); }
+  numerics::Interval u_end() const { return s_.velocity.speeds().end(); }
+
+  // (k - c^2/4) y^2/2 + mu y^4/4
+  numerics::Interval potential(const numerics::Interval& y) const {
+    return stiffness() * square(y) / 2.0 + cubic() * power(y, 4) / 4.0;
+  }
+  double oscillation(int row) const {
+    const auto coefficients = candidate_.coefficients.row(row);
+    return (numerics::Interval(coefficients.maxCoeff()) - coefficients.minCoeff()).upper();
+  }
+
+  // A slope on a span is a mean, with weights >= 0 of sum 1, of the coefficients of the derivative:
+  // p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), i = span .. span + p - 1.
+  template <class Coefficient>
+  static double steepest(const numerics::SplineBasis& basis, int span,
+                         const Coefficient& coefficient) {
+    const int p = basis.degree();
+    double slope = 0;
+    for (int i = span; i < span + p; ++i) {
+      const numerics::Interval width =
+          numerics::Interval(basis.knot(i + p + 1)) - basis.knot(i + 1);
+      slope = std::max(
+          slope, magnitude(static_cast<double>(p) *
+                           (numerics::Interval(coefficient(i + 1)) - coefficient(i)) / width));
+    }
+    return slope;
+  }
+
+  // The least G where |v| >= u and |y| >= `y`: as |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2,
+  // G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
+  numerics::Interval least_incoming(const numerics::Interval& u,
+                                    const numerics::Interval& y) const {
+    return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
+           cubic() * power(y, 4) / 4.0;
+  }
+  // The least G where v >= `v` >= 0 and y >= `y` >= 0, or both are likewise below 0: |w| = |v| +
+  // c |y|/2 grows with both.
+  numerics::Interval least_outgoing(const numerics::Interval& v,
+                                    const numerics::Interval& y) const {
+    return square(v + c() * y / 2.0) / 2.0 + potential(y);
+  }
+
+  Region beside(int span, int column, const numerics::Interval& energy) const {
+    Region region{energy, 0, 0, 0};
+    region.y_slope =
+        steepest(s_.displacement, span, [&](int a) { return candidate_.coefficients(a, column); });
+    for (int a = span; a <= span + s_.displacement.degree(); ++a) {
+      region.oscillation = std::max(region.oscillation, oscillation(a));
+    }
+    return region;
+  }
+  // v > r u_end, y in a span.
+  Region above(int span) const {
+    const double y = s_.displacement.breaks()[span];
+    return beside(
+        span, last_column(),
+        y >= 0 ? least_outgoing(r() * u_end(), y) : least_incoming(r() * u_end(), nearest(span)));
+  }
+  // v < -u_end, y in a span.
+  Region below(int span) const { return beside(span, 0, least_incoming(u_end(), nearest(span))); }
+  // The least |y| of a span.
+  double nearest(int span) const {
+    const auto breaks = s_.displacement.breaks();
+    return std::max({0.0, breaks[span], -breaks[span + 1]});
+  }
+  // |y| at an open end, which is beyond 0: at the right y > 0, at the left y < 0.
+  numerics::Interval end(bool at_right) const {
+    return at_right ? s_.displacement.end() : -s_.displacement.breaks().front();
+  }
+  // y beyond an open end, v in a span.
+  Region beyond(bool at_right, int span, bool outgoing) const {
+    const ImpactBasis& velocity = s_.velocity;
+    const numerics::Interval u = velocity.speeds().breaks()[span];
+    const numerics::Interval speed = outgoing ? r() * u : u, y = end(at_right);
+    // Outgoing is v >= 0: away from 0 at the right.
+    const numerics::Interval energy =
+        outgoing == at_right ? least_outgoing(speed, y) : least_incoming(speed, y);
+    const int row = at_right ? last_row() : 0;
+    const double in_speed = steepest(velocity.speeds(), span, [&](int h) {
+      return candidate_.coefficients(row, outgoing ? velocity.outgoing(h) : velocity.incoming(h));
+    });
+    const double slope = outgoing ? (numerics::Interval(in_speed) / r()).upper() : in_speed;
+    return {energy, 0, slope, oscillation(row)};
+  }
+  // Beyond both: V does not depend on y nor, by itself, on v.
+  Region corners(bool at_right) const {
+    return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
+  }
+
+  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
+  // at most a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0: over G^m it is
+  // largest where G is least.
+  double bound_in(const Region& region) const {
+    const double least = region.energy.lower();
+    if (!(least > 0)) return HUGE_VAL;
+    const numerics::Interval root = sqrt(2.0 * numerics::Interval(least)),
+                             omega = sqrt(stiffness());
+    const numerics::Interval y = root / omega, v = root * (1.0 + c() / (2.0 * omega));
+    const numerics::Interval force = k() * y + cubic() * power(y, 3);
+    const numerics::Interval numerator =
+        largest_integrand(functional_, y, v, force) + std::abs(candidate_.mean) +
+        v * region.y_slope + (c() * v + force) * region.v_slope +
+        numerics::Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
+    const double bound =
+        (numerator / power(numerics::Interval(least) / s_.weight.scale, s_.weight.power)).upper();
+    return std::isnan(bound) ? HUGE_VAL : bound;  // std::max would drop it
+  }
+
+  const CheckSetting& s_;
+  const Functional& functional_;
+  const Candidate& candidate_;
+};
+
+}  // namespace
+
+double residual_outside(const CheckSetting& setting, const Functional& functional,
+                        const Candidate& candidate) {
+  return Outside(setting, functional, candidate).bound();
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,123 @@
+#include "backward/control/control_functions.hpp"
+
+#include <algorithm>
+
+#include "backward/control/generator_factors.hpp"
+#include "backward/control/impulse_means.hpp"
+#include "backward/generator/normal_equations.hpp"
+#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr int kDegree = numerics::KnotSplines::kDegree;
+constexpr int kPoints = 8;  // of Gauss's rule on a cell
+
+void weigh(numerics::QuadratureRule& q, const std::function<double(double)>& weight) {
+  for (std::size_t n = 0; n < q.points.size(); ++n) {
+    q.weights(static_cast<Eigen::Index>(n)) *= weight(q.points[n]);
+  }
+}
+
+/// <factor a, factor b> under the weight.
+using Grams = std::vector<std::vector<Eigen::MatrixXd>>;
+
+Grams grams(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
+  Grams g(factors.size(), std::vector<Eigen::MatrixXd>(factors.size()));
+  for (std::size_t a = 0; a < factors.size(); ++a) {
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * factors[a];
+    for (std::size_t b = 0; b <= a; ++b) {
+      g[a][b].noalias() = weighted.transpose() * factors[b];
+      if (b < a) g[b][a] = g[a][b].transpose();
+    }
+  }
+  return g;
+}
+
+Eigen::VectorXd map(const std::vector<double>& points, const std::function<double(double)>& f) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(points.size()));
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    values(static_cast<Eigen::Index>(n)) = f(points[n]);
+  }
+  return values;
+}
+
+/// int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u), likewise at the right.
+Eigen::MatrixXd wall_gram(const ControlProblem& p, const ImpactWall& wall) {
+  numerics::QuadratureRule q = numerics::gauss_rule<kPoints>(breaks_of_jumps(p.v, wall));
+  weigh(q, [&](double u) { return u * p.weight_v(u); });
+  const Eigen::MatrixXd jump = jumps_at(p.v, wall, q.points);
+  return p.weight_y(wall.position) * (jump.transpose() * (q.weights.asDiagonal() * jump));
+}
+
+numerics::BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& in_y,
+                                          const Grams& in_v) {
+  const Eigen::Index n = p.v.size();
+  numerics::BlockBandedMatrix matrix(
+      std::vector<Eigen::Index>(static_cast<std::size_t>(p.y.size()), n), kDegree);
+  for (int column = 0; column < p.y.size(); ++column) {
+    for (int row = column; row < std::min(column + kDegree + 1, p.y.size()); ++row) {
+      auto block = matrix.block(row, column);
+      for (std::size_t a = 0; a < in_y.size(); ++a) {
+        for (std::size_t b = 0; b < in_y.size(); ++b) block += in_y[a][b](row, column) * in_v[a][b];
+      }
+    }
+  }
+  // One function of y alone is not 0 at a wall, where it is 1.
+  for (const ImpactWall& wall : impact_walls(p.problem.system)) {
+    const int at = wall.away > 0 ? 0 : p.y.size() - 1;
+    matrix.block(at, at) += p.wall_weight * wall_gram(p, wall);
+  }
+  return matrix;
+}
+
+}  // namespace
+
+ControlFunctions control_functions(const ControlProblem& problem,
+                                   const std::vector<SeparableFunction>& functions) {
+  numerics::QuadratureRule in_y = numerics::gauss_rule<kPoints>(problem.y.breaks()),
+                           in_v = numerics::gauss_rule<kPoints>(problem.v.breaks());
+  weigh(in_y, problem.weight_y);
+  weigh(in_v, problem.weight_v);
+  const GeneratorFactors y = factors_of_y(problem.problem.system, problem.y, in_y.points);
+  const GeneratorFactors v =
+      factors_of_v(problem.problem, problem.v, in_v.points,
+                   impulse_means(problem.v, problem.problem.impulses, in_v.points));
+  const NormalEquations equations(
+      normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights)),
+      "the control functions");
+
+  // Right-hand sides -<f, L A_i B_j>: each f, and 1 in the last place.
+  const auto one = [](double) { return 1.0; };
+  std::vector<SeparableFunction> all(functions);
+  all.push_back({one, one});
+  const auto count = static_cast<Eigen::Index>(all.size());
+  const Eigen::Index nv = problem.v.size();
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(equations.size(), count);
+  std::vector<double> integrals;  // of w f
+  for (Eigen::Index f = 0; f < count; ++f) {
+    const auto& [of_y, of_v] = all[static_cast<std::size_t>(f)];
+    const Eigen::VectorXd wy = in_y.weights.cwiseProduct(map(in_y.points, of_y));
+    const Eigen::VectorXd wv = in_v.weights.cwiseProduct(map(in_v.points, of_v));
+    integrals.push_back(wy.sum() * wv.sum());
+    Eigen::Map<Eigen::MatrixXd> b(right.col(f).data(), nv, problem.y.size());
+    for (std::size_t a = 0; a < y.size(); ++a) {
+      b.noalias() -= (v[a].transpose() * wv) * (y[a].transpose() * wy).transpose();
+    }
+  }
+  ControlFunctions result;
+  result.coefficients = equations.solve(right);
+  // e_f is orthogonal to all L h, so <e_1, e_f> = <1, f> + <1, L h_f>, and <1, L A B> is -right.
+  const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
+  const double of_one = integrals.back() - products(count - 1);
+  for (Eigen::Index f = 0; f + 1 < count; ++f) {
+    const double mean = (integrals[static_cast<std::size_t>(f)] - products(f)) / of_one;
+    result.means.push_back(mean);
+    result.coefficients.col(f) -= mean * result.coefficients.col(count - 1);
+  }
+  result.coefficients.conservativeResize(Eigen::NoChange, count - 1);
+  return result;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,160 @@
+#include "backward/control/general_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "backward/control/generator_factors.hpp"
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
+#include "problem/undamped_orbits.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr double kBeyondY = 9.0 / 7, kBeyondV = 1.5;  // in units of Scales' extents
+constexpr double kEvenShare = 0.55;                   // of the extent, in cells of one width
+constexpr double kLeastCell = 0.05;                   // the narrowest cell, of the widest
+// Of y, where white noise and losses leave a spike at the wall, as narrow as v^3 / D.
+constexpr double kLeastCellOfSpike = 0.002;
+constexpr double kGrowth = 0.25;  // of cells away from where they are narrowest
+constexpr int kCorner = 3;        // knots at v = 0 with a wall
+constexpr double kHeat = 2;       // temperature of the weight, in variances of y'
+// Likewise where there are several wells. The slowest solution of the backward equation, which is
+// about constant in each well and changes on the barrier, has the size of the time of exchange,
+// exp(barrier / T). Under a weight that is wider than the density the residual on the barrier costs
+// more than a wrong mean in each well, and the fit gives that solution up: of 30 random wells 2 keeps
+// it in 14 and 0.7 in 18 (RandomWells in tests/backward/residual). Of ten of these 0.5 to 0.7 leave about
+// as much unresolved, 1 and 2 more.
+constexpr double kHeatOfWells = 0.7;
+constexpr double kLeast = 1e-9;
+
+/// Break points from `begin` to `end` where cells have about the widths that `width` says, up to one
+/// factor for all.
+std::vector<double> breaks_of_widths(double begin, double end, int cells,
+                                     const std::function<double(double)>& width) {
+  constexpr int kSteps = 4000;
+  std::vector<double> passed{0};  // cells up to a point
+  const double step = (end - begin) / kSteps;
+  for (int k = 0; k < kSteps; ++k) {
+    passed.push_back(passed.back() + step / width(begin + (k + 0.5) * step));
+  }
+  std::vector<double> breaks{begin};
+  std::size_t at = 0;
+  for (int n = 1; n < cells; ++n) {
+    const double wanted = passed.back() * n / cells;
+    while (passed[at + 1] < wanted) ++at;
+    const double part = (wanted - passed[at]) / (passed[at + 1] - passed[at]);
+    breaks.push_back(begin + step * (static_cast<double>(at) + part));
+  }
+  breaks.push_back(end);
+  return breaks;
+}
+
+/// The widths of cells that are narrow at some points and wide beyond `low` and `high`, in terms of
+/// the width between them.
+std::function<double(double)> widths(std::vector<double> narrow_at, double even, double low,
+                                     double high, double least_cell = kLeastCell) {
+  return [=](double x) {
+    const double outside = std::max({0.0, low - x, x - high});
+    double width = even + kGrowth * outside;
+    for (const double place : narrow_at) {
+      width = std::min(width, even * least_cell + kGrowth * std::abs(x - place));
+    }
+    return width;
+  };
+}
+
+/// Largest size of an impulse that is not rarer than 1e-9.
+double farthest_impulse(const problem::ImpulseTrain& impulses) {
+  if (!impulses.present()) return 0;
+  double largest = 0;
+  for (const auto& atom : impulses.law().atoms()) {
+    largest = std::max(largest, std::abs(atom.amplitude));
+  }
+  constexpr int kSteps = 200;
+  const auto pieces = impulses.law().smooth_pieces();
+  if (pieces.empty()) return largest;
+  for (const double end : {pieces.front(), pieces.back()}) {
+    for (int k = 1; k <= kSteps; ++k) {
+      const double at = end * k / kSteps;
+      if (impulses.law().density(at) * impulses.law().deviation() > kLeast) {
+        largest = std::max(largest, std::abs(at));
+      }
+    }
+  }
+  return largest;
+}
+
+/// By how much the box is wider than what the averaged density fills.
+double wider_by(const problem::Problem& problem, const problem::Scales& scales) {
+  constexpr double kBefore = 2;  // deviations of y' from which impulses reach on
+  const double after = kBefore * scales.velocity_deviation + farthest_impulse(problem.impulses);
+  return std::max(1.0, after / (kBeyondV * scales.v_high));
+}
+
+}  // namespace
+
+ControlSplines general_splines(const problem::Problem& problem, const ControlCells& cells) {
+  const problem::Scales scales = problem::scales(problem);
+  const problem::System& system = problem.system;
+  const double wider = wider_by(problem, scales);
+  const double low = scales.centre - scales.y_low, high = scales.y_high - scales.centre;
+  double begin = scales.centre - wider * kBeyondY * low;
+  double end = scales.centre + wider * kBeyondY * high;
+  std::vector<double> narrow_at;
+  int of_y = 2 * cells.y;
+  if (system.left() && system.left()->position > begin) {
+    begin = system.left()->position;
+    narrow_at.push_back(begin);
+    of_y = cells.y;
+  }
+  if (system.right() && system.right()->position < end) {
+    end = system.right()->position;
+    narrow_at.push_back(end);
+  }
+  const double v_end = wider * kBeyondV * scales.v_high;
+  const double even_y = (high + low) / cells.y, even_v = 2 * scales.v_high / cells.v;
+  const bool spike = problem.noise.present() &&
+                     std::ranges::any_of(impact_walls(system),
+                                         [](const auto& wall) { return wall.restitution < 1; });
+  const auto of_width_y =
+      widths(narrow_at, even_y, scales.centre - wider * kEvenShare * low,
+             scales.centre + wider * kEvenShare * high, spike ? kLeastCellOfSpike : kLeastCell);
+  const double even_to = wider * kEvenShare * scales.v_high;
+  const bool walls = !narrow_at.empty();
+  const auto of_width_v =
+      widths(walls ? std::vector<double>{0} : std::vector<double>{}, even_v, -even_to, even_to);
+  std::vector<double> side = breaks_of_widths(0, v_end, cells.v / 2, of_width_v), v_breaks;
+  for (auto at = side.rbegin(); at != side.rend(); ++at) v_breaks.push_back(-*at);
+  v_breaks.back() = 0;
+  v_breaks.insert(v_breaks.end(), side.begin() + 1, side.end());
+  return {.y = numerics::KnotSplines(
+              numerics::knots_on(breaks_of_widths(begin, end, of_y, of_width_y))),
+          .v = numerics::KnotSplines(numerics::knots_on(v_breaks, walls ? kCorner : 1))};
+}
+
+ControlProblem general_control(const problem::Problem& problem, const numerics::KnotSplines& y,
+                               const numerics::KnotSplines& v, double wall_weight) {
+  const problem::Scales scales = problem::scales(problem);
+  const double heat = problem::features(problem).wells > 1 ? kHeatOfWells : kHeat;
+  const double temperature =
+      heat * std::pow(wider_by(problem, scales) * scales.velocity_deviation, 2);
+  const numerics::Polynomial potential = problem::effective_potential(problem);
+  double least = std::numeric_limits<double>::infinity();
+  for (const double at : y.breaks()) least = std::min(least, potential(at));
+  return {.problem = problem,
+          .y = y,
+          .v = v,
+          .weight_y =
+              [=](double at) {
+                return std::clamp(std::exp(-(potential(at) - least) / temperature), kLeast, 1.0);
+              },
+          .weight_v =
+              [=](double at) { return std::max(std::exp(-at * at / (2 * temperature)), kLeast); },
+          .wall_weight = wall_weight};
+}
+
+}  // namespace fpkcheck::backward

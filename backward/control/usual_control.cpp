@@ -1,0 +1,80 @@
+#include "backward/control/usual_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr double kYExtent = 9, kVExtent = 10.5;  // deviations
+constexpr double kYEven = 5, kVEven = 6;         // cells of one width
+constexpr int kWallKnots = 3;                    // at v = 0
+constexpr double kTemperature = 2;               // of the weight, in variances of y'
+constexpr double kLeastWeight = 1e-9;
+
+constexpr double kBeforeImpulse = 2;  // deviations of y' from which impulses reach on
+constexpr double kRare = 1e-9;        // of a law's density times its deviation
+
+/// The largest size of an amplitude that is not rare.
+double reach(const problem::ImpulseLaw& law) {
+  constexpr int kSteps = 200;
+  double largest = 0;
+  for (const auto& atom : law.atoms()) largest = std::max(largest, std::abs(atom.amplitude));
+  const auto pieces = law.smooth_pieces();
+  for (const double end :
+       {pieces.empty() ? 0 : pieces.front(), pieces.empty() ? 0 : pieces.back()}) {
+    for (int k = 1; k <= kSteps; ++k) {
+      const double at = end * k / kSteps;
+      if (law.density(at) * law.deviation() > kRare) largest = std::max(largest, std::abs(at));
+    }
+  }
+  return largest;
+}
+
+/// By how much the box is wider than for nearly normal motion: single impulses may leave that, of
+/// heavy-tailed laws and where they are few.
+double widening(const problem::Problem& problem, double velocity_deviation) {
+  const double after_impulse = kBeforeImpulse * velocity_deviation + reach(problem.impulses.law());
+  return std::max(1.0, after_impulse / (kVExtent * velocity_deviation));
+}
+
+}  // namespace
+
+ControlSplines usual_splines(const problem::Problem& problem, const ControlCells& cells,
+                             int shrinking) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
+  const double deflection = problem::static_deflection(problem), wider = widening(problem, s2);
+  const double end = wider * kVExtent * s2;
+  return {
+      .y = numerics::KnotSplines(numerics::widening_knots(
+          0, deflection + wider * kYExtent * s1, deflection + kYEven * s1, cells.y, 1, shrinking)),
+      .v = numerics::KnotSplines(
+          numerics::widening_knots(-end, end, kVEven * s2, cells.v, kWallKnots, shrinking))};
+}
+
+ControlProblem usual_control(const problem::Problem& problem, const numerics::KnotSplines& y,
+                             const numerics::KnotSplines& v, double wall_weight) {
+  const double deviation = problem::equivalent_linearisation(problem).velocity_deviation;
+  const double temperature = kTemperature * std::pow(widening(problem, deviation) * deviation, 2);
+  const double push = std::max(0.0, problem.impulses.rate_moment(1));
+  const auto work = [potential = problem.system.potential(), push](double at) {
+    return potential(at) - push * at;
+  };
+  const double least = work(problem::static_deflection(problem));
+  return {
+      .problem = problem,
+      .y = y,
+      .v = v,
+      .weight_y =
+          [=](double at) {
+            return std::max(std::exp(-(work(at) - least) / temperature), kLeastWeight);
+          },
+      .weight_v =
+          [=](double at) { return std::max(std::exp(-at * at / (2 * temperature)), kLeastWeight); },
+      .wall_weight = wall_weight};
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "backward/generator/impact_basis.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::backward {
+
+/// The three factors in v of the generator (VelocityOperators) at points, rounded to nearest:
+/// enough for a fit, which need not be trusted.
+struct VelocitySamples {
+  std::vector<double> v;              ///< points, increasing
+  Eigen::MatrixXd jump;               ///< lambda (K B - B) - c v B', shape (points, functions)
+  Eigen::SparseMatrix<double> drift;  ///< v B
+  Eigen::SparseMatrix<double> force;  ///< -B'
+};
+
+/// Splines in y at points, each in one span.
+struct DisplacementSamples {
+  std::vector<double> y;
+  std::vector<int> span;
+  std::vector<Eigen::MatrixXd> values;  ///< values and slopes, shape (2, degree + 1)
+};
+
+/// The points t_i in (0, 1) where the Chebyshev polynomial of degree `count` vanishes, increasing.
+std::vector<double> chebyshev_points(int count);
+
+DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int per_cell);
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "numerics/interval/bernstein.hpp"
+#include "numerics/splines/basis.hpp"
+
+namespace fpkcheck::backward {
+
+/// With S_l = B_{span+l} + B_{span+l+1} + .. on a span, whose first is 1, the derivative of a
+/// spline is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l'. These are the S_l', by
+///
+///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots,
+///
+/// enclosed on the segment from `from` to `to`. de Boor, A Practical Guide to Splines, ch. X.
+std::vector<numerics::BernsteinCoefficients> difference_slopes(const numerics::SplineBasis& basis,
+                                                               int span,
+                                                               const numerics::Interval& from,
+                                                               const numerics::Interval& to);
+
+}  // namespace fpkcheck::backward

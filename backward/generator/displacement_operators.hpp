@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "numerics/interval/bernstein.hpp"
+#include "numerics/splines/basis.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::backward {
+
+/// The three factors in y of the generator (VelocityOperators), on every piece of the displacement
+/// axis, with enclosed Bernstein coefficients of degree p + 3.
+struct DisplacementOperators {
+  struct Piece {
+    int span;
+    double from, to;
+  };
+  std::vector<Piece> pieces;
+  /// A, S' (of differences, difference_slopes.hpp) and (k y + mu y^3) A of the functions of a
+  /// piece, shape (pieces, 3, degree + 1; S': degree).
+  std::vector<std::array<std::vector<numerics::BernsteinCoefficients>, 3>> factors;
+};
+
+/// @param cuts further points, increasing, at which pieces are to end
+DisplacementOperators displacement_operators(const problem::Problem& problem,
+                                             const numerics::SplineBasis& basis,
+                                             std::span<const double> cuts);
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,138 @@
+#include "backward/generator/impulse_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace fpkcheck::backward {
+namespace {
+
+using problem::ExponentialLaw;
+using problem::GaussianLaw;
+using problem::LaplaceLaw;
+using problem::TwoPointLaw;
+using problem::UniformLaw;
+
+// Offsets y where the law's density or its derivative jumps, or its atoms.
+std::vector<double> kinks_of(const GaussianLaw&) { return {}; }
+std::vector<double> kinks_of(const LaplaceLaw& law) {
+  return law.mean == 0 ? std::vector<double>{} : std::vector{law.mean};
+}
+std::vector<double> kinks_of(const TwoPointLaw& law) {
+  return {law.mean - law.deviation, law.mean + law.deviation};
+}
+std::vector<double> kinks_of(const UniformLaw& law) {
+  return {law.mean - law.half_width, law.mean + law.half_width};
+}
+
+std::vector<double> kinks_of(const ExponentialLaw& law) { return {law.mean - law.scale}; }
+
+// Pieces are short against the length over which the law's kernel varies.
+double longest_piece(const GaussianLaw& law) { return 0.8 * law.deviation; }
+double longest_piece(const LaplaceLaw& law) { return 0.6 * law.scale; }
+double longest_piece(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
+double longest_piece(const TwoPointLaw& law) { return 2 * law.deviation; }
+double longest_piece(const UniformLaw& law) { return law.half_width; }
+
+// E[(Y - mean)^n]; n even where the law is symmetric.
+numerics::Interval central_moment(const GaussianLaw& law, int n) {
+  numerics::Interval m = power(numerics::Interval(law.deviation), n);
+  for (int i = n - 1; i > 1; i -= 2) m *= static_cast<double>(i);
+  return m;
+}
+numerics::Interval central_moment(const LaplaceLaw& law, int n) {
+  numerics::Interval m = power(numerics::Interval(law.scale), n);
+  for (int i = 2; i <= n; ++i) m *= static_cast<double>(i);
+  return m;
+}
+numerics::Interval central_moment(const ExponentialLaw& law, int n) {
+  numerics::Interval derangements = 1;
+  for (int i = 1; i <= n; ++i) {
+    derangements = static_cast<double>(i) * derangements + (i % 2 == 0 ? 1.0 : -1.0);
+  }
+  return power(numerics::Interval(law.scale), n) * derangements;
+}
+numerics::Interval central_moment(const TwoPointLaw& law, int n) {
+  return power(numerics::Interval(law.deviation), n);
+}
+numerics::Interval central_moment(const UniformLaw& law, int n) {
+  return power(numerics::Interval(law.half_width), n) / static_cast<double>(n + 1);
+}
+
+template <class Law>
+concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
+  central_moment(law, 0);
+  table_of(law, basis, {});
+};
+
+[[noreturn]] void refuse(std::string_view law) {
+  throw std::logic_error(fmt::format("no enclosures for the law {}: ask has_enclosures", law));
+}
+
+}  // namespace
+
+bool has_enclosures(const problem::ImpulseLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return Enclosed<Law>; }, law.kind());
+}
+
+ImpulseKinks impulse_kinks(const ImpactBasis& basis, const problem::ImpulseLaw& law) {
+  ImpulseKinks kinks;
+  const auto offsets = std::visit(
+      [&]<class Law>(const Law& kind) -> std::vector<double> {
+        if constexpr (Enclosed<Law>) {
+          kinks.longest = longest_piece(kind);
+          return kinks_of(kind);
+        } else {
+          refuse(Law::kName);
+        }
+      },
+      law.kind());
+  for (const double offset : offsets) {
+    for (const double v : velocity_breaks(basis)) kinks.cuts.push_back(v - offset);
+  }
+  std::sort(kinks.cuts.begin(), kinks.cuts.end());
+  return kinks;
+}
+
+ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
+                           const problem::ImpulseLaw& law) {
+  return std::visit(
+      [&]<class Law>(const Law& kind) -> ImpulseTable {
+        if constexpr (Enclosed<Law>) {
+          return table_of(kind, basis, pieces);
+        } else {
+          refuse(Law::kName);
+        }
+      },
+      law.kind());
+}
+
+numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
+  return std::visit(
+      [n, symmetric = law.symmetric()]<class Law>(const Law& kind) -> numerics::Interval {
+        if constexpr (Enclosed<Law>) {
+          numerics::Interval sum = 0;
+          for (int i = 0; i <= n; i += symmetric ? 2 : 1) {
+            sum += numerics::binomial(n, i) * power(numerics::Interval(kind.mean), n - i) *
+                   central_moment(kind, i);
+          }
+          return sum;
+        } else {
+          refuse(Law::kName);
+        }
+      },
+      law.kind());
+}
+
+ImpulseTable empty_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
+                         int order) {
+  ImpulseTable table{basis.size(), order, {}, 0};
+  table.coefficients.assign(pieces.size() * static_cast<std::size_t>(basis.size() * order),
+                            numerics::Interval(0));
+  return table;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,256 @@
+#include "backward/generator/least_squares.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "backward/generator/normal_equations.hpp"
+#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr int kMostSteps = 12;
+constexpr double kConverged = 1e-20;  // of the first product of gradient and step: rounding
+
+// The rows of the least-squares problem, applied through their three separable terms.
+class Rows {
+ public:
+  explicit Rows(const LeastSquaresProblem& p)
+      : p_(p),
+        functions_(p.velocity.size()),
+        tied_(p.velocity.centre() + 1),
+        per_span_(p.displacement.degree() + 1),
+        weights_(static_cast<Eigen::Index>(p.v.v.size()), static_cast<Eigen::Index>(p.y.y.size())) {
+    for (std::size_t i = 0; i < p.y.y.size(); ++i) {
+      for (std::size_t j = 0; j < p.v.v.size(); ++j) {
+        weights_(j, i) = std::pow(p.row_weight(p.y.y[i], p.v.v[j]), 2);
+      }
+    }
+  }
+
+  int y_points() const { return static_cast<int>(p_.y.y.size()); }
+  int v_points() const { return static_cast<int>(p_.v.v.size()); }
+  double force(int i) const { return p_.problem.system.force()(p_.y.y[i]); }
+
+  /// At a wall both functions of a mirrored pair have one unknown.
+  std::vector<Eigen::Index> block_sizes() const {
+    std::vector<Eigen::Index> sizes(p_.displacement.size(), functions_);
+    for (std::size_t a : {std::size_t{0}, sizes.size() - 1}) {
+      if (is_tied(static_cast<int>(a))) sizes[a] = tied_;
+    }
+    return sizes;
+  }
+
+  numerics::BlockBandedMatrix normal_matrix() const {
+    numerics::BlockBandedMatrix matrix(block_sizes(), p_.displacement.degree());
+    const Eigen::SparseMatrix<double>& drift = p_.v.drift;
+    Eigen::MatrixXd motion, weighted;
+    for (int i = 0; i < y_points(); ++i) {
+      // L = A M + A' D with M = jump + g(y) force, D = drift
+      motion = p_.v.jump + force(i) * p_.v.force;
+      weighted = weights_.col(i).cwiseSqrt().asDiagonal() * motion;
+      Eigen::MatrixXd mm = Eigen::MatrixXd::Zero(functions_, functions_);
+      mm.selfadjointView<Eigen::Lower>().rankUpdate(weighted.transpose());
+      mm.triangularView<Eigen::StrictlyUpper>() = mm.transpose();
+      const Eigen::MatrixXd md =
+          (drift.transpose() * (weights_.col(i).asDiagonal() * motion)).transpose();
+      const Eigen::MatrixXd dd =
+          Eigen::MatrixXd(drift.transpose() * (weights_.col(i).asDiagonal() * drift));
+      const Eigen::MatrixXd dm = md.transpose();
+      const Eigen::MatrixXd& a = p_.y.values[i];
+      for (int l = 0; l < per_span_; ++l) {
+        for (int m = 0; m <= l; ++m) {
+          const Eigen::MatrixXd block = a(0, l) * a(0, m) * mm + a(0, l) * a(1, m) * md +
+                                        a(1, l) * a(0, m) * dm + a(1, l) * a(1, m) * dd;
+          add(matrix, p_.y.span[i] + l, p_.y.span[i] + m, block);
+        }
+      }
+    }
+    return matrix;
+  }
+
+  /// L V at all points, shape (v points, y points), of coefficients (functions of y, of v).
+  Eigen::MatrixXd apply(const Eigen::MatrixXd& c) const {
+    const Eigen::MatrixXd jump = p_.v.jump * c.transpose(), drift = p_.v.drift * c.transpose(),
+                          force_term = p_.v.force * c.transpose();
+    Eigen::MatrixXd result(v_points(), y_points());
+    for (int i = 0; i < y_points(); ++i) {
+      const Eigen::MatrixXd& a = p_.y.values[i];
+      const int s = p_.y.span[i];
+      result.col(i) =
+          (jump.middleCols(s, per_span_) + force(i) * force_term.middleCols(s, per_span_)) *
+              a.row(0).transpose() +
+          drift.middleCols(s, per_span_) * a.row(1).transpose();
+    }
+    return result;
+  }
+
+  /// The transpose of `apply` with the weights: unknowns of the normal equations.
+  Eigen::VectorXd transposed(const Eigen::MatrixXd& residual) const {
+    const Eigen::MatrixXd weighted = weights_.cwiseProduct(residual);
+    Eigen::MatrixXd value = Eigen::MatrixXd::Zero(v_points(), p_.displacement.size());
+    Eigen::MatrixXd forced = value, slope = value;
+    for (int i = 0; i < y_points(); ++i) {
+      const Eigen::MatrixXd& a = p_.y.values[i];
+      const int s = p_.y.span[i];
+      value.middleCols(s, per_span_) += weighted.col(i) * a.row(0);
+      forced.middleCols(s, per_span_) += force(i) * weighted.col(i) * a.row(0);
+      slope.middleCols(s, per_span_) += weighted.col(i) * a.row(1);
+    }
+    const Eigen::MatrixXd g = p_.v.jump.transpose() * value + p_.v.force.transpose() * forced +
+                              p_.v.drift.transpose() * slope;  // (functions of v, of y)
+    return folded(g);
+  }
+
+  double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {
+    return (weights_.array() * a.array() * b.array()).sum();
+  }
+
+  /// numerics::BernsteinCoefficients from unknowns.
+  Eigen::MatrixXd unfolded(const Eigen::VectorXd& x) const {
+    const int rows = p_.displacement.size(), centre = p_.velocity.centre();
+    Eigen::MatrixXd c(rows, functions_);
+    Eigen::Index first = 0;
+    for (int a = 0; a < rows; ++a) {
+      if (is_tied(a)) {
+        for (int b = 0; b < tied_; ++b) c(a, centre - b) = c(a, centre + b) = x(first + b);
+        first += tied_;
+      } else {
+        c.row(a) = x.segment(first, functions_).transpose();
+        first += functions_;
+      }
+    }
+    return c;
+  }
+
+ private:
+  bool is_tied(int row) const {
+    return (row == 0 && p_.tied_at_begin) || (row == p_.displacement.size() - 1 && p_.tied_at_end);
+  }
+
+  Eigen::VectorXd folded(const Eigen::MatrixXd& g) const {
+    const int columns = p_.displacement.size();
+    Eigen::VectorXd x(columns * functions_);
+    Eigen::Index first = 0;
+    for (int a = 0; a < columns; ++a) {
+      const Eigen::Index count = is_tied(a) ? tied_ : functions_;
+      if (is_tied(a)) {
+        x.segment(first, count) = folded_rows(g.col(a));
+      } else {
+        x.segment(first, count) = g.col(a);
+      }
+      first += count;
+    }
+    x.conservativeResize(first);
+    return x;
+  }
+
+  // Adds the rows of mirrored functions, the centre counted once.
+  Eigen::MatrixXd folded_rows(const Eigen::MatrixXd& g) const {
+    Eigen::MatrixXd f = g.bottomRows(tied_);
+    f.bottomRows(tied_ - 1) += g.topRows(tied_ - 1).colwise().reverse();
+    return f;
+  }
+
+  void add(numerics::BlockBandedMatrix& matrix, int row, int column,
+           const Eigen::MatrixXd& block) const {
+    if (!is_tied(row) && !is_tied(column)) {
+      matrix.block(row, column) += block;
+    } else if (!is_tied(row)) {
+      matrix.block(row, column) += folded_rows(block.transpose()).transpose();
+    } else if (!is_tied(column)) {
+      matrix.block(row, column) += folded_rows(block);
+    } else {
+      matrix.block(row, column) += folded_rows(folded_rows(block).transpose()).transpose();
+    }
+  }
+
+  const LeastSquaresProblem& p_;
+  int functions_, tied_, per_span_;
+  Eigen::MatrixXd weights_;  // squares, shape (v points, y points)
+};
+
+/// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal equations,
+/// which rounding and its ridge put off on the finest grids: three or four steps on the others. Each
+/// column ends where it is converged or rounding lets it go no further.
+/// @param residual, x those of x = 0; the residuals end within rounding of f + A x
+void minimise(const Rows& rows, const NormalEquations& equations,
+              std::vector<Eigen::MatrixXd>& residual, Eigen::MatrixXd& x) {
+  Eigen::MatrixXd gradient(x.rows(), x.cols()), direction = x;
+  Eigen::VectorXd first, last;
+  std::vector<bool> ended(residual.size());
+  for (int step = 0; step < kMostSteps && std::ranges::count(ended, false) > 0; ++step) {
+    for (Eigen::Index n = 0; n < x.cols(); ++n) {
+      gradient.col(n) = -rows.transposed(residual[static_cast<std::size_t>(n)]);
+    }
+    const Eigen::MatrixXd preconditioned = equations.solve(gradient);
+    const Eigen::VectorXd product = gradient.cwiseProduct(preconditioned).colwise().sum();
+    if (step == 0) first = product;
+    for (Eigen::Index n = 0; n < x.cols(); ++n) {
+      const auto at = static_cast<std::size_t>(n);
+      const bool descends =
+          product(n) > kConverged * first(n) && (step == 0 || product(n) < last(n));
+      if (ended[at] || !descends) {
+        ended[at] = true;
+        continue;
+      }
+      direction.col(n) =
+          preconditioned.col(n) + (step > 0 ? product(n) / last(n) : 0) * direction.col(n);
+      const Eigen::MatrixXd change = rows.apply(rows.unfolded(direction.col(n)));
+      const double length = product(n) / rows.dot(change, change);
+      x.col(n) += length * direction.col(n);
+      residual[at] += length * change;
+    }
+    last = product;
+  }
+}
+
+}  // namespace
+
+BackwardSolutions solve_backward(
+    const LeastSquaresProblem& problem,
+    const std::vector<std::function<double(double, double)>>& functions) {
+  const Rows rows(problem);
+  const NormalEquations equations(rows.normal_matrix(), "the fit");
+
+  // Right-hand sides: each f, and 1 in the last place.
+  const std::size_t count = functions.size() + 1;
+  std::vector<Eigen::MatrixXd> f(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    f[n] = Eigen::MatrixXd::Ones(rows.v_points(), rows.y_points());
+    if (n + 1 == count) break;
+    for (int i = 0; i < rows.y_points(); ++i) {
+      for (int j = 0; j < rows.v_points(); ++j) {
+        f[n](j, i) = functions[n](problem.y.y[i], problem.v.v[j]);
+      }
+    }
+  }
+  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(equations.size(), static_cast<Eigen::Index>(count));
+  std::vector<Eigen::MatrixXd> residual = f;
+  minimise(rows, equations, residual, x);
+  for (std::size_t n = 0; n < count; ++n) {
+    residual[n] = f[n] + rows.apply(rows.unfolded(x.col(static_cast<Eigen::Index>(n))));
+  }
+
+  BackwardSolutions solutions;
+  const Eigen::MatrixXd& one = residual.back();
+  for (std::size_t n = 0; n + 1 < count; ++n) {
+    const double mean = rows.dot(one, residual[n]) / rows.dot(one, one);
+    solutions.means.push_back(mean);
+    Eigen::MatrixXd c = rows.unfolded(x.col(n) - mean * x.rightCols<1>());
+    c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;  // L of a constant is 0
+    solutions.coefficients.push_back(std::move(c));
+    const Eigen::MatrixXd left = residual[n] - mean * one;
+    std::pair<double, double> extremes{0, 0};
+    for (int i = 0; i < rows.y_points(); ++i) {
+      for (int j = 0; j < rows.v_points(); ++j) {
+        const double judged = left(j, i) * problem.judging_weight(problem.y.y[i], problem.v.v[j]);
+        extremes = {std::min(extremes.first, judged), std::max(extremes.second, judged)};
+      }
+    }
+    solutions.extremes.push_back(extremes);
+  }
+  return solutions;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,28 @@
+#include "backward/generator/normal_equations.hpp"
+
+#include <utility>
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr double kRidge = 1e-13;
+
+}  // namespace
+
+NormalEquations::NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& of_what)
+    : matrix_(std::move(matrix)),
+      scale_(matrix_.diagonal().array().max(1e-300).sqrt().inverse().matrix()) {
+  matrix_.scale(scale_);
+  matrix_.add_to_diagonal(kRidge);
+  if (!matrix_.factorise()) {
+    throw FitBrokeDown("the normal equations of " + of_what + " are not positive definite");
+  }
+}
+
+Eigen::MatrixXd NormalEquations::solve(const Eigen::MatrixXd& right) const {
+  Eigen::MatrixXd x = scale_.asDiagonal() * right;
+  matrix_.solve(x);
+  return scale_.asDiagonal() * x;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <string>
+
+#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+
+namespace fpkcheck::backward {
+
+/// The normal equations have no Cholesky factor.
+struct FitBrokeDown : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Normal equations of a fit, scaled to a unit diagonal, with a ridge of 1e-13 added to it, and
+/// factorised by blocks.
+class NormalEquations {
+ public:
+  /// @param of_what "the fit"
+  /// @throws FitBrokeDown "the normal equations of `of_what` are not positive definite"
+  NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& of_what);
+
+  /// @param right shape (unknowns, right-hand sides)
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+
+  Eigen::Index size() const { return scale_.size(); }
+
+ private:
+  numerics::BlockBandedMatrix matrix_;
+  Eigen::VectorXd scale_;
+};
+
+}  // namespace fpkcheck::backward

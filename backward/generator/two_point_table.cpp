@@ -1,0 +1,30 @@
+// Y = m -+ s, each with probability 1/2: K B(v) = (B(v + m - s) + B(v + m + s)) / 2, a polynomial
+// on pieces cut where v + m -+ s meets a break.
+#include "backward/generator/impulse_table.hpp"
+
+namespace fpkcheck::backward {
+
+ImpulseTable table_of(const problem::TwoPointLaw& law, const ImpactBasis& basis,
+                      const std::vector<VelocityPiece>& pieces) {
+  const int order = basis.speeds().degree() + 2;  // the generator's own v V_y has this order
+  ImpulseTable table = empty_table(basis, pieces, order);
+  double overhang = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (const double sign : {-1.0, 1.0}) {
+      const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.deviation;
+      const PieceFunctions there =
+          functions_on(basis, located(basis, pieces[i].from + shift, pieces[i].to + shift));
+      overhang = std::max(overhang, there.overhang_error);
+      for (std::size_t l = 0; l < there.index.size(); ++l) {
+        const numerics::BernsteinCoefficients b = elevated(there.value[l], order - 1);
+        const std::span<numerics::Interval> out = table.of(static_cast<int>(i), there.index[l]);
+        for (int j = 0; j < order; ++j) out[j] += b[j] / 2.0;
+      }
+    }
+  }
+  // At a point no more than the functions of two spans, 2 (p + 1), are affected.
+  table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
+  return table;
+}
+
+}  // namespace fpkcheck::backward

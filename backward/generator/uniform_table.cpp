@@ -1,0 +1,106 @@
+// Y uniform on (m - h, m + h): K B(v) = (I(v + m + h) - I(v + m - h)) / (2h) with I' = B, a
+// polynomial on pieces cut where v + m -+ h meets a break.
+#include "backward/generator/impulse_table.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+// I(v) = int_{begin}^v B of all functions, at the beginning of each span and at the end of the
+// last.
+class Primitive {
+ public:
+  explicit Primitive(const ImpactBasis& basis) : basis_(basis) {
+    std::vector<numerics::Interval> sum(basis.size(), numerics::Interval(0));
+    spans_ = pieces_of(basis, {}, 4 * (basis.end() - basis.begin()));
+    for (const VelocityPiece& span : spans_) {
+      at_begin_.push_back(sum);
+      const PieceFunctions functions = functions_on(basis, span);
+      for (std::size_t l = 0; l < functions.index.size(); ++l) {
+        sum[functions.index[l]] += span.length() * mean(functions.value[l]);
+      }
+    }
+    at_begin_.push_back(sum);
+  }
+
+  /// Adds factor * I on the piece to `coefficients` of each function, shape (size, order).
+  /// @return a bound of |I - polynomial|
+  double add(const VelocityPiece& piece, const numerics::Interval& factor,
+             std::span<numerics::Interval> coefficients, int order) const {
+    const PieceFunctions functions = functions_on(basis_, piece);
+    const int known = span_number(piece);
+    const bool below = piece.side == Side::below;
+    for (int b = 0; b < basis_.size(); ++b) {
+      for (int j = 0; j < order; ++j) coefficients[b * order + j] += factor * at_begin_[known][b];
+    }
+    // From the beginning of the span (below the range: back from its beginning) to the piece.
+    const numerics::Interval begin =
+        known < static_cast<int>(spans_.size()) ? spans_[known].from : spans_.back().to;
+    const VelocityPiece gap{piece.side, piece.span, begin, piece.from, 0};
+    const PieceFunctions across = functions_on(basis_, gap);
+    for (std::size_t l = 0; l < functions.index.size(); ++l) {
+      numerics::BernsteinCoefficients integral(functions.value[l].size() + 1);
+      integral[0] = below ? piece.from - begin : gap.length() * mean(across.value[l]);
+      const numerics::Interval step =
+          piece.length() / static_cast<double>(functions.value[l].size());
+      for (std::size_t j = 0; j + 1 < integral.size(); ++j) {
+        integral[j + 1] = integral[j] + step * functions.value[l][j];
+      }
+      integral = elevated(integral, order - 1);
+      for (int j = 0; j < order; ++j) {
+        coefficients[functions.index[l] * order + j] += factor * integral[j];
+      }
+    }
+    return (numerics::Interval(piece.overhang) * functions.overhang_error).upper();
+  }
+
+ private:
+  static numerics::Interval mean(const numerics::BernsteinCoefficients& b) {
+    numerics::Interval sum = 0;
+    for (const numerics::Interval& c : b) sum += c;
+    return sum / static_cast<double>(b.size());
+  }
+  int span_number(const VelocityPiece& piece) const {
+    const int count = basis_.speeds().spans();
+    switch (piece.side) {
+      case Side::below:
+        return 0;
+      case Side::incoming:
+        return count - 1 - piece.span;
+      case Side::outgoing:
+        return count + piece.span;
+      case Side::above:
+        return 2 * count;
+    }
+    return 0;
+  }
+
+  const ImpactBasis& basis_;
+  std::vector<VelocityPiece> spans_;
+  std::vector<std::vector<numerics::Interval>> at_begin_;
+};
+
+}  // namespace
+
+ImpulseTable table_of(const problem::UniformLaw& law, const ImpactBasis& basis,
+                      const std::vector<VelocityPiece>& pieces) {
+  const int order = basis.speeds().degree() + 2;
+  ImpulseTable table = empty_table(basis, pieces, order);
+  const Primitive primitive(basis);
+  numerics::Interval error = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::span<numerics::Interval> out(table.of(static_cast<int>(i), 0).data(),
+                                            static_cast<std::size_t>(basis.size() * order));
+    for (const double sign : {-1.0, 1.0}) {
+      const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.half_width;
+      const VelocityPiece there = located(basis, pieces[i].from + shift, pieces[i].to + shift);
+      const numerics::Interval factor = sign / (2.0 * numerics::Interval(law.half_width));
+      const double missed = primitive.add(there, factor, out, order);
+      error = std::max(error.upper(), (magnitude(factor) * numerics::Interval(missed)).upper());
+    }
+  }
+  // Two shifts, each affecting no more than the functions of two spans.
+  table.remainder = (4.0 * (basis.speeds().degree() + 1.0) * error).upper();
+  return table;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,50 @@
+#include "backward/generator/velocity_operators.hpp"
+
+#include <algorithm>
+
+namespace fpkcheck::backward {
+
+VelocityOperators velocity_operators(const problem::Problem& problem, const ImpactBasis& basis,
+                                     std::span<const double> cuts) {
+  const problem::ImpulseLaw& law = problem.impulses.law();
+  ImpulseKinks kinks = impulse_kinks(basis, law);
+  kinks.cuts.insert(kinks.cuts.end(), cuts.begin(), cuts.end());
+  std::sort(kinks.cuts.begin(), kinks.cuts.end());
+
+  VelocityOperators operators;
+  operators.pieces = pieces_of(basis, kinks.cuts, kinks.longest);
+  operators.jump = impulse_table(basis, operators.pieces, law);
+  const numerics::Interval rate = problem.impulses.arrival_rate(),
+                           damping = problem.system.damping();
+  ImpulseTable& jump = operators.jump;
+  const int degree = jump.order - 1;
+  for (numerics::Interval& c : jump.coefficients) c *= rate;
+  jump.remainder = (rate * jump.remainder).upper();
+  for (std::size_t i = 0; i < operators.pieces.size(); ++i) {
+    const VelocityPiece& piece = operators.pieces[i];
+    const PieceFunctions functions = functions_on(basis, piece);
+    const numerics::BernsteinCoefficients v{piece.from, piece.to};
+    const numerics::Interval length = piece.length();
+    operators.index.push_back(functions.index);
+    operators.drift.emplace_back();
+    operators.force.emplace_back();
+    for (std::size_t l = 0; l < functions.index.size(); ++l) {
+      const numerics::BernsteinCoefficients& b = functions.value[l];
+      numerics::BernsteinCoefficients slope = derivative(b);
+      for (numerics::Interval& s : slope) s /= length;
+      const numerics::BernsteinCoefficients value = elevated(b, degree);
+      const numerics::BernsteinCoefficients damped = elevated(product(v, slope), degree);
+      const std::span<numerics::Interval> out = jump.of(static_cast<int>(i), functions.index[l]);
+      for (int j = 0; j <= degree; ++j) out[j] -= rate * value[j] + damping * damped[j];
+      operators.drift.back().push_back(elevated(product(v, b), degree));
+    }
+    for (const numerics::BernsteinCoefficients& slope : difference_slopes(basis, piece)) {
+      numerics::BernsteinCoefficients force = elevated(slope, degree);
+      for (numerics::Interval& s : force) s = -s;
+      operators.force.back().push_back(std::move(force));
+    }
+  }
+  return operators;
+}
+
+}  // namespace fpkcheck::backward

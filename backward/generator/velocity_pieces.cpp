@@ -1,0 +1,139 @@
+#include "backward/generator/velocity_pieces.hpp"
+
+#include <cmath>
+
+#include "backward/generator/difference_slopes.hpp"
+#include "numerics/splines/bezier.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+// The ends of a span in v, increasing.
+std::array<numerics::Interval, 2> ends_of(const ImpactBasis& basis, Side side, int span) {
+  const double u0 = basis.speeds().breaks()[span], u1 = basis.speeds().breaks()[span + 1];
+  if (side == Side::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
+  const numerics::Interval r = basis.restitution();
+  return {r * u0, r * u1};
+}
+
+double middle(const numerics::Interval& from, const numerics::Interval& to) {
+  return (from.lower() + to.upper()) / 2;
+}
+
+// |B'| <= p / (the shortest knot interval on which it lives), in v.
+double steepest(const ImpactBasis& basis) {
+  const std::span<const double> u = basis.speeds().breaks();
+  double shortest = u[1] - u[0];
+  for (std::size_t i = 1; i + 1 < u.size(); ++i) shortest = std::min(shortest, u[i + 1] - u[i]);
+  return 1.01 * basis.speeds().degree() / (shortest * std::min(1.0, basis.restitution()));
+}
+
+}  // namespace
+
+VelocityPiece located(const ImpactBasis& basis, const numerics::Interval& from,
+                      const numerics::Interval& to) {
+  const double v = middle(from, to), r = basis.restitution();
+  VelocityPiece piece{Side::below, 0, from, to, 0};
+  if (v < basis.begin()) {
+    piece.overhang = std::max(0.0, (to - basis.begin()).upper());
+  } else if (v > basis.end()) {
+    piece.side = Side::above;
+    piece.overhang = std::max(0.0, (numerics::Interval(r) * basis.speeds().end() - from).upper());
+  } else {
+    piece.side = v < 0 ? Side::incoming : Side::outgoing;
+    piece.span = basis.speeds().span_of(v < 0 ? -v : v / r);
+    const auto [begin, end] = ends_of(basis, piece.side, piece.span);
+    piece.overhang = std::max({0.0, (begin - from).upper(), (to - end).upper()});
+  }
+  return piece;
+}
+
+PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece) {
+  const int p = basis.speeds().degree();
+  PieceFunctions functions;
+  double slope = 0;
+  if (piece.side == Side::below || piece.side == Side::above) {
+    functions.index = {piece.side == Side::below ? 0 : basis.size() - 1};
+    functions.value = {numerics::BernsteinCoefficients(p + 1, numerics::Interval(1))};
+  } else {
+    const bool in = piece.side == Side::incoming;
+    const numerics::Interval r = basis.restitution();
+    const auto rows = numerics::bezier_rows<numerics::Interval>(
+        basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
+        in ? numerics::Interval(-piece.to) : piece.to / r);
+    for (int l = 0; l <= p; ++l) {
+      functions.index.push_back(in ? basis.incoming(piece.span + l)
+                                   : basis.outgoing(piece.span + l));
+      functions.value.emplace_back(rows.row(l).begin(), rows.row(l).end());
+      for (int j = 0; j < p; ++j) {
+        slope = std::max(slope, magnitude(rows(l, j + 1) - rows(l, j)));
+      }
+    }
+    slope = (slope * p / numerics::Interval(piece.length().lower())).upper();
+  }
+  // On the overhang both the polynomial and the function start from the same value at the span's
+  // end: they part by no more than the sum of their slopes allows.
+  functions.overhang_error =
+      (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + steepest(basis))).upper();
+  // A piece whose length is not known to be positive has no slope.
+  if (!(piece.length().lower() > 0)) {
+    functions.overhang_error = piece.overhang > 0 ? HUGE_VAL : 0;
+  }
+  return functions;
+}
+
+std::vector<numerics::BernsteinCoefficients> difference_slopes(const ImpactBasis& basis,
+                                                               const VelocityPiece& piece) {
+  const bool in = piece.side == Side::incoming;
+  const numerics::Interval r = basis.restitution(),
+                           sign_and_scale = in ? numerics::Interval(-1) : 1.0 / r;
+  std::vector<numerics::BernsteinCoefficients> slopes = difference_slopes(
+      basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
+      in ? numerics::Interval(-piece.to) : piece.to / r);
+  for (numerics::BernsteinCoefficients& slope : slopes) {
+    for (numerics::Interval& s : slope) s *= sign_and_scale;  // d/dv = (du/dv) d/du
+  }
+  return slopes;
+}
+
+std::vector<double> velocity_breaks(const ImpactBasis& basis) {
+  const std::span<const double> u = basis.speeds().breaks();
+  std::vector<double> breaks;
+  for (std::size_t i = u.size(); i-- > 0;) breaks.push_back(-u[i]);
+  for (std::size_t i = 1; i < u.size(); ++i) breaks.push_back(basis.restitution() * u[i]);
+  return breaks;
+}
+
+std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,
+                                     double longest) {
+  // Cuts closer than this to a break are left to the overhang of their pieces.
+  const double negligible = 4e-16 * basis.speeds().end();
+  std::vector<VelocityPiece> pieces;
+  const auto add_span = [&](Side side, int span) {
+    const auto [begin, end] = ends_of(basis, side, span);
+    std::vector<numerics::Interval> points{begin};
+    for (const double cut : cuts) {
+      if (cut > points.back().upper() + negligible && cut < end.lower() - negligible) {
+        points.emplace_back(cut);
+      }
+    }
+    points.push_back(end);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double length = points[i + 1].upper() - points[i].lower();
+      const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
+      numerics::Interval from = points[i];
+      for (int part = 1; part <= parts; ++part) {
+        const numerics::Interval to =
+            part == parts ? points[i + 1]
+                          : numerics::Interval(points[i].lower() + length * part / parts);
+        pieces.push_back({side, span, from, to, 0});
+        from = to;
+      }
+    }
+  };
+  for (int s = basis.speeds().spans(); s-- > 0;) add_span(Side::incoming, s);
+  for (int s = 0; s < basis.speeds().spans(); ++s) add_span(Side::outgoing, s);
+  return pieces;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "backward/generator/collocation.hpp"
+#include "backward/generator/velocity_operators.hpp"
+
+namespace fpkcheck::backward {
+
+/// The operators at `per_cell` Chebyshev points of every cell of v.
+VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
+                                 int per_cell);
+
+}  // namespace fpkcheck::backward

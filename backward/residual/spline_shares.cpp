@@ -1,0 +1,42 @@
+#include "backward/residual/spline_shares.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "base/input_error.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
+
+namespace fpkcheck::backward {
+
+Eigen::MatrixXd spline_shares(const numerics::KnotSplines& splines, std::span<const double> edges) {
+  if (edges.size() < 2 ||
+      std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
+    throw InputError("the edges of the cells of a map must increase");
+  }
+  // Between all breaks and edges splines are polynomials of degree 5: three points are exact.
+  std::vector<double> cuts(splines.breaks());
+  std::ranges::copy_if(edges, std::back_inserter(cuts),
+                       [&](double x) { return splines.begin() < x && x < splines.end(); });
+  std::ranges::sort(cuts);
+  Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(std::ssize(edges) - 1, splines.size());
+  const auto [points, weights] = numerics::gauss_rule<3>(cuts);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto cell = std::ranges::upper_bound(edges, points[n]) - edges.begin() - 1;
+    if (cell < 0 || cell >= shares.rows()) continue;
+    const auto b = splines.at(points[n]);
+    for (int l = 0; l <= numerics::KnotSplines::kDegree; ++l) {
+      shares(cell, b.first + l) += weights(static_cast<Eigen::Index>(n)) * b.value[l];
+    }
+  }
+  // The integral of a spline is the width of its support by its degree plus 1 (de Boor).
+  for (int i = 0; i < splines.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto& knots = splines.knots();
+    shares.col(i) *= (numerics::KnotSplines::kDegree + 1) /
+                     (knots[k + numerics::KnotSplines::kDegree + 1] - knots[k]);
+  }
+  return shares;
+}
+
+}  // namespace fpkcheck::backward

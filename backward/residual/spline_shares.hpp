@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "numerics/splines/knot_splines.hpp"
+
+namespace fpkcheck::backward {
+
+/// The part of each spline's integral, between the ends of all, that lies in each cell.
+/// @param edges increasing
+/// @return shape (cells, functions); columns sum to 1 where the cells cover the splines
+/// @throws InputError when the edges do not increase
+Eigen::MatrixXd spline_shares(const numerics::KnotSplines& splines, std::span<const double> edges);
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,182 @@
+#include "backward/residual/weak_residuals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "backward/control/generator_factors.hpp"
+#include "backward/control/impulse_means.hpp"
+#include "base/input_error.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr std::size_t kNodes = 8;     // between breaks of v
+constexpr int kPowers = 5;            // 0 .. 4
+constexpr double kLeastCell = 1e-12;  // of the range: breaks that are one but for rounding
+
+std::vector<double> nodes_of(const std::vector<double>& breaks) {
+  auto nodes = numerics::gauss_rule<kNodes>(breaks).points;
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
+/// The breaks of B_j, and what impulses of one size, or a corner of their density, make of the
+/// knots where B_j is less smooth than elsewhere.
+std::vector<double> breaks_after_impulse(const numerics::KnotSplines& v,
+                                         const problem::ImpulseTrain& impulses) {
+  std::vector<double> amplitudes;
+  if (impulses.present()) {
+    amplitudes = impulses.law().smooth_pieces();
+    for (const auto& atom : impulses.law().atoms()) amplitudes.push_back(atom.amplitude);
+  }
+  std::vector<double> breaks(v.breaks());
+  const auto& knots = v.knots();
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    if (knots[k] != knots[k - 1] || knots[k] == v.begin() || knots[k] == v.end()) continue;
+    for (const double amplitude : amplitudes) breaks.push_back(knots[k] - amplitude);
+  }
+  std::erase_if(breaks, [&](double x) { return x < v.begin() || x > v.end(); });
+  std::ranges::sort(breaks);
+  const double least = kLeastCell * (v.end() - v.begin());
+  breaks.erase(
+      std::unique(breaks.begin(), breaks.end(), [=](double a, double b) { return b - a < least; }),
+      breaks.end());
+  return breaks;
+}
+
+std::vector<ImpactBreaks> breaks_at(const std::vector<ImpactWall>& walls,
+                                    const numerics::KnotSplines& v) {
+  std::vector<ImpactBreaks> all;
+  for (const ImpactWall& wall : walls) {
+    all.push_back({wall.position, wall.away, breaks_of_jumps(v, wall)});
+  }
+  return all;
+}
+
+/// 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
+template <class Coordinate>
+Eigen::MatrixXd powers_at(std::span<const double> points, const Coordinate& coordinate) {
+  Eigen::MatrixXd powers(std::ssize(points), kPowers);
+  Eigen::VectorXd x(std::ssize(points));
+  for (Eigen::Index n = 0; n < x.size(); ++n) {
+    x(n) = coordinate(points[static_cast<std::size_t>(n)]);
+  }
+  powers.col(0).setOnes();
+  for (int n = 1; n < kPowers; ++n) powers.col(n) = powers.col(n - 1).cwiseProduct(x);
+  return powers;
+}
+
+/// 1 between two breaks, shape (points, breaks - 1).
+Eigen::MatrixXd indicators(std::span<const double> points, const std::vector<double>& breaks) {
+  Eigen::MatrixXd one = Eigen::MatrixXd::Zero(std::ssize(points), std::ssize(breaks) - 1);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto after = std::ranges::upper_bound(breaks, points[n]) - breaks.begin();
+    one(static_cast<Eigen::Index>(n), std::clamp<Eigen::Index>(after - 1, 0, one.cols() - 1)) = 1;
+  }
+  return one;
+}
+
+}  // namespace
+
+WeakResiduals::WeakResiduals(const problem::Problem& problem, numerics::KnotSplines y,
+                             numerics::KnotSplines v)
+    : problem_(problem),
+      y_(std::move(y)),
+      v_(std::move(v)),
+      walls_(impact_walls(problem.system)),
+      wall_breaks_(breaks_at(walls_, v_)),
+      v_breaks_(breaks_after_impulse(v_, problem.impulses)),
+      nodes_(nodes_of(v_breaks_)),
+      means_(impulse_means(v_, problem.impulses, nodes_)) {}
+
+/// K B_j by interpolation between the nodes of a cell, where it is smooth; beyond the ends as at
+/// the ends.
+Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) const {
+  if (!problem_.impulses.present()) return {};
+  Eigen::MatrixXd result(std::ssize(v), v_.size());
+  const auto& breaks = v_breaks_;
+  for (std::size_t n = 0; n < v.size(); ++n) {
+    const double x = std::clamp(v[n], v_.begin(), v_.end());
+    const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
+    const auto first = static_cast<std::size_t>(after - breaks.begin() - 1) * kNodes;
+    const std::span<const double, kNodes> nodes(nodes_.data() + first, kNodes);
+    Eigen::RowVectorXd lagrange(static_cast<Eigen::Index>(kNodes));
+    for (std::size_t a = 0; a < kNodes; ++a) {
+      double product = 1;
+      for (std::size_t b = 0; b < kNodes; ++b) {
+        if (b != a) product *= (x - nodes[b]) / (nodes[a] - nodes[b]);
+      }
+      lagrange(static_cast<Eigen::Index>(a)) = product;
+    }
+    result.row(static_cast<Eigen::Index>(n)).noalias() =
+        lagrange *
+        means_.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(kNodes));
+  }
+  return result;
+}
+
+/// int u p(0, -u) [B_j(r u) - B_j(-u)] du, likewise at the right
+Eigen::RowVectorXd WeakResiduals::impacts(const ImpactWall& wall,
+                                          const SampledImpacts& impacts) const {
+  const auto& speeds = impacts.speeds.points;
+  const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
+  const Eigen::MatrixXd jumps = jumps_at(v_, wall, speeds);
+  return (impacts.speeds.integrals(u.asDiagonal() * jumps) * impacts.samples).transpose();
+}
+
+WeakForm WeakResiduals::operator()(const transform::Density& density) const {
+  const SampledDensity p =
+      sampled(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
+
+  // E_p[y^m y'^n] of the physical coordinates, before the mass is divided by.
+  const problem::Frame& frame = problem_.frame;
+  const Eigen::MatrixXd along_y =
+      p.y.integrals(powers_at(p.y.points, [&](double x) { return frame.y(x); })) * p.samples;
+  const Eigen::MatrixXd along_v =
+      p.v.integrals(powers_at(p.v.points, [&](double x) { return frame.v(x); }));
+  const Eigen::MatrixXd powers = along_y * along_v.transpose();
+  const double mass = powers(0, 0);
+  if (!(mass > 0) || !std::isfinite(mass)) {
+    throw InputError(fmt::format("a density of mass {:.4g} has no residuals: no mean", mass));
+  }
+  const auto moment = [&](int m, int n) { return powers(m, n) / mass; };
+
+  const GeneratorFactors y = factors_of_y(problem_.system, y_, p.y.points);
+  const GeneratorFactors v =
+      factors_of_v(problem_, v_, p.v.points, means_after_impulse(p.v.points));
+  Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
+  for (std::size_t term = 0; term < y.size(); ++term) {
+    residuals.noalias() += p.y.integrals(y[term]) * p.samples * p.v.integrals(v[term]).transpose();
+  }
+  std::vector<Eigen::VectorXd> of_impacts;
+  for (std::size_t n = 0; n < walls_.size(); ++n) {
+    // The first (last) function of y is 1 at the left (right) wall, and all others vanish there.
+    residuals.row(walls_[n].away > 0 ? 0 : y_.size() - 1) += impacts(walls_[n], p.impacts[n]);
+    const SampledAxis& speeds = p.impacts[n].speeds;
+    const Eigen::Map<const Eigen::VectorXd> u(speeds.points.data(), std::ssize(speeds.points));
+    const Eigen::MatrixXd flux = u.asDiagonal() * indicators(speeds.points, wall_breaks_[n].speeds);
+    of_impacts.push_back(speeds.integrals(flux) * p.impacts[n].samples / mass);
+  }
+  const Eigen::MatrixXd cells = p.y.integrals(indicators(p.y.points, y_.breaks())) * p.samples *
+                                p.v.integrals(indicators(p.v.points, v_.breaks())).transpose();
+  const Eigen::MatrixXd means = p.y.integrals(values_at(y_, p.y.points).value) * p.samples *
+                                p.v.integrals(values_at(v_, p.v.points).value).transpose();
+  return {.mass = mass,
+          .moments = {.y1 = moment(1, 0),
+                      .y2 = moment(2, 0),
+                      .y4 = moment(4, 0),
+                      .v1 = moment(0, 1),
+                      .v2 = moment(0, 2),
+                      .v4 = moment(0, 4)},
+          .means = means / mass,
+          .residuals = residuals / mass,
+          .cells = cells / mass,
+          .impacts = std::move(of_impacts)};
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,62 @@
+#include "base/files/input_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+
+namespace fpkcheck::base {
+namespace {
+
+/// An open file.
+class Descriptor {
+ public:
+  // Without waiting for who writes into a pipe; what it is shows only once it is open.
+  explicit Descriptor(const std::filesystem::path& file)
+      : number_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+
+  bool is_regular() const {
+    struct stat status = {};
+    return number_ >= 0 && fstat(number_, &status) == 0 && S_ISREG(status.st_mode);
+  }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+}  // namespace
+
+std::optional<std::string> read_input_file(const std::filesystem::path& file, std::size_t most) {
+  constexpr std::size_t kAtOnce = 1 << 20;
+  const Descriptor descriptor(file);
+  if (!descriptor.is_regular()) return std::nullopt;
+  std::string bytes;
+  for (;;) {
+    // Read and counted rather than asked for: a file may grow, and some have no size.
+    const std::size_t before = bytes.size();
+    bytes.resize(before + kAtOnce);
+    const ssize_t count = read(descriptor.number(), bytes.data() + before, kAtOnce);
+    bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (bytes.size() > most) {
+      throw InputError(
+          fmt::format("{} has more than {} bytes (nothing that is read here is so large)",
+                      shown(file.string()), most));
+    }
+    if (count == 0) return bytes;
+    if (count < 0 && errno != EINTR) return std::nullopt;
+  }
+}
+
+}  // namespace fpkcheck::base

@@ -1,0 +1,97 @@
+#include "base/files/line_log.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+
+namespace fpkcheck::base {
+namespace {
+
+constexpr int kFileOfEverybody = 0666;  // less the umask
+
+}  // namespace
+
+void LineLog::fail(const char* what) const {
+  throw std::runtime_error(fmt::format("{} cannot be {} ({})", base::shown(file_.string()), what,
+                                       std::generic_category().message(errno)));
+}
+
+LineLog::LineLog(const std::filesystem::path& file)
+    : file_(file),
+      // Not through a link that somebody has put there, and without waiting for a pipe.
+      descriptor_(open(file.c_str(),
+                       O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+                       kFileOfEverybody)) {
+  const bool a_file = descriptor_ >= 0 || (errno != ELOOP && errno != EISDIR && errno != ENXIO);
+  if (descriptor_ < 0 && a_file) fail("opened");
+  struct stat status = {};
+  const bool regular = a_file && fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+  const bool ours = regular && flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  if (ours) return;
+  if (a_file) close(descriptor_);
+  throw InputError(
+      regular ? fmt::format("{} is being written by another process (wait for it, or use another "
+                            "directory)",
+                            base::shown(file_.string()))
+              : fmt::format("{} is no regular file (remove it, or use another directory)",
+                            base::shown(file_.string())));
+}
+
+LineLog::~LineLog() { close(descriptor_); }
+
+std::vector<std::string> LineLog::read() {
+  constexpr std::size_t kAtOnce = 1 << 20;
+  std::string text;
+  std::string buffer(kAtOnce, '\0');
+  for (;;) {
+    const ssize_t count =
+        pread(descriptor_, buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("read");
+    if (count == 0) break;
+    text.append(buffer, 0, static_cast<std::size_t>(count));
+  }
+  std::vector<std::string> lines;
+  std::size_t begin = 0;
+  for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', begin)) {
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  cut_off_ = begin < text.size();
+  length_ = static_cast<long long>(begin);
+  if (cut_off_ && ftruncate(descriptor_, length_) != 0) fail("written");
+  return lines;
+}
+
+void LineLog::append(std::string_view line) {
+  const std::string text = std::string(line) + '\n';
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const ssize_t count = write(descriptor_, rest.data(), rest.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int why = errno;
+      if (ftruncate(descriptor_, length_) != 0) errno = why;
+      errno = why;
+      fail("written");
+    }
+    rest.remove_prefix(static_cast<std::size_t>(count));
+  }
+  length_ += static_cast<long long>(text.size());
+}
+
+void LineLog::flush() const {
+  // Some file systems have no such thing.
+  if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("written");
+}
+
+}  // namespace fpkcheck::base

@@ -1,0 +1,113 @@
+#include "base/files/pending_files.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+
+#include "base/files/journal.hpp"
+#include "base/files/whole_file.hpp"
+
+namespace fpkcheck::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::runtime_error cannot_write(const fs::path& target, const std::error_code& why) {
+  return std::runtime_error(fmt::format("cannot write {} ({})", target.string(), why.message()));
+}
+
+}  // namespace
+
+PendingFiles::~PendingFiles() {
+  std::error_code ignored;
+  for (const auto& file : pending_) fs::remove(file.temporary, ignored);
+}
+
+void PendingFiles::require_one_directory(const fs::path& target) const {
+  const fs::path directory = target.parent_path();
+  if ((!pending_.empty() && pending_.front().target.parent_path() != directory) ||
+      (!unwanted_.empty() && unwanted_.front().parent_path() != directory)) {
+    throw std::logic_error("pending files of two directories");
+  }
+}
+
+void PendingFiles::add(const fs::path& target, const Produce& produce) {
+  require_one_directory(target);
+  const fs::path temporary = partial_beside(target);
+  // Of another process that had our number.
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  // Noted first: what is half written when `produce` throws goes as well.
+  pending_.push_back({temporary, target});
+  produce(temporary);
+}
+
+void PendingFiles::add(const fs::path& target, std::string_view bytes) {
+  add(target, [&](const fs::path& temporary) {
+    try {
+      write_new(temporary, bytes);
+    } catch (const std::system_error& error) {
+      throw cannot_write(target, error.code());
+    }
+  });
+}
+
+void PendingFiles::remove(const fs::path& target) {
+  require_one_directory(target);
+  unwanted_.push_back(target);
+}
+
+void PendingFiles::commit() {
+  // All that can be known to go wrong, before the first target is replaced.
+  for (const auto& [temporary, target] : pending_) {
+    std::error_code error;
+    if (!fs::exists(temporary, error)) {
+      throw cannot_write(target, std::make_error_code(std::errc::no_such_file_or_directory));
+    }
+    if (fs::is_directory(target, error)) {
+      throw cannot_write(target, std::make_error_code(std::errc::is_a_directory));
+    }
+  }
+  if (!pending_.empty()) put_in_place(pending_.front().target.parent_path());
+}
+
+void PendingFiles::put_in_place(const fs::path& directory) {
+  const fs::path first = pending_.front().target;
+  try {
+    for (const auto& file : pending_) flush(file.temporary);
+    if (pending_.size() == 1 && unwanted_.empty()) {
+      fs::rename(pending_.front().temporary, pending_.front().target);
+      flush(directory);
+    } else {
+      finish_interrupted(directory);
+      Journal journal;
+      for (const auto& [temporary, target] : pending_) {
+        journal.renames.push_back({temporary.filename().string(), target.filename().string()});
+      }
+      for (const auto& target : unwanted_) journal.removals.push_back(target.filename().string());
+      journal.announce(directory);
+      pending_.clear();  // they stay until they are in place, by this process or the next
+      unwanted_.clear();
+      journal.carry_out(directory);
+    }
+  } catch (const std::system_error& error) {
+    throw cannot_write(first, error.code());
+  }
+  pending_.clear();
+  unwanted_.clear();
+}
+
+void replace_file(const fs::path& target, const PendingFiles::Produce& produce) {
+  PendingFiles file;
+  file.add(target, produce);
+  file.commit();
+}
+
+void write_file(const fs::path& target, std::string_view bytes) {
+  PendingFiles file;
+  file.add(target, bytes);
+  file.commit();
+}
+
+}  // namespace fpkcheck::base

@@ -1,0 +1,128 @@
+#include "base/files/whole_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <system_error>
+
+namespace fpkcheck::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPartial = ".partial-";
+
+[[noreturn]] void fail() { throw std::system_error(errno, std::generic_category()); }
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {
+    if (number_ < 0) fail();
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+
+  void write_all(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = write(number_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+  // Some file systems have no such thing for directories.
+  void flush() const {
+    if (fsync(number_) != 0 && errno != EINVAL && errno != ENOTSUP) fail();
+  }
+  // A full disk may show only here.
+  void finish() {
+    const int number = number_;
+    number_ = -1;
+    if (close(number) != 0 && errno != EINTR) fail();
+  }
+
+ private:
+  int number_;
+};
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "unknown";
+  std::string host(name.data());
+  for (char& c : host) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  constexpr std::size_t kLongest = 32;  // names of files have an end too
+  return host.substr(0, kLongest);
+}
+
+std::string suffix_of(const std::string& host) { return fmt::format("{}{}-", kPartial, host); }
+
+// The process of this machine that writes, or wrote, a file of this name; 0 where there is none.
+long writer_of(const std::string& name) {
+  const std::string suffix = suffix_of(Writer::this_one().host);
+  const auto at = name.rfind(suffix);
+  if (!name.starts_with('.') || at == std::string::npos) return 0;
+  const char* const end = name.data() + name.size();
+  long pid = 0;
+  const auto [stop, error] = std::from_chars(name.data() + at + suffix.size(), end, pid);
+  return error == std::errc{} && stop == end && pid > 0 ? pid : 0;
+}
+
+}  // namespace
+
+Writer Writer::this_one() {
+  static const std::string host = host_name();
+  return {host, getpid()};
+}
+
+bool Writer::may_run() const {
+  if (host != this_one().host) return true;
+  return kill(static_cast<pid_t>(pid), 0) == 0 || errno != ESRCH;
+}
+
+fs::path partial_beside(const fs::path& target) {
+  const auto [host, pid] = Writer::this_one();
+  return target.parent_path() /
+         fmt::format(".{}{}{}", target.filename().string(), suffix_of(host), pid);
+}
+
+void remove_abandoned(const fs::path& directory) {
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const long pid = writer_of(entry.path().filename().string());
+    if (pid == 0 || Writer{Writer::this_one().host, pid}.may_run()) continue;
+    std::error_code ignored;
+    if (fs::is_regular_file(entry.symlink_status(ignored))) fs::remove(entry.path(), ignored);
+  }
+}
+
+void write_new(const fs::path& file, std::string_view bytes) {
+  constexpr int kEverybodys = 0666;  // less the umask
+  // Not through a link that somebody has put there.
+  Descriptor out(
+      open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kEverybodys));
+  try {
+    out.write_all(bytes);
+    out.flush();
+    out.finish();
+  } catch (const std::system_error&) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    throw;
+  }
+}
+
+void flush(const fs::path& path) {
+  Descriptor(open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC)).flush();
+}
+
+}  // namespace fpkcheck::base

@@ -1,0 +1,12 @@
+#include "base/input_error.hpp"
+#include "base/mpi/ranks.hpp"
+
+namespace fpkcheck::base {
+
+std::unique_ptr<Ranks> Ranks::join() {
+  throw InputError(
+      "started by mpirun, but built without MPI (build with libopenmpi-dev installed, or start "
+      "each process with --shard i/N)");
+}
+
+}  // namespace fpkcheck::base

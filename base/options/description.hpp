@@ -1,0 +1,231 @@
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "base/options/names.hpp"
+#include "base/options/parameter.hpp"
+#include "base/options/value.hpp"
+
+namespace fpkcheck::base {
+
+/// How the members of options are held as values, and found again. Specialised for flags,
+/// integers, numbers, texts, enums with a table of names, and optional ones of these.
+template <class Member>
+struct Conversion;
+
+template <>
+struct Conversion<bool> {
+  static constexpr Type kType = Type::flag;
+  static Value get(bool member) { return member; }
+  static void set(bool& member, const Value& value) { member = std::get<bool>(value); }
+};
+template <std::integral Integer>
+requires(!std::same_as<Integer, bool>) struct Conversion<Integer> {
+  static constexpr Type kType = Type::integer;
+  static Value get(Integer member) { return static_cast<std::int64_t>(member); }
+  /// @throws std::out_of_range
+  static void set(Integer& member, const Value& value) {
+    const auto whole = std::get<std::int64_t>(value);
+    if (!std::in_range<Integer>(whole)) throw std::out_of_range("integer");
+    member = static_cast<Integer>(whole);
+  }
+};
+template <>
+struct Conversion<double> {
+  static constexpr Type kType = Type::number;
+  static Value get(double member) { return member; }
+  static void set(double& member, const Value& value) { member = std::get<double>(value); }
+};
+template <>
+struct Conversion<std::string> {
+  static constexpr Type kType = Type::word;
+  static Value get(const std::string& member) { return member; }
+  static void set(std::string& member, const Value& value) {
+    member = std::get<std::string>(value);
+  }
+};
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct Conversion<Enum> {
+  static constexpr Type kType = Type::word;
+  static Value get(Enum member) { return std::string(name_of(member)); }
+  static void set(Enum& member, const Value& value) {
+    member = *value_named<Enum>(std::get<std::string>(value));
+  }
+  static std::vector<std::string> choices() {
+    std::vector<std::string> list;
+    for (const auto& entry : names(Enum{})) list.emplace_back(entry.name);
+    return list;
+  }
+};
+template <class Member>
+concept HasChoices = requires {
+  Conversion<Member>::choices();
+};
+
+template <class Member>
+struct Conversion<std::optional<Member>> {
+  static constexpr Type kType = Conversion<Member>::kType;
+  static Value get(const std::optional<Member>& member) {
+    return member ? Conversion<Member>::get(*member) : Value();
+  }
+  static void set(std::optional<Member>& member, const Value& value) {
+    if (is_nothing(value)) {
+      member.reset();
+    } else {
+      Conversion<Member>::set(member.emplace(), value);
+    }
+  }
+  static std::vector<std::string> choices() requires HasChoices<Member> {
+    return Conversion<Member>::choices();
+  }
+};
+
+template <class Member>
+concept Resettable = requires(Member member) {
+  member.reset();
+};
+
+/// The parameters of one owner, in the order in which they are shown. Of the owner nothing is known
+/// here: Description<Owner> is what is used.
+class Descriptions {
+ public:
+  /// @param prefix of names in messages, e.g. "system." or "epc "
+  explicit Descriptions(std::string prefix) : prefix_(std::move(prefix)) {}
+
+  const std::vector<Parameter>& all() const { return all_; }
+  const std::string& prefix() const { return prefix_; }
+  /// Null when there is none.
+  const Parameter* find(std::string_view name) const;
+
+ protected:
+  Values values_of(const void* owner) const;
+  Values named_values_of(const void* owner) const;
+  /// @throws InputError WHAT.NAME: missing, unknown, or of the wrong type
+  void read_into(void* owner, const Values& values, const std::string& what) const;
+  /// @throws InputError PREFIXname = value (must be ..) for the first that is out of its range
+  void require_ranges(const void* owner) const;
+  /// @throws InputError LABEL value (must be ..)
+  void set_parsed(void* owner, const Parameter& parameter, std::string_view text,
+                  const std::string& label) const;
+  void set(void* owner, const Parameter& parameter, const Value& value,
+           const std::string& label) const;
+
+  std::string prefix_;
+  std::vector<Parameter> all_;
+};
+
+/// The parameters of `Owner`, a struct: each has its name, help, range and the member that holds
+/// it, and what is read, written or shown of an owner comes from here.
+///
+///     const auto description = Description<Options>("epc ")
+///                                  .add("order", &Options::order, {"N", "degree n"}, positive());
+template <class Owner>
+class Description : public Descriptions {
+ public:
+  using Descriptions::Descriptions;
+
+  struct Text {
+    std::string placeholder;  ///< "N" in `--order N`
+    std::string help;
+  };
+
+  /// On the command line its name has dashes in place of underscores.
+  template <class Member>
+  Description&& add(const std::string& name, Member Owner::*member, Text text,
+                    std::optional<Range> range = {}) && {
+    using Held = Conversion<Member>;
+    Parameter parameter{.name = name,
+                        .help = std::move(text.help),
+                        .placeholder = std::move(text.placeholder),
+                        .flag = dashed(name),
+                        .type = Held::kType,
+                        .may_be_automatic = Resettable<Member>,
+                        .range = std::move(range)};
+    parameter.get = [member](const void* owner) {
+      return Held::get(static_cast<const Owner*>(owner)->*member);
+    };
+    parameter.set = [member](void* owner, const Value& value) {
+      Held::set(static_cast<Owner*>(owner)->*member, value);
+    };
+    if constexpr (HasChoices<Member>) parameter.choices = Conversion<Member>::choices();
+    all_.push_back(std::move(parameter));
+    return std::move(*this);
+  }
+  /// Of the one that was added last: another flag on the command line, or none.
+  Description&& with_flag(const std::string& flag) && {
+    all_.back().flag = flag;
+    return std::move(*this);
+  }
+  Description&& without_flag() && { return std::move(*this).with_flag(""); }
+  /// Of the one that was added last: its symbol in formulas.
+  Description&& with_symbol(const std::string& plain, const std::string& typeset) && {
+    all_.back().symbol = plain;
+    all_.back().typeset = typeset;
+    return std::move(*this);
+  }
+  Description&& with_choices(std::vector<std::string> choices) && {
+    all_.back().choices = std::move(choices);
+    return std::move(*this);
+  }
+  /// Of the one that was added last, a long word: what people are shown in its place.
+  Description&& shown_as(std::function<std::string(const std::string& word)> shown) && {
+    all_.back().shown = std::move(shown);
+    return std::move(*this);
+  }
+  /// Of the one that was added last: what a file that does not name it means.
+  Description&& with_fallback(Value value) && {
+    all_.back().fallback = std::move(value);
+    return std::move(*this);
+  }
+  /// As with_fallback, of what most owners do without: files and tables do not name it then.
+  Description&& without_naming(Value fallback) && {
+    all_.back().silent = true;
+    return std::move(*this).with_fallback(std::move(fallback));
+  }
+
+  /// All parameters as they are set, in order.
+  Values values(const Owner& owner) const { return values_of(&owner); }
+  /// Those that are named: all but silent ones that have their fallback.
+  Values named_values(const Owner& owner) const { return named_values_of(&owner); }
+
+  /// The owner whose values these are; the ranges are not looked at.
+  /// @param what how messages name the values, e.g. "options"
+  /// @throws InputError naming the one that is missing, unknown or of the wrong type
+  Owner read(const Values& values, const std::string& what) const {
+    Owner owner{};
+    read_into(&owner, values, what);
+    return owner;
+  }
+
+  /// @throws InputError naming the first parameter that is out of its range, its value and what is
+  ///         allowed
+  void validate(const Owner& owner) const { require_ranges(&owner); }
+
+  /// Sets one parameter from a text.
+  /// @param label how messages name it, e.g. "--order"
+  /// @throws InputError when the text is no such value
+  void parse(Owner& owner, const Parameter& parameter, std::string_view text,
+             const std::string& label) const {
+    set_parsed(&owner, parameter, text, label);
+  }
+  void assign(Owner& owner, const Parameter& parameter, const Value& value,
+              const std::string& label) const {
+    set(&owner, parameter, value, label);
+  }
+
+ private:
+  static std::string dashed(std::string name) {
+    for (char& c : name) c = c == '_' ? '-' : c;
+    return name;
+  }
+};
+
+}  // namespace fpkcheck::base

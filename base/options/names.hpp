@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace fpkcheck::base {
+
+/// A value of an enum, its name in files and on the command line, and what it means.
+template <class Enum>
+struct Named {
+  Enum value;
+  std::string_view name;
+  std::string_view meaning = {};
+};
+
+/// The one table of names of an enum stands beside it, as `names(Enum)` in its namespace:
+///
+///     constexpr Named<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
+///     constexpr std::span<const Named<Stepper>> names(Stepper) { return kStepperNames; }
+///     constexpr std::string_view name(Stepper value) { return base::name_of(value); }
+template <class Enum>
+constexpr const Named<Enum>* entry_of(Enum value) {
+  for (const auto& entry : names(value)) {
+    if (entry.value == value) return &entry;
+  }
+  return nullptr;
+}
+
+template <class Enum>
+constexpr std::string_view name_of(Enum value) {
+  const auto* entry = entry_of(value);
+  return entry == nullptr ? std::string_view() : entry->name;
+}
+
+template <class Enum>
+constexpr std::string_view meaning_of(Enum value) {
+  const auto* entry = entry_of(value);
+  return entry == nullptr ? std::string_view() : entry->meaning;
+}
+
+/// The value of this name.
+template <class Enum>
+constexpr std::optional<Enum> value_named(std::string_view name) {
+  for (const auto& entry : names(Enum{})) {
+    if (entry.name == name) return entry.value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace fpkcheck::base

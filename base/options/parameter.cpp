@@ -1,0 +1,105 @@
+#include "base/options/parameter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+
+namespace fpkcheck::base {
+namespace {
+
+template <class Number>
+std::optional<Value> number_in(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::string noun(const Parameter& parameter) {
+  switch (parameter.type) {
+    case Type::flag:
+      return "true or false";
+    case Type::integer:
+      return "an integer";
+    case Type::number:
+      return "a number";
+    case Type::word:
+      return parameter.choices.empty()
+                 ? std::string("a text")
+                 : fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+  }
+  return "";
+}
+
+// Why a text is no value of the parameter, beyond what is allowed.
+std::string why_not(const Parameter& parameter, std::string_view text) {
+  if (parameter.type == Type::number || parameter.type == Type::integer) {
+    double ignored = 0;
+    const auto error = std::from_chars(text.data(), text.data() + text.size(), ignored).ec;
+    if (error == std::errc::result_out_of_range) return "out of the range of double precision";
+    return parameter.type == Type::number ? "not a number" : "not an integer";
+  }
+  return fmt::format("must be {}", parameter.allowed());
+}
+
+}  // namespace
+
+std::string Parameter::allowed() const { return range ? range->allowed : noun(*this); }
+
+std::optional<Value> Parameter::accepted(const Value& value) const {
+  if (is_nothing(value)) return may_be_automatic ? std::optional(value) : std::nullopt;
+  switch (type) {
+    case Type::flag:
+      return std::holds_alternative<bool>(value) ? std::optional(value) : std::nullopt;
+    case Type::integer:
+      return std::holds_alternative<std::int64_t>(value) ? std::optional(value) : std::nullopt;
+    case Type::number:
+      if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+      return std::holds_alternative<double>(value) ? std::optional(value) : std::nullopt;
+    case Type::word: {
+      const auto* word = std::get_if<std::string>(&value);
+      const bool known = word != nullptr &&
+                         (choices.empty() || std::ranges::find(choices, *word) != choices.end());
+      return known ? std::optional(value) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Value> Parameter::parsed(std::string_view text) const {
+  if (may_be_automatic && text == "auto") return Value();
+  switch (type) {
+    case Type::flag:
+      if (text == "true" || text == "false") return text == "true";
+      return std::nullopt;
+    case Type::integer:
+      return number_in<std::int64_t>(text);
+    case Type::number:
+      return number_in<double>(text);
+    case Type::word:
+      return accepted(std::string(text));
+  }
+  return std::nullopt;
+}
+
+bool Parameter::in_range(const Value& value) const {
+  if (!range) return true;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+    return range->holds(static_cast<double>(*whole));
+  }
+  const auto* number = std::get_if<double>(&value);
+  return number == nullptr || range->holds(*number);
+}
+
+Value value_from(const Parameter& parameter, std::string_view text, const std::string& label) {
+  if (const auto value = parameter.parsed(text)) return *value;
+  throw InputError(fmt::format("{} {} ({})", label, in_quotes(text), why_not(parameter, text)));
+}
+
+}  // namespace fpkcheck::base

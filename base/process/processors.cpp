@@ -1,0 +1,45 @@
+#include "base/process/processors.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <thread>
+
+namespace fpkcheck::base {
+namespace {
+
+// A fixed cpu_set_t ends at 1024 processors, and the call fails on a larger machine.
+int processors_by_affinity() {
+  constexpr int kMostProcessors = 1 << 16;
+  for (int size = CPU_SETSIZE; size <= kMostProcessors; size *= 2) {
+    const std::unique_ptr<cpu_set_t, void (*)(cpu_set_t*)> set(
+        CPU_ALLOC(size), [](cpu_set_t* allocated) { CPU_FREE(allocated); });
+    if (!set) break;
+    const std::size_t bytes = CPU_ALLOC_SIZE(size);
+    if (sched_getaffinity(0, bytes, set.get()) == 0) return CPU_COUNT_S(bytes, set.get());
+  }
+  return static_cast<int>(std::thread::hardware_concurrency());
+}
+
+// OMP_NUM_THREADS may be a list, one number for each level of nesting: the first counts.
+int at_most(const char* variable, int otherwise) {
+  const char* const text = std::getenv(variable);
+  if (text == nullptr) return otherwise;
+  int number = 0;
+  const auto [end, error] = std::from_chars(text, text + std::strlen(text), number);
+  const bool whole = error == std::errc() && (*end == '\0' || *end == ',' || *end == ' ');
+  return whole && number > 0 ? std::min(number, otherwise) : otherwise;
+}
+
+}  // namespace
+
+int processors() {
+  const int own = std::max(1, processors_by_affinity());
+  return at_most("SLURM_CPUS_PER_TASK", at_most("OMP_NUM_THREADS", own));
+}
+
+}  // namespace fpkcheck::base

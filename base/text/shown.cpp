@@ -1,0 +1,102 @@
+#include "base/text/shown.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace fpkcheck::base {
+namespace {
+
+constexpr std::string_view kCut = "...";
+
+/// The length of the UTF-8 character that the text begins with, which no terminal takes for a
+/// command; 0 where it begins with another byte.
+std::size_t plain_character(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return first < 0x20 || first == 0x7f ? 0 : 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
+  unsigned code = first & (0x7fU >> length);
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((byte(k) & 0xc0U) != 0x80) return 0;
+    code = code << 6U | (byte(k) & 0x3fU);
+  }
+  const bool shortest = code >= (length == 4 ? 0x10000U : length == 3 ? 0x800U : 0xa0U);
+  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+  // Marks that turn the direction of what follows.
+  const bool turns = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+  const bool line_end = code == 0x2028 || code == 0x2029;
+  return shortest && !surrogate && !turns && !line_end && code <= 0x10ffff ? length : 0;
+}
+
+/// One character of the text, or one byte of it escaped; taken away from it.
+std::string next_shown(std::string_view& text) {
+  const std::size_t length = plain_character(text);
+  std::string character = length > 0
+                              ? std::string(text.substr(0, length))
+                              : fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+  text.remove_prefix(length > 0 ? length : 1);
+  return character;
+}
+
+/// The first characters that take no more room; an escape counts as four.
+std::string beginning(std::string_view text, std::size_t room) {
+  std::string result;
+  for (std::size_t used = 0; !text.empty();) {
+    const std::string character = next_shown(text);
+    used += character.front() == '\\' ? character.size() : 1;
+    if (used > room) break;
+    result += character;
+  }
+  return result;
+}
+
+std::size_t characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0U) != 0x80 ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+std::string without_controls(std::string_view text) {
+  std::string result;
+  while (!text.empty()) result += next_shown(text);
+  return result;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kMost = 80, kHead = 40, kTail = kMost - kHead - kCut.size();
+  // Of a long text only what can be seen of it is looked at.
+  constexpr std::size_t kBytes = 4 * kMost;
+  if (text.size() <= kBytes) {
+    std::string whole = without_controls(text);
+    if (characters(whole) <= kMost) return whole;
+  }
+  // The end of a path says more than its middle.
+  std::string_view tail = text.substr(text.size() - std::min(text.size(), kTail));
+  while (!tail.empty() && (static_cast<unsigned char>(tail.front()) & 0xc0U) == 0x80) {
+    tail.remove_prefix(1);
+  }
+  std::string end = without_controls(tail);
+  while (characters(end) > kTail) {
+    const std::size_t drop = end.find_first_of('\\', 1);
+    end.erase(0, drop == std::string::npos ? end.size() - kTail : drop);
+  }
+  return beginning(text, kHead) + std::string(kCut) + end;
+}
+
+std::string in_quotes(std::string_view text) { return '\'' + shown(text) + '\''; }
+
+std::string one_line(std::string_view text) {
+  constexpr std::size_t kMost = 380;
+  if (text.size() <= kMost) {
+    std::string whole = without_controls(text);
+    if (characters(whole) <= kMost) return whole;
+  }
+  return beginning(text, kMost - kCut.size()) + std::string(kCut);
+}
+
+}  // namespace fpkcheck::base

@@ -1,0 +1,147 @@
+#include "control_variates/checks.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <utility>
+
+namespace fpkcheck::control_variates {
+namespace {
+
+constexpr double kOdds = 1e-4;
+constexpr double kDeviations = 3.9;  // of a normal number: odds of 1e-4
+constexpr double kFlights = 1e-5;    // of the damping; the flights' truncation leaves less
+constexpr double kRounding = 1e-12;
+
+/// Sums over all streams of what a check needs.
+struct Sums {
+  double samples = 0, time = 0, impacts = 0;
+  std::array<double, mcs::kPowers.size()> powers{};
+  std::array<double, 3> acceleration{}, wall{}, impulses{};
+
+  explicit Sums(std::span<const mcs::StreamDeposit> streams) {
+    const auto add = [](auto& to, const auto& what) {
+      for (std::size_t k = 0; k < to.size(); ++k) to[k] += what[k];
+    };
+    for (const auto& stream : streams) {
+      samples += stream.samples;
+      time += stream.time;
+      impacts += stream.impacts;
+      add(powers, stream.powers);
+      add(acceleration, stream.sums.acceleration);
+      add(wall, stream.sums.impacts);
+      add(impulses, stream.sums.impulses);
+    }
+  }
+  double mean(int p, int q) const {
+    if (p + q == 0) return 1;
+    const auto at = std::ranges::find(mcs::kPowers, std::pair{p, q}) - mcs::kPowers.begin();
+    return powers[static_cast<std::size_t>(at)] / samples;
+  }
+};
+
+void judge_flights(const problem::System& system, const Sums& sums, Checks& checks) {
+  const auto& of_system = system.coefficients();
+  const auto defect = [&, c = of_system.damping, k = of_system.stiffness, mu = of_system.cubic](
+                          int p, int q, double acceleration) {
+    const double mean = acceleration / sums.samples + c * sums.mean(p, q + 1) +
+                        k * sums.mean(p + 1, q) + mu * sums.mean(p + 3, q);
+    return mean / (c * std::sqrt(sums.mean(0, 2) * sums.mean(2 * p, 2 * q)));
+  };
+  checks.momentum = defect(0, 0, sums.acceleration[0]);
+  checks.virial = defect(1, 0, sums.acceleration[1]);
+  checks.power = defect(0, 1, sums.acceleration[2]);
+}
+
+void judge_impulses(const problem::ImpulseTrain& train, const Sums& sums, Checks& checks) {
+  const auto& law = train.law();
+  const double expected = train.arrival_rate() * sums.time, n = sums.impulses[0];
+  checks.rate = (n - expected) / std::sqrt(expected);
+  if (n == 0) return;
+  checks.mean = (sums.impulses[1] / n - law.mean()) / (law.deviation() / std::sqrt(n));
+  // Two values of one size have no spread of their squares: rounding is their scale.
+  const double square = law.moment(2), spread = law.moment(4) - square * square;
+  const double scale = std::max(std::sqrt(std::max(spread, 0.0) / n), kRounding * square);
+  checks.mean_square = (sums.impulses[2] / n - square) / scale;
+}
+
+Eigen::MatrixXd polynomial_coefficients(const Places& places) {
+  const Eigen::Index nv = places.v.size();
+  Eigen::MatrixXd all(places.y.size() * nv, static_cast<Eigen::Index>(mcs::kPowers.size()));
+  for (std::size_t n = 0; n < mcs::kPowers.size(); ++n) {
+    const auto in_y = places.y.power(mcs::kPowers[n].first);
+    const auto in_v = places.v.power(mcs::kPowers[n].second);
+    for (std::size_t i = 0; i < in_y.size(); ++i) {
+      for (std::size_t j = 0; j < in_v.size(); ++j) {
+        all(static_cast<Eigen::Index>(i) * nv + static_cast<Eigen::Index>(j),
+            static_cast<Eigen::Index>(n)) = in_y[i] * in_v[j];
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Hotelling hotelling(const Eigen::MatrixXd& all) {
+  const Eigen::MatrixXd values = all.topRows(std::min(all.rows(), all.cols() / 2));
+  const auto n = static_cast<double>(values.cols()), p = static_cast<double>(values.rows());
+  // In units of each variable's deviation, for the rounding.
+  const Eigen::VectorXd mean = values.rowwise().mean();
+  Eigen::MatrixXd centred = values.colwise() - mean;
+  const Eigen::VectorXd unit =
+      (centred.rowwise().squaredNorm() / (n - 1)).cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+  centred = (unit.asDiagonal() * centred).eval();
+  const Eigen::VectorXd m = unit.cwiseProduct(mean);
+  const Eigen::MatrixXd covariance = centred * centred.transpose() / (n - 1);
+  const double statistic = n * m.dot(covariance.ldlt().solve(m));
+  const double f = statistic * (n - p) / (p * (n - 1));
+  const boost::math::fisher_f fisher(p, n - p);
+  const double odds =
+      std::isfinite(f) ? boost::math::cdf(boost::math::complement(fisher, std::max(f, 0.0))) : 0;
+  return {.statistic = statistic, .dimensions = static_cast<int>(p), .p_value = odds};
+}
+
+Checks checks(const Prepared& prepared, const Eigen::MatrixXd& generator,
+              std::span<const mcs::StreamDeposit> streams, const Estimates& estimates) {
+  const Sums sums(streams);
+  Checks result;
+  result.generator = hotelling(polynomial_coefficients(prepared.places).transpose() * generator);
+  judge_flights(prepared.problem.system, sums, result);
+  if (sums.impacts > 0) {
+    result.restitution = sums.wall[1] / sums.wall[0] - prepared.problem.system.restitution();
+    result.wall_distance = sums.wall[2] / sums.impacts / std::sqrt(sums.mean(2, 0));
+  }
+  judge_impulses(prepared.problem.impulses, sums, result);
+  for (const auto& [controlled, plain] : estimates.moments) {
+    result.plain_moments = std::max(result.plain_moments,
+                                    std::abs(plain.mean - controlled.mean) / plain.standard_error);
+  }
+  return result;
+}
+
+std::vector<std::string> Checks::certainly_wrong() const {
+  std::vector<std::string> names;
+  const auto judge = [&](bool fine, const char* name) {
+    if (!fine) names.emplace_back(name);
+  };
+  judge(std::max({std::abs(momentum), std::abs(virial), std::abs(power)}) < kFlights, "flights");
+  judge(std::abs(restitution) < kRounding, "restitution");
+  judge(wall_distance < kRounding, "wall");
+  return names;
+}
+
+std::vector<std::string> Checks::failed() const {
+  std::vector<std::string> names = certainly_wrong();
+  const auto judge = [&](bool fine, const char* name) {
+    if (!fine) names.emplace_back(name);
+  };
+  judge(std::max({std::abs(rate), std::abs(mean), std::abs(mean_square)}) < kDeviations,
+        "impulses");
+  judge(generator.p_value > kOdds, "generator");
+  judge(plain_moments < kDeviations, "plain");
+  return names;
+}
+
+}  // namespace fpkcheck::control_variates

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "control_variates/prepared.hpp"
+#include "mcs/estimate/density_estimate.hpp"
+#include "mcs/estimate/estimate.hpp"
+#include "mcs/summary.hpp"
+
+namespace fpkcheck::control_variates {
+
+/// An expectation with the noise taken out, and as the samples have it.
+struct Estimated {
+  mcs::Estimate controlled, plain;
+};
+
+/// A density in smooth bins.
+struct BinEstimates {
+  transform::SmoothBins bins;
+  std::vector<Estimated> averages;
+  Eigen::MatrixXd covariance;  ///< of the controlled averages
+  mcs::SamplingL1 controlled_l1, plain_l1;
+};
+
+struct Estimates {
+  std::vector<Estimated> moments;  ///< in the order of kMoments
+  BinEstimates y, v;
+  /// Half the width of a 95 % interval in standard errors (Student's).
+  double interval_factor = 0;
+};
+
+/// The means of L A_i B_j of each stream, impacts included, shape (functions, streams), a function
+/// in row i * v.size() + j.
+Eigen::MatrixXd mean_generator(const Prepared& prepared,
+                               std::span<const mcs::StreamDeposit> streams);
+
+/// E[f] = mean of (f + L h), for every functional. Unbiased whatever h is; standard errors from the
+/// differences between streams.
+Estimates combine(const Prepared& prepared, const Eigen::MatrixXd& generator,
+                  std::span<const mcs::StreamDeposit> streams);
+
+}  // namespace fpkcheck::control_variates

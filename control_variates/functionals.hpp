@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "backward/control/control_functions.hpp"
+#include "mcs/deposit/deposit.hpp"
+#include "mcs/summary.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::control_variates {
+
+/// E[y^p y'^q].
+struct Moment {
+  int p, q;
+};
+inline constexpr std::array<Moment, 6> kMoments{{{1, 0}, {2, 0}, {4, 0}, {0, 1}, {0, 2}, {0, 4}}};
+
+/// What is estimated, in this order: the moments, the smooth bins of y, those of y'.
+struct Functionals {
+  transform::SmoothBins y_bins, v_bins;
+
+  int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
+  /// As functions of the phase plane.
+  std::vector<backward::SeparableFunction> functions() const;
+  /// Their plain means over the samples of one stream.
+  std::vector<double> means(const mcs::StreamDeposit& stream) const;
+};
+
+}  // namespace fpkcheck::control_variates

@@ -1,0 +1,70 @@
+#include "control_variates/prepared.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "backward/control/control_functions.hpp"
+#include "backward/control/impulse_means.hpp"
+#include "backward/control/usual_control.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::control_variates {
+namespace {
+
+constexpr double kYBin = 0.15, kVBin = 0.3, kBinExtent = 7;  // deviations
+constexpr double kPerDeviation = 8;                          // points of the lattice
+constexpr double kBeyondBox = 4;  // deviations of the impulses that the lattice goes on
+
+std::vector<double> lattice(const mcs::DepositGrid& grid) {
+  std::vector<double> v;
+  for (int q = 0; q < grid.lattice_points; ++q) {
+    v.push_back(grid.lattice_begin + q * grid.lattice_spacing);
+  }
+  return v;
+}
+
+}  // namespace
+
+Places places(const problem::Problem& problem, const Cells& cells) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
+  const double deflection = problem::static_deflection(problem);
+  auto splines = backward::usual_splines(problem, {.y = cells.y, .v = cells.v});
+  Places p{.y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
+  const double y_bin = kYBin * s1, v_bin = kVBin * s2;
+  // The outermost reach no further than the extent.
+  constexpr int kReach = 2;
+  const int v_half = static_cast<int>(kBinExtent / kVBin) - kReach;
+  p.functionals.y_bins = {.first = -y_bin,
+                          .spacing = y_bin,
+                          .count = static_cast<int>((deflection + kBinExtent * s1) / y_bin),
+                          .from = 0};
+  p.functionals.v_bins = {.first = -v_half * v_bin, .spacing = v_bin, .count = 2 * v_half + 1};
+  const double s = problem.impulses.law().deviation(), spacing = s / kPerDeviation;
+  const int half = static_cast<int>(std::ceil((p.v.end() + kBeyondBox * s) / spacing));
+  p.grid = {.y_knots = p.y.knots(),
+            .v_knots = p.v.knots(),
+            .lattice_begin = -half * spacing,
+            .lattice_spacing = spacing,
+            .lattice_points = 2 * half + 1,
+            .y_bins = p.functionals.y_bins,
+            .v_bins = p.functionals.v_bins};
+  for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
+    p.grid.shifts.push_back({amplitude, probability});
+  }
+  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;  // not used
+  return p;
+}
+
+Prepared prepare(const problem::Problem& problem, const Places& places, double sampling_interval) {
+  const auto control = backward::usual_control(problem, places.y, places.v, 1 / sampling_interval);
+  auto functions = backward::control_functions(control, places.functionals.functions());
+  return {.problem = problem,
+          .places = places,
+          .control = std::move(functions.coefficients),
+          .after_impulse =
+              backward::impulse_means(places.v, problem.impulses.law(), lattice(places.grid)),
+          .backward_means = std::move(functions.means)};
+}
+
+}  // namespace fpkcheck::control_variates

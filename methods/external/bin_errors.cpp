@@ -1,0 +1,113 @@
+#include "methods/external/bin_errors.hpp"
+
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+
+namespace fpkcheck::methods {
+namespace {
+
+// The integral over the bin, by the values at the knots: the trapezoids are linear in them.
+BinError trapezoids(std::span<const double> knots, double lower, double upper) {
+  BinError bin{.width = upper - lower, .first = 0, .factors = {}};
+  const auto after = std::ranges::upper_bound(knots, lower) - knots.begin();
+  bin.first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0));
+  for (std::size_t k = bin.first; k + 1 < knots.size() && knots[k] < upper; ++k) {
+    const double from = std::max(lower, knots[k]), to = std::min(upper, knots[k + 1]);
+    const double t = ((from + to) / 2 - knots[k]) / (knots[k + 1] - knots[k]);
+    if (bin.factors.empty()) bin.factors = {0};
+    bin.factors.back() += (1 - t) * (to - from);
+    bin.factors.push_back(t * (to - from));
+  }
+  return bin;
+}
+
+// The value at the first knot is v[1] - (v[2] - v[1]) * ratio.
+void continue_to_first(BinError& bin, double ratio) {
+  if (bin.first > 0) {
+    --bin.first;
+    return;
+  }
+  if (bin.factors.empty()) return;
+  const double at_first = bin.factors.front();
+  bin.factors.erase(bin.factors.begin());
+  bin.factors.resize(std::max<std::size_t>(bin.factors.size(), 2));
+  bin.factors[0] += at_first * (1 + ratio);
+  bin.factors[1] -= at_first * ratio;
+}
+
+// That at the last one, after so many points, likewise.
+void continue_to_last(BinError& bin, std::size_t points, double ratio) {
+  if (bin.first + bin.factors.size() <= points) return;
+  const double at_last = bin.factors.back();
+  bin.factors.pop_back();
+  while (bin.factors.size() < 2) {
+    bin.factors.insert(bin.factors.begin(), 0);
+    --bin.first;
+  }
+  bin.factors.end()[-1] += at_last * (1 + ratio);
+  bin.factors.end()[-2] -= at_last * ratio;
+}
+
+}  // namespace
+
+double BinError::standard() const {
+  return std::sqrt(std::inner_product(factors.begin(), factors.end(), factors.begin(), 0.0));
+}
+
+std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const double> errors,
+                                 std::span<const double> edges, const Reached& continued) {
+  const std::size_t last = knots.size() - 1;
+  std::vector<BinError> bins;
+  for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
+    BinError bin = trapezoids(knots, edges[b], edges[b + 1]);
+    if (continued.left) {
+      continue_to_first(bin, (knots[1] - knots[0]) / (knots[2] - knots[1]));
+    }
+    if (continued.right) {
+      continue_to_last(bin, errors.size(),
+                       (knots[last] - knots[last - 1]) / (knots[last - 1] - knots[last - 2]));
+    }
+    for (std::size_t k = 0; k < bin.factors.size(); ++k) {
+      bin.factors[k] *= errors[bin.first + k] / bin.width;
+    }
+    bins.push_back(std::move(bin));
+  }
+  return bins;
+}
+
+// The errors of neighbouring bins go together where they share points, so that the upper end is
+// found by drawing errors of the points.
+BinSamplingL1 sampling_l1(std::span<const BinError> bins) {
+  constexpr int kReplicates = 1000;
+  constexpr std::uint64_t kSeed = 20240501;  // any; the same file gives the same number
+  BinSamplingL1 result;
+  std::size_t points = 0;
+  for (const auto& bin : bins) {
+    result.expected += std::sqrt(2 / std::numbers::pi) * bin.standard() * bin.width;
+    points = std::max(points, bin.first + bin.factors.size());
+  }
+  boost::random::mt19937_64 engine(kSeed);
+  boost::random::normal_distribution<double> normal;
+  std::vector<double> z(points), distances;
+  for (int k = 0; k < kReplicates; ++k) {
+    for (double& error : z) error = normal(engine);
+    double distance = 0;
+    for (const auto& bin : bins) {
+      distance += bin.width * std::abs(std::inner_product(
+                                  bin.factors.begin(), bin.factors.end(),
+                                  z.begin() + static_cast<std::ptrdiff_t>(bin.first), 0.0));
+    }
+    distances.push_back(distance);
+  }
+  const auto nth = distances.begin() + kReplicates * 99 / 100;
+  std::ranges::nth_element(distances, nth);
+  result.in_99 = *nth;
+  return result;
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,124 @@
+#include "methods/external/column_meaning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Variable;
+using Names = std::span<const std::string_view>;
+
+constexpr std::string_view kVelocity[] = {"ydot", "y'",      "v",     "velocity", "dy/dt",  "xdot",
+                                          "x'",   "p(ydot)", "p(y')", "p(v)",     "p_ydot", "p_v"};
+constexpr std::string_view kDisplacement[] = {"y", "x", "displacement", "p(y)", "p_y", "p(x)"};
+constexpr std::string_view kEdges[] = {"lower", "upper", "left", "right", "from", "to"};
+constexpr std::string_view kCounts[] = {"count", "counts", "frequency", "samples", "n"};
+constexpr std::string_view kProbabilities[] = {"probability", "probabilities"};
+constexpr std::string_view kDensities[] = {"density", "pdf"};
+
+bool is_one_of(const std::string& name, Names known) {
+  return std::ranges::find(known, name) != known.end();
+}
+
+bool any_of(const std::vector<std::string>& names, Names known) {
+  return std::ranges::any_of(names, [&](const auto& name) { return is_one_of(name, known); });
+}
+
+// Whatever is plotted over x may be called y: there neither name says a variable.
+std::vector<std::string> without_ordinate(std::vector<std::string> names) {
+  if (names.size() < 2 || names[1] != "y") return names;
+  names[1].clear();
+  if (names[0] == "x") names[0].clear();
+  return names;
+}
+
+bool near_one(double sum) {
+  constexpr double kRounding = 1e-6;
+  return std::abs(sum - 1) <= kRounding;
+}
+
+// Of the narrower bin: beside a wide one, another that lies within it would seem to go on from it.
+// Halves do not overflow.
+double gap(const std::vector<double>& bin, const std::vector<double>& next) {
+  const auto half_width = [](const auto& row) { return std::abs(row[1] / 2 - row[0] / 2); };
+  return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
+}
+
+}  // namespace
+
+std::string_view name(BinValue value) {
+  switch (value) {
+    case BinValue::density:
+      return "density";
+    case BinValue::probability:
+      return "probability";
+    case BinValue::count:
+      return "count";
+  }
+  return "";
+}
+
+Variable variable_of(const NumberTable& table) {
+  const auto names = without_ordinate(table.names);
+  const bool velocity = any_of(names, kVelocity), displacement = any_of(names, kDisplacement);
+  if (velocity != displacement) return velocity ? Variable::ydot : Variable::y;
+  return std::ranges::any_of(table.rows, [](const auto& row) { return row.front() < 0; })
+             ? Variable::ydot
+             : Variable::y;
+}
+
+std::size_t velocity_column(const std::vector<std::string>& names) {
+  // Names of axes, not of what is plotted over them.
+  constexpr std::string_view kPosition[] = {"y", "x", "displacement"};
+  constexpr std::string_view kSpeed[] = {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'"};
+  constexpr std::string_view kJoint[] = {"p", "density", "pdf", "probability density"};
+  if (names.size() != 3 || !is_one_of(names[2], kJoint)) return names.size();
+  for (const std::size_t of_v : {1, 0}) {
+    if (is_one_of(names[of_v], kSpeed) && is_one_of(names[1 - of_v], kPosition)) return of_v;
+  }
+  return names.size();
+}
+
+bool join(const std::vector<double>& bin, const std::vector<double>& next) {
+  constexpr double kRounding = 1e-6;  // edges are often sums of widths
+  return gap(bin, next) <= kRounding;
+}
+
+bool is_histogram(const NumberTable& table) {
+  if (table.columns() != 3) return false;
+  const auto& names = table.names;
+  const bool named =
+      any_of(names, kEdges) || (!names.empty() && (is_one_of(names.back(), kCounts) ||
+                                                   is_one_of(names.back(), kProbabilities)));
+  if (named) return true;
+  // Densities would have to follow the abscissae to be taken for edges.
+  constexpr double kFar = 0.5;  // of a bin
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    if (table.rows[k][1] <= table.rows[k][0]) return false;
+    if (k > 0 && gap(table.rows[k - 1], table.rows[k]) > kFar) return false;
+  }
+  return true;
+}
+
+BinValue bin_value(const NumberTable& histogram) {
+  double sum = 0, mass = 0;
+  bool whole = true;
+  for (const auto& row : histogram.rows) {
+    sum += row[2];
+    mass += row[2] * (row[1] - row[0]);
+    whole = whole && row[2] == std::floor(row[2]);
+  }
+  if (!histogram.names.empty()) {
+    const std::string& said = histogram.names.back();
+    if (is_one_of(said, kProbabilities)) return BinValue::probability;
+    if (is_one_of(said, kCounts)) return near_one(sum) ? BinValue::probability : BinValue::count;
+    if (is_one_of(said, kDensities)) return BinValue::density;
+  }
+  if (near_one(mass)) return BinValue::density;
+  if (near_one(sum)) return BinValue::probability;
+  return whole ? BinValue::count : BinValue::density;
+}
+
+}  // namespace fpkcheck::methods

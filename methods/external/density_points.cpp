@@ -1,0 +1,151 @@
+#include "methods/external/density_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "methods/external/between_walls.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+// The edges, and beyond the last one bins of the last width, so far.
+std::vector<double> extended(std::vector<double> edges, double so_far) {
+  const double last = edges.back(), width = last - edges[edges.size() - 2];
+  const auto more = static_cast<int>(std::lround(so_far / width));
+  for (int k = 1; k <= more; ++k) edges.push_back(last + k * width);
+  return edges;
+}
+
+// Seen from the other side.
+std::vector<double> turned(std::vector<double> edges) {
+  for (double& edge : edges) edge = -edge;
+  std::ranges::reverse(edges);
+  return edges;
+}
+
+// Those of y at both free ends; where a wall stands farther out, up to it at most.
+std::vector<double> extended(const std::vector<double>& edges, bool low, bool high,
+                             const problem::Walls& walls) {
+  const double length = edges.back() - edges.front();
+  const double so_far = length * 3 / 7 / (low && high ? 2 : 1);
+  std::vector<double> all = edges;
+  if (high) all = extended(all, so_far);
+  if (low) all = turned(extended(turned(all), so_far));
+  std::erase_if(all, [&](double edge) {
+    return (edge < edges.front() || edge > edges.back()) && !is_between(walls, edge);
+  });
+  return all;
+}
+
+std::vector<double> mirrored(const std::vector<double>& edges) {
+  std::vector<double> both;
+  for (auto edge = edges.rbegin(); edge != edges.rend() && *edge > 0; ++edge) {
+    both.push_back(-*edge);
+  }
+  both.insert(both.end(), edges.begin(), edges.end());
+  return both;
+}
+
+constexpr std::size_t kPointsOfACell = 3;
+constexpr std::array<double, kPointsOfACell> kShares{5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+void add_points(const std::vector<double>& edges, std::vector<double>& points) {
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    const double centre = (edges[k] + edges[k + 1]) / 2, half = (edges[k + 1] - edges[k]) / 2;
+    for (const double at : {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}) {
+      points.push_back(centre + at * half);
+    }
+  }
+}
+
+std::vector<double> weights(const std::vector<double>& edges) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    for (const double share : kShares) all.push_back(share * (edges[k + 1] - edges[k]));
+  }
+  return all;
+}
+
+}  // namespace
+
+DensityPoints::DensityPoints(const compare::ComparisonAxes& axes, const problem::Walls& walls)
+    : walls_(walls),
+      begin_at_wall_(is_at(walls.left, axes.y_edges.front())),
+      end_at_wall_(is_at(walls.right, axes.y_edges.back())),
+      y_edges_(extended(axes.y_edges, !begin_at_wall_, !end_at_wall_, walls)) {
+  const auto rest = std::ranges::find(axes.v_edges, 0.0);
+  v_edges_ = mirrored(extended({rest, axes.v_edges.end()}, axes.v_edges.back() * 3 / 7));
+  if (begin_at_wall_) y_.push_back(y_edges_.front());
+  add_points(y_edges_, y_);
+  if (end_at_wall_) y_.push_back(y_edges_.back());
+  add_points(v_edges_, v_);
+}
+
+std::vector<double> edges_of_parts(const std::vector<double>& edges) {
+  std::vector<double> parts{edges.front()};
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    const double width = edges[k + 1] - edges[k];
+    parts.push_back(edges[k] + kShares[0] * width);
+    parts.push_back(edges[k + 1] - kShares[2] * width);
+    parts.push_back(edges[k + 1]);
+  }
+  return parts;
+}
+
+PointIntegrals::PointIntegrals(const DensityPoints& points, const std::vector<double>& values)
+    : points_(points),
+      values_(values),
+      first_(points.begin_at_wall() ? 1 : 0),
+      weight_y_(weights(points.y_edges())),
+      weight_v_(weights(points.v_edges())) {}
+
+transform::Moments PointIntegrals::moments(double mass) const {
+  const auto mean = [&](const auto& g) { return of(g) / mass; };
+  return {.y1 = mean([](double y, double) { return y; }),
+          .y2 = mean([](double y, double) { return y * y; }),
+          .y4 = mean([](double y, double) { return y * y * y * y; }),
+          .v1 = mean([](double, double v) { return v; }),
+          .v2 = mean([](double, double v) { return v * v; }),
+          .v4 = mean([](double, double v) { return v * v * v * v; })};
+}
+
+double PointIntegrals::right_flux(int power) const {
+  if (!points_.end_at_wall()) return 0;
+  const std::size_t last = points_.y().size() - 1;
+  double sum = 0;
+  for (std::size_t j = 0; j < weight_v_.size(); ++j) {
+    const double v = points_.v()[j];
+    if (v > 0) sum += weight_v_[j] * std::pow(v, power) * value(last, j);
+  }
+  return sum;
+}
+
+double PointIntegrals::left_flux(int power) const {
+  if (!points_.begin_at_wall()) return 0;
+  double sum = 0;
+  for (std::size_t j = 0; j < weight_v_.size(); ++j) {
+    const double v = points_.v()[j];
+    if (v < 0) sum += weight_v_[j] * std::pow(-v, power) * value(0, j);
+  }
+  return sum;
+}
+
+transform::GridDensity PointIntegrals::averages() const {
+  transform::GridDensity grid{points_.y_edges(), points_.v_edges(), {}};
+  for (std::size_t i = 0; i < grid.ny(); ++i) {
+    for (std::size_t j = 0; j < grid.nv(); ++j) {
+      double sum = 0;
+      for (std::size_t a = 0; a < kPointsOfACell; ++a) {
+        for (std::size_t b = 0; b < kPointsOfACell; ++b) {
+          sum += kShares[a] * kShares[b] *
+                 value(first_ + kPointsOfACell * i + a, kPointsOfACell * j + b);
+        }
+      }
+      grid.averages.push_back(sum);
+    }
+  }
+  return grid;
+}
+
+}  // namespace fpkcheck::methods

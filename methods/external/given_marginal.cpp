@@ -1,0 +1,237 @@
+#include "methods/external/given_marginal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <cmath>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+#include "methods/external/bin_errors.hpp"
+#include "methods/external/column_meaning.hpp"
+
+// After fpclassify: pchip of Boost 1.74 calls isnan without having declared it.
+#include <boost/math/interpolators/makima.hpp>
+#include <boost/math/interpolators/pchip.hpp>
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Variable;
+
+void require_between(const NumberTable& table, std::size_t row, double y,
+                     const problem::Walls& walls) {
+  if (is_between(walls, y)) return;
+  // Only names can have said so, or the file is of another case.
+  table.fail(row,
+             fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' if the "
+                         "density is that of y')",
+                         y, base::in_quotes(fmt::format("{}", fmt::join(table.names, ","))),
+                         between(walls)));
+}
+
+void require_rows(const NumberTable& table, const problem::Walls& walls) {
+  constexpr std::size_t kFewest = 4;  // of the interpolants
+  const std::size_t last = table.rows.size() - 1;
+  if (table.rows.size() < kFewest) {
+    table.fail(last, fmt::format("{} rows (must be at least {})", last + 1, kFewest));
+  }
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double x = table.rows[k][0];
+    if (k > 0 && x <= table.rows[k - 1][0]) {
+      table.fail(k, fmt::format("{} after {} (must increase{})", x, table.rows[k - 1][0],
+                                table.columns() == 3 ? "; of a joint density, name y,v,p" : ""));
+    }
+    require_between(table, k, x, walls);
+  }
+}
+
+void require_not_negative(const NumberTable& table, std::size_t column, const char* what) {
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    if (table.rows[k][column] < 0) {
+      table.fail(k, fmt::format("{} {:g} (must not be negative)", what, table.rows[k][column]));
+    }
+  }
+}
+
+// Of abscissae and integrals: their fourth powers, over the narrowest bins, are still numbers.
+constexpr double kLargest = 1e60;
+
+template <class Function>
+double integral(const Function& f, double a, double b) {
+  return boost::math::quadrature::gauss<double, 7>::integrate(f, a, b);
+}
+
+}  // namespace
+
+GivenMarginal::GivenMarginal(const NumberTable& table, const problem::Walls& walls)
+    : variable_(variable_of(table)), walls_(variable_ == Variable::y ? walls : problem::Walls{}) {
+  require_rows(table, walls_);
+  const bool histogram = is_histogram(table);
+  file_.path = table.source;
+  file_.form = histogram ? "histogram" : "points";
+  file_.rows = table.rows.size();
+  histogram ? read_histogram(table) : read_points(table);
+}
+
+void GivenMarginal::read_histogram(const NumberTable& table) {
+  require_not_negative(table, 2, "density or count");
+  knots_ = {table.rows.front()[0]};
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const double lower = table.rows[k][0], upper = table.rows[k][1];
+    if (upper <= lower) {
+      table.fail(k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
+    }
+    if (k > 0 && !join(table.rows[k - 1], table.rows[k])) {
+      table.fail(k, fmt::format("a bin from {:g} after one to {:g} (bins must join)", lower,
+                                knots_.back()));
+    }
+    require_between(table, k, upper, walls_);
+    knots_.push_back(upper);
+  }
+  const BinValue value = bin_value(table);
+  file_.values = name(value);
+  cumulative_ = {0};
+  for (const auto& row : table.rows) {
+    cumulative_.push_back(cumulative_.back() +
+                          row[2] * (value == BinValue::density ? row[1] - row[0] : 1));
+  }
+  using Monotone = boost::math::interpolators::pchip<std::vector<double>>;
+  auto x = knots_, below = cumulative_;
+  density_ = [cubic = Monotone(std::move(x), std::move(below))](double at) {
+    return cubic.prime(at);
+  };
+  normalise(value);
+}
+
+void GivenMarginal::read_points(const NumberTable& table) {
+  require_not_negative(table, 1, "density");
+  knots_ = table.column(0);
+  auto values = table.column(1);
+  if (table.columns() == 3) {
+    require_not_negative(table, 2, "standard error");
+    errors_ = table.column(2);
+  }
+  continued_ = reached_from(walls_, knots_);
+  const std::size_t before_last = knots_.size() - 2;
+  if (continued_.right) {
+    const double wall = walls_.right->position;
+    values.push_back(continued_to(wall, knots_, values, before_last, 0));
+    knots_.push_back(wall);
+  }
+  if (continued_.left) {
+    const double wall = walls_.left->position;
+    values.insert(values.begin(), continued_to(wall, knots_, values, 0, 0));
+    knots_.insert(knots_.begin(), wall);
+  }
+  using Akima = boost::math::interpolators::makima<std::vector<double>>;
+  auto x = knots_;
+  density_ = [cubic = Akima(std::move(x), std::move(values))](double at) {
+    return std::max(cubic(at), 0.0);
+  };
+  cumulative_ = {0};
+  for (std::size_t k = 1; k < knots_.size(); ++k) {
+    cumulative_.push_back(cumulative_.back() + integral(density_, knots_[k - 1], knots_[k]));
+  }
+  normalise(BinValue::density);
+}
+
+void GivenMarginal::normalise(BinValue value) {
+  constexpr double kNearOne = 0.1;
+  const double total = cumulative_.back();
+  const std::string file = base::shown(file_.path);
+  if (!(total > 0)) throw InputError(fmt::format("{}: the density is 0 everywhere", file));
+  if (!std::isfinite(total)) {
+    throw InputError(fmt::format("{}: its integral overflows (choose other units)", file));
+  }
+  // Slopes and moments are larger still, or smaller.
+  const auto overflows = [](double x) { return !std::isfinite(x) || std::abs(x) > kLargest; };
+  if (overflows(total) || overflows(knots_.front()) || overflows(knots_.back()) ||
+      !std::isfinite(density_(knots_.front())) || !std::isfinite(density_(knots_.back()))) {
+    throw InputError(
+        fmt::format("{}: its numbers are too large to reckon with (choose other units)", file));
+  }
+  file_.from = knots_.front();
+  file_.to = knots_.back();
+  file_.integral = total;
+  if (value == BinValue::probability) {
+    file_.notes.emplace_back("its probabilities per bin were divided by the widths of the bins");
+  }
+  if (value == BinValue::count || std::abs(total - 1) > kNearOne) {
+    scale_ = 1 / total;
+    file_.divided_by = total;
+    file_.notes.push_back(value == BinValue::density
+                              ? fmt::format("it was divided by its integral, {:.4g}", total)
+                              : fmt::format("its {} were divided by their sum, {:g}",
+                                            value == BinValue::count ? "counts" : "probabilities",
+                                            total));
+  }
+  note_cut_ends();
+}
+
+void GivenMarginal::note_cut_ends() {
+  constexpr double kSmall = 1e-3;  // of the peak
+  double peak = 0;
+  for (std::size_t k = 1; k < knots_.size(); ++k) {
+    peak = std::max(peak, (cumulative_[k] - cumulative_[k - 1]) / (knots_[k] - knots_[k - 1]));
+  }
+  const auto note = [&](double end) {
+    const double share = density_(end) / peak;
+    if (share <= kSmall) return;
+    file_.notes.push_back(
+        fmt::format("its {} ends at {:.4g} with {:.2g} of its peak, and beyond it counts as 0",
+                    variable_ == Variable::y ? "p(y)" : "p(y')", end, share));
+  };
+  if (!is_at(walls_.left, knots_.front())) note(knots_.front());
+  if (!is_at(walls_.right, knots_.back())) note(knots_.back());
+}
+
+double GivenMarginal::cumulative(double x) const {
+  if (x <= knots_.front()) return 0;
+  if (x >= knots_.back()) return cumulative_.back();
+  const auto k = std::ranges::upper_bound(knots_, x) - knots_.begin() - 1;
+  if (x == knots_[k]) return cumulative_[k];
+  return cumulative_[k] + integral(density_, knots_[k], x);
+}
+
+transform::Marginal GivenMarginal::on(std::span<const double> edges) const {
+  transform::Marginal result{{edges.begin(), edges.end()}, {}, {}, {}};
+  double below = cumulative(edges.front());
+  for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
+    const double upper = cumulative(edges[b + 1]);
+    result.density.push_back(std::max(scale_ * (upper - below) / result.width(b), 0.0));
+    below = upper;
+  }
+  if (!has_errors()) return result;
+  constexpr double kTwoSided95 = 1.959964;
+  const auto errors = bin_errors(knots_, errors_, edges, continued_);
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    const double half = kTwoSided95 * scale_ * errors[b].standard();
+    result.lower.push_back(std::max(result.density[b] - half, 0.0));
+    result.upper.push_back(result.density[b] + half);
+  }
+  return result;
+}
+
+double GivenMarginal::share_beyond(double lower, double upper) const {
+  return std::clamp(1 - (cumulative(upper) - cumulative(lower)) / cumulative_.back(), 0.0, 1.0);
+}
+
+double GivenMarginal::moment(int power) const {
+  double sum = 0;
+  for (std::size_t k = 1; k < knots_.size(); ++k) {
+    sum += integral([&](double x) { return std::pow(x, power) * density_(x); }, knots_[k - 1],
+                    knots_[k]);
+  }
+  return scale_ * sum;
+}
+
+BinSamplingL1 GivenMarginal::sampling_l1(std::span<const double> edges) const {
+  const auto [expected, in_99] =
+      methods::sampling_l1(bin_errors(knots_, errors_, edges, continued_));
+  return {scale_ * expected, scale_ * in_99};
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,268 @@
+#include "methods/external/given_methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+#include "methods/external/argument.hpp"
+#include "methods/external/between_walls.hpp"
+#include "methods/external/families.hpp"
+#include "methods/external/file_content.hpp"
+#include "methods/external/given_joint.hpp"
+#include "methods/external/given_marginal.hpp"
+#include "methods/external/joint_table.hpp"
+#include "methods/external/label.hpp"
+#include "methods/external/own_density.hpp"
+#include "problem/motion_balances.hpp"
+#include "transform/balance_residuals.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Variable;
+
+double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
+
+// The comparison does not see what lies beyond its axes.
+std::optional<std::string> note_of_what_lies_beyond(const GivenMarginal& marginal, double share,
+                                                    const std::vector<double>& bins) {
+  constexpr double kSmall = 1e-3;
+  if (share <= kSmall) return std::nullopt;
+  return fmt::format(
+      "{:.3g} % of it lies beyond the axes of the comparison, {} = {:.3g} to {:.3g}, and does not "
+      "count (other units?)",
+      100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back());
+}
+
+// What a file held and what became of it, under "files[k]".
+void observe(const GivenMarginal& marginal, const std::vector<double>& bins, double mass,
+             double min_density, std::size_t k, transform::Observer& observer) {
+  const std::string path = fmt::format("files[{}].", k);
+  const GivenFile& file = marginal.file();
+  const double beyond = marginal.share_beyond(bins.front(), bins.back());
+  observer.text(path + "file", file.path)
+      .text(path + "variable", std::string(name(marginal.variable())))
+      .text(path + "form", file.form)
+      .work(path + "rows", transform::counted(file.rows));
+  if (!file.values.empty()) observer.text(path + "values", file.values);
+  observer.result(path + "from", file.from)
+      .result(path + "to", file.to)
+      .result(path + "integral", file.integral);
+  if (file.divided_by) observer.result(path + "normalised_by", *file.divided_by);
+  auto notes = file.notes;
+  if (const auto note = note_of_what_lies_beyond(marginal, beyond, bins)) notes.push_back(*note);
+  if (notes.empty()) observer.empty_list(path + "notes", transform::Kind::text);
+  for (std::size_t n = 0; n < notes.size(); ++n) {
+    observer.text(fmt::format("{}notes[{}]", path, n), notes[n]);
+  }
+  observer.result(path + "mass", mass)
+      .result(path + "min_density", min_density)
+      .result(path + "beyond_axes", beyond);
+}
+
+void add_sampling(const GivenMarginal& marginal, const std::vector<double>& bins,
+                  transform::Solution& solution) {
+  if (!marginal.has_errors()) return;
+  const auto [expected, in_99] = marginal.sampling_l1(bins);
+  auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
+  const bool of_y = marginal.variable() == Variable::y;
+  (of_y ? sampling.y : sampling.ydot) = expected;
+  (of_y ? sampling.y_99 : sampling.ydot_99) = in_99;
+}
+
+// Of one with both marginals: what arrives at walls is in neither, nor are joint moments. It is
+// stated in the frame.
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                              const std::vector<GivenMarginal>& marginals) {
+  const auto of = [&](Variable variable) {
+    return std::ranges::find(marginals, variable, &GivenMarginal::variable);
+  };
+  const auto y = of(Variable::y), ydot = of(Variable::ydot);
+  if (y == marginals.end() || ydot == marginals.end()) return {};
+  const problem::System& system = problem.system;
+  if ((system.left() && system.right()) || system.rayleigh() != 0) return {};
+  const problem::Frame frame = problem::frame_of(system);
+  const problem::Problem seen = problem::seen_from(frame, problem);
+  // As polynomials of y.
+  const auto in_y = [&](const numerics::Polynomial& of_x) {
+    return of_x.of_shifted(frame.inverse().origin, frame.sign());
+  };
+  const auto virial = in_y(seen.system.force().times_argument());
+  double mean_virial = virial.coefficient(0) * y->moment(0);
+  for (std::size_t n = 1; n <= virial.degree(); ++n) {
+    if (virial.coefficient(n) == 0) continue;
+    mean_virial += virial.coefficient(n) * y->moment(static_cast<int>(n));
+  }
+  return {.virial = problem::virial_balance(seen, {.mean_displacement = frame.x(y->moment(1)),
+                                                   .mean_square_velocity = ydot->moment(2),
+                                                   .mean_virial = mean_virial})
+                        .residual()};
+}
+
+transform::Solution solution_of(const problem::Problem& problem,
+                                const std::vector<GivenMarginal>& marginals,
+                                const compare::ComparisonAxes& axes) {
+  transform::Solution solution;
+  solution.status = transform::Status::ok;
+  solution.energy_residual = unknown();
+  auto& m = solution.moments;
+  m = {unknown(), unknown(), unknown(), unknown(), unknown(), unknown()};
+  transform::Observer observer;
+  for (std::size_t k = 0; k < marginals.size(); ++k) {
+    const auto& marginal = marginals[k];
+    const bool of_y = marginal.variable() == Variable::y;
+    (of_y ? m.y1 : m.v1) = marginal.moment(1);
+    (of_y ? m.y2 : m.v2) = marginal.moment(2);
+    (of_y ? m.y4 : m.v4) = marginal.moment(4);
+    const auto& bins = compare::edges(axes, marginal.variable());
+    auto on_axes = marginal.on(bins);
+    const double mass = marginal.moment(0);
+    const auto [least, most] = std::ranges::minmax(on_axes.density);
+    const double min_density = most > 0 ? least / most : 0;
+    // Of several files the worse.
+    if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
+    if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
+    add_sampling(marginal, bins, solution);
+    observe(marginal, bins, mass, min_density, k, observer);
+    solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
+  }
+  observe(observer, balance_residuals(problem, marginals));
+  note_rest(problem, observer);
+  solution.observations = observer.take();
+  return solution;
+}
+
+// A marginal that has its walls only with a case.
+struct MarginalFile {
+  NumberTable table;
+  Variable variable;
+};
+
+std::vector<GivenMarginal> between_walls_of(const problem::Problem& problem,
+                                            const std::vector<MarginalFile>& files) {
+  std::vector<GivenMarginal> marginals;
+  for (const auto& file : files) marginals.emplace_back(file.table, problem.system.walls());
+  return marginals;
+}
+
+// What the arguments of one label say.
+struct Given {
+  OwnDensity own;
+  std::vector<MarginalFile> marginals;
+  std::optional<GivenJoint> joint;
+};
+
+// The argument's own word, else what the file says.
+void state(const GivenArgument& argument, const GivenJoint* joint, OwnDensity& own) {
+  const auto differ = [&](const char* what) {
+    throw InputError(fmt::format("the files of '{}' have different {}s (say it of one of them)",
+                                 own.label, what));
+  };
+  auto equation = argument.equation;
+  auto impact = argument.impact;
+  auto order = argument.order;
+  if (joint != nullptr) {
+    if (!equation) {
+      equation = joint->equation;
+      impact = joint->impact;
+    }
+    if (!order) order = joint->order;
+  }
+  if (equation) {
+    const auto own_impact = impact.value_or(problem::Impact::map);
+    if (own.equation && (*own.equation != *equation || own.impact != own_impact))
+      differ("equation");
+    own.equation = equation;
+    own.impact = own_impact;
+  }
+  if (order) {
+    if (own.order && *own.order != *order) differ("order");
+    own.order = order;
+  }
+}
+
+void add_marginal(NumberTable table, Given& given) {
+  const Variable variable = GivenMarginal(table, {}).variable();
+  if (std::ranges::find(given.marginals, variable, &MarginalFile::variable) !=
+      given.marginals.end()) {
+    throw InputError(
+        fmt::format("two files of '{}' are densities of {} (give one of them another label)",
+                    given.own.label, variable == Variable::y ? "y" : "y'"));
+  }
+  given.marginals.push_back({std::move(table), variable});
+}
+
+void read_into(const GivenArgument& argument, const std::string& case_name,
+               const Registry& registry, Given& given) {
+  auto [form, bytes] = read_content(argument.file);
+  std::optional<GivenJoint> joint;
+  if (form == ContentForm::netcdf) {
+    joint = joint_of_netcdf(argument, std::move(bytes), case_name, registry);
+  } else if (form == ContentForm::json) {
+    joint = joint_of_json(argument, bytes, case_name);
+  } else {
+    if (argument.solution || argument.case_name) {
+      throw InputError(fmt::format("{} is one density (it has no {} to choose)",
+                                   base::in_quotes(argument.file.string()),
+                                   argument.solution ? "solution" : "case"));
+    }
+    std::istringstream in(std::move(bytes));
+    auto table = read_number_table(in, argument.file.string());
+    if (is_joint(table)) {
+      joint = joint_of_table(table);
+    } else {
+      add_marginal(std::move(table), given);
+    }
+  }
+  if (given.joint || (joint && !given.marginals.empty())) {
+    throw InputError(
+        fmt::format("two files of '{}', and one of them is a joint density (give it another label)",
+                    given.own.label));
+  }
+  state(argument, joint ? &*joint : nullptr, given.own);
+  given.joint = std::move(joint);
+}
+
+Method method_of_marginals(const OwnDensity& own, const std::vector<MarginalFile>& files) {
+  return {.identity = identity_of(own, transform::kGivenInFile, "from a file"),
+          .solve =
+              [files](const problem::Problem& problem, const Setting& setting) {
+                return solution_of(problem, between_walls_of(problem, files), setting.axes);
+              },
+          .check = [files](const problem::Problem& problem) { between_walls_of(problem, files); }};
+}
+
+}  // namespace
+
+std::vector<Method> given_methods(std::span<const std::string> arguments, const Registry& registry,
+                                  const std::string& case_name) {
+  std::vector<Given> solutions;
+  for (const auto& text : arguments) {
+    auto argument = given_argument(text);
+    if (argument.solution && !argument.own_label) argument.label = "given-" + *argument.solution;
+    const std::string& label = argument.label;
+    require_free(label, registry);
+    const auto label_of = [](const Given& given) { return given.own.label; };
+    auto own = std::ranges::find(solutions, label, label_of);
+    for (const auto& given : solutions) require_unlike(given.own.label, label);
+    if (own == solutions.end()) {
+      own = solutions.insert(own, {{.label = label, .place = solutions.size()}, {}, {}});
+    }
+    read_into(argument, case_name, registry, *own);
+  }
+  std::vector<Method> methods;
+  for (const auto& [own, marginals, joint] : solutions) {
+    methods.push_back(joint ? method_of(own, *joint) : method_of_marginals(own, marginals));
+  }
+  join_families(methods);
+  return methods;
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,179 @@
+#include "methods/external/number_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+#include "methods/external/column_meaning.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+std::string trimmed(std::string text) {
+  constexpr const char* kAround = " \t\r\"";
+  const auto first = text.find_first_not_of(kAround);
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(kAround) - first + 1);
+}
+
+constexpr std::size_t kMostRows = 100000, kMostOfAGrid = 1000000;
+constexpr std::size_t kLongestLine = 10000;
+
+char separator_of(const std::string& line) {
+  for (const char candidate : {';', '\t', ','}) {
+    if (line.find(candidate) != std::string::npos) return candidate;
+  }
+  return ' ';
+}
+
+std::string_view name_of_separator(char separator) {
+  switch (separator) {
+    case ';':
+      return "semicolons";
+    case '\t':
+      return "tabs";
+    case ',':
+      return "commas";
+    default:
+      return "blanks";
+  }
+}
+
+// Blanks separate only where nothing else does, and any number of them.
+std::vector<std::string> split(const std::string& line) {
+  const char separator = separator_of(line);
+  std::vector<std::string> fields(1);
+  for (const char c : line) {
+    if (c != separator) {
+      fields.back() += c;
+    } else if (separator != ' ' || !fields.back().empty()) {
+      fields.emplace_back();
+    }
+  }
+  for (auto& field : fields) field = trimmed(field);
+  return fields;
+}
+
+// Names without units: "velocity [m/s]", "v (m/s)"; but p(y) is a name.
+std::string without_units(const std::string& line) {
+  std::string kept;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const bool blank_before = kept.empty() || kept.back() == ' ' || kept.back() == '\t';
+    const char closing = line[k] == '[' ? ']' : line[k] == '(' && blank_before ? ')' : '\0';
+    const auto end = closing != '\0' ? line.find(closing, k) : std::string::npos;
+    if (end == std::string::npos) {
+      kept += line[k];
+    } else {
+      k = end;
+    }
+  }
+  return kept;
+}
+
+std::optional<double> number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> lower_case(std::vector<std::string> names) {
+  for (auto& name : names) {
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<double> NumberTable::column(std::size_t c) const {
+  std::vector<double> values;
+  for (const auto& row : rows) values.push_back(row[c]);
+  return values;
+}
+
+void NumberTable::fail(std::size_t row, const std::string& problem) const {
+  throw InputError(fmt::format("{}:{}: {}", base::shown(source), lines[row], problem));
+}
+
+NumberTable read_number_table(std::istream& in, const std::string& source) {
+  NumberTable table{source, {}, {}, {}};
+  std::vector<std::string> comment;
+  int line_number = 0;
+  const auto fail = [&](const std::string& problem) {
+    throw InputError(fmt::format("{}:{}: {}", base::shown(source), line_number, problem));
+  };
+  char usual_separator = '\0';
+  std::size_t most = kMostRows;
+  for (std::string line; std::getline(in, line);) {
+    ++line_number;
+    if (line.size() > kLongestLine) {
+      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kLongestLine));
+    }
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
+    line = trimmed(line);
+    if (line.empty()) continue;
+    if (line.front() == '#') {
+      if (table.rows.empty()) comment = split(trimmed(without_units(line.substr(1))));
+      continue;
+    }
+    const char separator = separator_of(line);
+    const auto fields = split(line);
+    if (table.rows.empty() && table.names.empty() &&
+        std::ranges::none_of(fields, [](const auto& field) { return number(field).has_value(); })) {
+      table.names = lower_case(split(trimmed(without_units(line))));
+      continue;
+    }
+    std::vector<double> row;
+    for (const auto& field : fields) {
+      const auto value = number(field);
+      if (!value)
+        fail(fmt::format("{} is not a number (with a decimal point)", base::in_quotes(field)));
+      if (!std::isfinite(*value))
+        fail(fmt::format("{} (numbers must be finite)", base::shown(field)));
+      row.push_back(*value);
+    }
+    if (table.rows.empty()) usual_separator = separator;
+    if (separator != usual_separator) {
+      fail(fmt::format("numbers between {} after rows with {} (choose one)",
+                       name_of_separator(separator), name_of_separator(usual_separator)));
+    }
+    const std::size_t columns = table.rows.empty() ? row.size() : table.columns();
+    if (columns < 2 || columns > 3) {
+      fail(fmt::format("{} column{} (must be two or three)", columns, columns == 1 ? "" : "s"));
+    }
+    if (row.size() != columns) {
+      fail(fmt::format("{} columns after rows of {}", row.size(), columns));
+    }
+    if (table.rows.empty()) {
+      const auto names = lower_case(table.names.empty() ? comment : table.names);
+      most = velocity_column(names) < names.size() ? kMostOfAGrid : kMostRows;
+    }
+    if (table.rows.size() == most) {
+      fail(fmt::format("more than {} rows (a density has no use for as many: leave some out)",
+                       most));
+    }
+    table.rows.push_back(std::move(row));
+    table.lines.push_back(line_number);
+  }
+  if (table.rows.empty()) {
+    throw InputError(
+        fmt::format("{}: no numbers (must be two or three columns of them)", base::shown(source)));
+  }
+  if (table.names.empty() && comment.size() == table.columns()) table.names = lower_case(comment);
+  if (!table.names.empty() && table.names.size() != table.columns()) {
+    table.fail(0, fmt::format("{} columns under {} names", table.columns(), table.names.size()));
+  }
+  return table;
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,86 @@
+#include "numerics/interval/bernstein.hpp"
+
+namespace fpkcheck::numerics {
+
+double binomial(int n, int j) {
+  double c = 1;
+  for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;  // an integer after each step
+  return c;
+}
+
+BernsteinCoefficients elevated(std::span<const Interval> b, int degree) {
+  // b_i of degree n+1: (i b_{i-1} + (n+1-i) b_i) / (n+1)
+  BernsteinCoefficients e(b.begin(), b.end());
+  for (int n = static_cast<int>(b.size()) - 1; n < degree; ++n) {
+    BernsteinCoefficients next(n + 2);
+    for (int i = 0; i <= n + 1; ++i) {
+      Interval sum = 0;
+      if (i > 0) sum += static_cast<double>(i) * e[i - 1];
+      if (i <= n) sum += static_cast<double>(n + 1 - i) * e[i];
+      next[i] = sum / static_cast<double>(n + 1);
+    }
+    e = std::move(next);
+  }
+  return e;
+}
+
+BernsteinCoefficients product(std::span<const Interval> a, std::span<const Interval> b) {
+  const int m = static_cast<int>(a.size()) - 1, n = static_cast<int>(b.size()) - 1;
+  BernsteinCoefficients p(m + n + 1, Interval(0));
+  for (int i = 0; i <= m; ++i) {
+    for (int j = 0; j <= n; ++j) p[i + j] += binomial(m, i) * a[i] * (binomial(n, j) * b[j]);
+  }
+  for (int k = 0; k <= m + n; ++k) p[k] /= binomial(m + n, k);
+  return p;
+}
+
+BernsteinCoefficients derivative(std::span<const Interval> b) {
+  const int n = static_cast<int>(b.size()) - 1;
+  BernsteinCoefficients d(std::max(n, 1), Interval(0));
+  for (int j = 0; j < n; ++j) d[j] = static_cast<double>(n) * (b[j + 1] - b[j]);
+  return d;
+}
+
+Interval value(std::span<const Interval> b, const Interval& t) {
+  BernsteinCoefficients c(b.begin(), b.end());
+  const Interval s = 1.0 - t;
+  for (std::size_t n = c.size(); n-- > 1;) {
+    for (std::size_t j = 0; j < n; ++j) c[j] = s * c[j] + t * c[j + 1];
+  }
+  return c[0];
+}
+
+BernsteinCoefficients from_powers(std::span<const Interval> a) {
+  // t^k = sum_j C(j, k)/C(n, k) B_j
+  const int n = static_cast<int>(a.size()) - 1;
+  BernsteinCoefficients b(n + 1, Interval(0));
+  for (int j = 0; j <= n; ++j) {
+    for (int k = 0; k <= j; ++k) b[j] += a[k] * binomial(j, k) / binomial(n, k);
+  }
+  return b;
+}
+
+BernsteinCoefficients to_powers(std::span<const Interval> b) {
+  // a_k = C(n, k) times the k-th forward difference at 0
+  const int n = static_cast<int>(b.size()) - 1;
+  BernsteinCoefficients difference(b.begin(), b.end()), a(n + 1);
+  for (int k = 0; k <= n; ++k) {
+    a[k] = binomial(n, k) * difference[0];
+    for (int j = 0; j < n - k; ++j) difference[j] = difference[j + 1] - difference[j];
+  }
+  return a;
+}
+
+BernsteinCoefficients on_segment(std::span<const double> a, const Interval& origin,
+                                 const Interval& from, const Interval& to) {
+  // Horner's rule with x - origin as a polynomial of degree 1
+  const BernsteinCoefficients x{from - origin, to - origin};
+  BernsteinCoefficients b{Interval(a.back())};
+  for (std::size_t k = a.size() - 1; k-- > 0;) {
+    b = product(b, x);
+    for (Interval& c : b) c += a[k];
+  }
+  return b;
+}
+
+}  // namespace fpkcheck::numerics

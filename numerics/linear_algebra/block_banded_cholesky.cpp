@@ -1,0 +1,85 @@
+#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "numerics/linear_algebra/subtract_product.hpp"
+
+namespace fpkcheck::numerics {
+
+BlockBandedMatrix::BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth)
+    : offsets_{0}, bandwidth_(bandwidth) {
+  for (const Eigen::Index size : block_sizes) offsets_.push_back(offsets_.back() + size);
+  for (int c = 0; c < blocks(); ++c) {
+    columns_.push_back(Eigen::MatrixXd::Zero(offsets_[last(c) + 1] - offsets_[c], block_sizes[c]));
+  }
+}
+
+Eigen::Ref<Eigen::MatrixXd> BlockBandedMatrix::block(int row, int column) {
+  return columns_[column].middleRows(offsets_[row] - offsets_[column],
+                                     offsets_[row + 1] - offsets_[row]);
+}
+
+Eigen::VectorXd BlockBandedMatrix::diagonal() const {
+  Eigen::VectorXd d(size());
+  for (int c = 0; c < blocks(); ++c) {
+    d.segment(offsets_[c], columns_[c].cols()) = columns_[c].diagonal();
+  }
+  return d;
+}
+
+void BlockBandedMatrix::scale(const Eigen::VectorXd& scale) {
+  for (int c = 0; c < blocks(); ++c) {
+    columns_[c] = scale.segment(offsets_[c], columns_[c].rows()).asDiagonal() * columns_[c] *
+                  scale.segment(offsets_[c], columns_[c].cols()).asDiagonal();
+  }
+}
+
+void BlockBandedMatrix::add_to_diagonal(double value) {
+  for (Eigen::MatrixXd& column : columns_) column.diagonal().array() += value;
+}
+
+bool BlockBandedMatrix::factorise() {
+  for (int c = 0; c < blocks(); ++c) {
+    Eigen::MatrixXd& panel = columns_[c];
+    const Eigen::Index n = panel.cols(), below = panel.rows() - n;
+    const Eigen::LLT<Eigen::MatrixXd> llt(panel.topRows(n));
+    if (llt.info() != Eigen::Success) return false;
+    panel.topRows(n) = llt.matrixL();
+    if (below == 0) continue;
+    panel.topRows(n).triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
+        panel.bottomRows(below));
+    for (int j = c + 1; j <= last(c); ++j) {
+      const Eigen::Index start = offsets_[j] - offsets_[c], rows = panel.rows() - start;
+      Eigen::MatrixXd& target = columns_[j];
+      subtract_product(target.data(), target.rows(), {&panel(start, 0), 1, panel.rows()},
+                       {&panel(start, 0), panel.rows(), 1}, rows, target.cols(), n);
+    }
+  }
+  return true;
+}
+
+void BlockBandedMatrix::solve(Eigen::MatrixXd& b) const {
+  for (int c = 0; c < blocks(); ++c) {
+    const Eigen::MatrixXd& panel = columns_[c];
+    const Eigen::Index n = panel.cols(), below = panel.rows() - n;
+    auto x = b.middleRows(offsets_[c], n);
+    panel.topRows(n).triangularView<Eigen::Lower>().solveInPlace(x);
+    if (below > 0) {
+      subtract_product(&b(offsets_[c] + n, 0), b.rows(), {&panel(n, 0), 1, panel.rows()},
+                       {x.data(), 1, b.rows()}, below, b.cols(), n);
+    }
+  }
+  for (int c = blocks(); c-- > 0;) {
+    const Eigen::MatrixXd& panel = columns_[c];
+    const Eigen::Index n = panel.cols(), below = panel.rows() - n;
+    auto x = b.middleRows(offsets_[c], n);
+    if (below > 0) {
+      subtract_product(x.data(), b.rows(), {&panel(n, 0), panel.rows(), 1},
+                       {&b(offsets_[c] + n, 0), 1, b.rows()}, n, b.cols(), below);
+    }
+    panel.topRows(n).triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+  }
+}
+
+}  // namespace fpkcheck::numerics

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+
+#include "numerics/linear_algebra/subtract_product.hpp"
+
+// Included by the files that are compiled for different instructions, with kVectors, kWidth and
+// kColumns for their registers. All of it has internal linkage.
+
+namespace fpkcheck::numerics {
+namespace {
+
+template <int kWidth>
+struct VectorOf {
+  typedef double Type __attribute__((vector_size(8 * kWidth)));
+};
+
+/// A block of kVectors * kWidth rows and kColumns columns of C at a time stays in registers; what
+/// it needs of A and B is copied to lie in the order in which it is read, filled up with zeros.
+template <int kWidth, int kVectors, int kColumns>
+void multiply(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& b,
+              std::ptrdiff_t rows, std::ptrdiff_t columns, std::ptrdiff_t inner) {
+  using Vector = typename VectorOf<kWidth>::Type;
+  constexpr std::ptrdiff_t kRows = kVectors * kWidth;
+  const std::ptrdiff_t blocks = (columns + kColumns - 1) / kColumns;
+  const auto count = [](std::ptrdiff_t n) { return static_cast<std::size_t>(n); };
+  const std::unique_ptr<double[]> a_copy(new double[count(kRows * inner)]);
+  const std::unique_ptr<double[]> b_copy(new double[count(blocks * kColumns * inner)]);
+  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
+    double* to = b_copy.get() + block * kColumns * inner;
+    for (std::ptrdiff_t k = 0; k < inner; ++k) {
+      for (std::ptrdiff_t j = block * kColumns; j < (block + 1) * kColumns; ++j) {
+        *to++ = j < columns ? b.first[k * b.down + j * b.along] : 0.0;
+      }
+    }
+  }
+  for (std::ptrdiff_t row = 0; row < rows; row += kRows) {
+    const std::ptrdiff_t height = rows - row < kRows ? rows - row : kRows;
+    double* to = a_copy.get();
+    for (std::ptrdiff_t k = 0; k < inner; ++k) {
+      const double* from = a.first + row * a.down + k * a.along;
+      for (std::ptrdiff_t i = 0; i < kRows; ++i) *to++ = i < height ? from[i * a.down] : 0.0;
+    }
+    for (std::ptrdiff_t block = 0; block < blocks; ++block) {
+      Vector sum[kColumns][kVectors]{};
+      const double* x = a_copy.get();
+      const double* y = b_copy.get() + block * kColumns * inner;
+      for (std::ptrdiff_t k = 0; k < inner; ++k, x += kRows, y += kColumns) {
+        Vector column[kVectors];
+        __builtin_memcpy(column, x, sizeof column);
+#pragma GCC unroll 16
+        for (int j = 0; j < kColumns; ++j) {
+#pragma GCC unroll 4
+          for (int i = 0; i < kVectors; ++i) sum[j][i] += column[i] * y[j];
+        }
+      }
+      for (int j = 0; j < kColumns && block * kColumns + j < columns; ++j) {
+        double* const at = c + row + (block * kColumns + j) * pitch;
+        double values[kRows];
+        __builtin_memcpy(values, sum[j], sizeof values);
+        for (std::ptrdiff_t i = 0; i < height; ++i) at[i] -= values[i];
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::numerics

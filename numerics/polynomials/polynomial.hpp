@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace fpkcheck::numerics {
+
+/// sum_n a_n y^n, n = 0 .. kDegree.
+class Polynomial {
+ public:
+  static constexpr std::size_t kDegree = 6;
+  using Coefficients = std::array<double, kDegree + 1>;
+
+  constexpr explicit Polynomial(const Coefficients& a) : a_(a) {}
+
+  /// By Horner's rule; `Real` may be a number or an array of them.
+  template <class Real>
+  constexpr Real operator()(const Real& y) const {
+    Real value = a_[kDegree] + 0.0 * y;
+    for (std::size_t n = kDegree; n-- > 0;) value = value * y + a_[n];
+    return value;
+  }
+
+  constexpr double coefficient(std::size_t n) const { return a_[n]; }
+  constexpr const Coefficients& coefficients() const { return a_; }
+  /// The largest n with a_n != 0, or 0.
+  constexpr std::size_t degree() const {
+    std::size_t n = kDegree;
+    while (n > 0 && a_[n] == 0) --n;
+    return n;
+  }
+
+  constexpr Polynomial derivative() const {
+    Coefficients d{};
+    for (std::size_t n = 1; n <= kDegree; ++n) d[n - 1] = static_cast<double>(n) * a_[n];
+    return Polynomial(d);
+  }
+  /// The polynomial of x that this one is at y = origin + sign x (Horner's rule for polynomials).
+  constexpr Polynomial of_shifted(double origin, double sign) const {
+    Coefficients q{};
+    for (std::size_t n = kDegree + 1; n-- > 0;) {
+      for (std::size_t m = kDegree; m > 0; --m) q[m] = origin * q[m] + sign * q[m - 1];
+      q[0] = origin * q[0] + a_[n];
+    }
+    return Polynomial(q);
+  }
+  constexpr Polynomial times(double factor) const {
+    Coefficients p{};
+    for (std::size_t n = 0; n <= kDegree; ++n) p[n] = factor * a_[n];
+    return Polynomial(p);
+  }
+  /// y times the polynomial. @pre degree() < kDegree
+  constexpr Polynomial times_argument() const {
+    Coefficients p{};
+    for (std::size_t n = 0; n < kDegree; ++n) p[n + 1] = a_[n];
+    return Polynomial(p);
+  }
+  /// The antiderivative that is 0 at y = 0. @pre degree() < kDegree
+  constexpr Polynomial antiderivative() const {
+    Coefficients i{};
+    for (std::size_t n = 0; n < kDegree; ++n) i[n + 1] = a_[n] / static_cast<double>(n + 1);
+    return Polynomial(i);
+  }
+
+ private:
+  Coefficients a_;
+};
+
+}  // namespace fpkcheck::numerics

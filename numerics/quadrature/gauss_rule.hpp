@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace fpkcheck::numerics {
+
+/// Points and weights, as many of each.
+struct QuadratureRule {
+  std::vector<double> points;
+  Eigen::VectorXd weights;
+};
+
+/// Gauss's rule of N points between all neighbouring cuts, which increase: exact for polynomials of
+/// degree 2 N - 1 there. Between two cuts the points come in pairs about the middle.
+template <unsigned N>
+QuadratureRule gauss_rule(std::span<const double> cuts) {
+  using Gauss = boost::math::quadrature::gauss<double, N>;
+  QuadratureRule rule;
+  std::vector<double> weights;
+  for (std::size_t panel = 0; panel + 1 < cuts.size(); ++panel) {
+    const double centre = (cuts[panel] + cuts[panel + 1]) / 2;
+    const double half = (cuts[panel + 1] - cuts[panel]) / 2;
+    for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
+      for (const double sign : {-1.0, 1.0}) {
+        if (sign < 0 && Gauss::abscissa()[n] == 0) continue;  // the middle is no pair
+        rule.points.push_back(centre + sign * half * Gauss::abscissa()[n]);
+        weights.push_back(half * Gauss::weights()[n]);
+      }
+    }
+  }
+  rule.weights =
+      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  return rule;
+}
+
+}  // namespace fpkcheck::numerics

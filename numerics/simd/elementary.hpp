@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+
+#include "numerics/simd/simd.hpp"
+
+/// Logarithm, exponential and sine from +, -, *, / alone, so that they give the same bits with any
+/// compiler, library, width and instructions.
+namespace fpkcheck::simd {
+
+/// 2^52 + 2^51: a double that is larger by an integer n has n in its last bits.
+inline constexpr double kShift = 6755399441055744.0;
+inline constexpr std::int64_t kShiftBits = 0x4338000000000000;
+/// ln 2 in two parts, the first with zeros at the end: an exponent times it is exact.
+inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
+
+/// log x for normal x > 0, to 1 unit in the last place: x = 2^n m, sqrt(1/2) <= m < sqrt 2,
+/// log m = 2 artanh s, s = (m - 1)/(m + 1).
+template <class Real>
+FPKCHECK_INLINE Real logarithm(const Real& x) {
+  using Bits = typename LanesOf<kWidth<Real>>::Bits;
+  constexpr std::int64_t kHalfRoot = 0x3fe6a09e667f3bcd;  // sqrt(1/2)
+  Bits bits;
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  const Bits exponent = (bits - kHalfRoot) >> 52;  // n
+  const Bits fraction_bits = bits - (exponent << 52);
+  Real m;
+  __builtin_memcpy(&m, &fraction_bits, sizeof m);
+  const Bits shifted = exponent + kShiftBits;  // n as a double
+  Real n;
+  __builtin_memcpy(&n, &shifted, sizeof n);
+  n = n - kShift;
+  const Real f = m - 1.0;
+  const Real s = f / (2.0 + f);
+  const Real z = s * s;
+  Real series = Real{} + 1.0 / 21;
+#pragma GCC unroll 16
+  for (int k = 19; k >= 3; k -= 2) series = series * z + 1.0 / k;
+  return n * kLn2High + (2.0 * s + (2.0 * s * (z * series) + n * kLn2Low));
+}
+
+/// exp x for |x| <= 700, to 1 unit in the last place or so: x = n ln 2 + r, |r| <= ln(2)/2, and
+/// Taylor's series up to r^13.
+template <class Real>
+FPKCHECK_INLINE Real exponential(const Real& x) {
+  using Bits = typename LanesOf<kWidth<Real>>::Bits;
+  constexpr double kPerLn2 = 1.4426950408889634074;
+  const Real shifted = x * kPerLn2 + kShift;
+  const Real n = shifted - kShift;
+  const Real r = (x - n * kLn2High) - n * kLn2Low;
+  Real series = Real{} + 1.0;
+#pragma GCC unroll 16
+  for (int k = 13; k >= 1; --k) series = 1.0 + series * r * (1.0 / k);
+  // times 2^n, by its exponent
+  Bits bits, exponent;
+  __builtin_memcpy(&bits, &series, sizeof bits);
+  __builtin_memcpy(&exponent, &shifted, sizeof exponent);
+  bits = bits + ((exponent - kShiftBits) << 52);
+  __builtin_memcpy(&series, &bits, sizeof series);
+  return series;
+}
+
+/// sin(pi t / 2) for -1 <= t <= 1, to 5e-16: Taylor's series up to t^21.
+template <class Real>
+FPKCHECK_INLINE Real sine_of_quarter_turns(const Real& t) {
+  // (-1)^k (pi/2)^(2k+1) / (2k+1)!
+  constexpr double kCoefficients[] = {
+      1.5707963267948965580e+00,  -6.4596409750624628199e-01, 7.9692626246167047599e-02,
+      -4.6817541353186883230e-03, 1.6044118478735982939e-04,  -3.5988432352120851779e-06,
+      5.6921729219679266811e-08,  -6.6880351098114676795e-10, 6.0669357311061955346e-12,
+      -4.3770654673137422631e-14, 2.5714228928604740866e-16};
+  const Real z = t * t;
+  Real series = Real{} + kCoefficients[10];
+#pragma GCC unroll 16
+  for (int k = 9; k >= 0; --k) series = series * z + kCoefficients[k];
+  return series * t;
+}
+
+}  // namespace fpkcheck::simd

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace fpkcheck::numerics {
+
+inline constexpr int kDefaultDegree = 6;
+
+/// B-splines of one degree p on [breaks.front(), breaks.back()] with simple inner knots and ends of
+/// multiplicity p + 1: functions `span .. span + p` are those that do not vanish between
+/// breaks[span] and breaks[span + 1], and their sum is 1. de Boor, A Practical Guide to Splines.
+class SplineBasis {
+ public:
+  /// @param breaks increasing, at least two
+  explicit SplineBasis(std::vector<double> breaks, int degree = kDefaultDegree);
+
+  int degree() const { return degree_; }
+  int spans() const { return static_cast<int>(breaks_.size()) - 1; }
+  /// Number of functions, spans() + degree().
+  int size() const { return spans() + degree_; }
+  std::span<const double> breaks() const { return breaks_; }
+  double end() const { return breaks_.back(); }
+  /// Knot i of size() + degree() + 1, ends repeated.
+  double knot(int i) const { return knots_[i]; }
+  /// The span that contains x; the first or last beyond the ends.
+  int span_of(double x) const;
+
+  /// Values and derivatives at x of the functions of a span.
+  /// @return shape (derivatives + 1, degree + 1)
+  Eigen::MatrixXd at(double x, int span, int derivatives) const;
+
+ private:
+  std::vector<double> breaks_, knots_;
+  int degree_;
+};
+
+/// Break points 0 = x_0 < .. < x_cells = end. Cells widen in proportion to x + finest near the
+/// origin and have about one width beyond `even`:
+///
+///     cell width ~ (x + finest) / (1 + x/even),   0 < finest < even.
+std::vector<double> graded_breaks(double end, int cells, double finest, double even);
+
+}  // namespace fpkcheck::numerics

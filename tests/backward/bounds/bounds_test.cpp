@@ -1,0 +1,173 @@
+#include "backward/bounds/bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <variant>
+
+#include "backward/bounds/one_grid.hpp"
+#include "base/input_error.hpp"
+#include "exact/closed_forms.hpp"
+#include "exact/linear_density.hpp"
+#include "problem/case_file.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+const Functional kMeanSquare = PowerMean{Axis::displacement, 2};
+const Functional kMeanSquareVelocity = PowerMean{Axis::velocity, 2};
+
+std::vector<numerics::Enclosure> on_level(const problem::Problem& problem, int level,
+                                          const std::vector<Functional>& functionals) {
+  const Grid grid = grids_for(width_limit(functionals[0]))[static_cast<std::size_t>(level)];
+  return bounds_on_grid(problem, weight(problem, 12), grid, functionals, 2);
+}
+
+TEST(Bounds, OfCase1HoldTheTruthAndExcludeFaults) {
+  const std::vector<numerics::Enclosure> b =
+      on_level(problem::load_case("case1"), 2, {kMeanSquare, kMeanSquareVelocity});
+  EXPECT_TRUE(b[0].contains(0.3945181772));
+  EXPECT_TRUE(b[1].contains(0.4415122125));
+  EXPECT_LT(b[0].half_width(), 3e-6);
+  EXPECT_LT(b[1].half_width(), 3e-6);
+  // White noise for the impulses, an impact to first order, km4-pade, 20 x 40 cells.
+  for (const double fault : {0.39700, 0.39416, 0.394545, 0.394560}) {
+    EXPECT_FALSE(b[0].contains(fault)) << fault;
+  }
+}
+
+TEST(Bounds, TellDampingAndRateToOneTenThousandth) {
+  const numerics::Enclosure right =
+      on_level(problem::load_case("case1"), 2, {kMeanSquareVelocity})[0];
+  for (const char* wrong : {"system.damping=0.10001", "impulse.rate=1.0001"}) {
+    // The amplitudes' variance stays: lambda E[Y^2] changes with lambda.
+    const std::vector<std::string> overrides =
+        wrong[0] == 's' ? std::vector<std::string>{wrong}
+                        : std::vector<std::string>{wrong, "impulse.intensity=0.10001"};
+    const numerics::Enclosure other =
+        on_level(problem::load_case("case1", overrides), 2, {kMeanSquareVelocity})[0];
+    EXPECT_TRUE(other.upper < right.lower || other.lower > right.upper) << wrong;
+  }
+}
+
+TEST(Bounds, HoldExactMomentsWithoutLossesForEveryLaw) {
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    const problem::Problem linear = problem::load_case(
+        "case1", {"system.restitution=1", "system.cubic=0", std::string("impulse.law=") + law});
+    const std::vector<numerics::Enclosure> b =
+        on_level(linear, 0, {kMeanSquare, kMeanSquareVelocity});
+    EXPECT_TRUE(b[0].contains(exact::linear_cumulant(linear, 2, 0))) << law;
+    EXPECT_TRUE(b[1].contains(exact::mean_square_velocity(linear))) << law;
+    EXPECT_LT(b[0].half_width(), 1e-2 * b[0].middle()) << law;
+    const problem::Problem cubic =
+        problem::load_case("case1", {"system.restitution=1", std::string("impulse.law=") + law});
+    const numerics::Enclosure v2 = on_level(cubic, 0, {kMeanSquareVelocity})[0];
+    EXPECT_TRUE(v2.contains(exact::mean_square_velocity(cubic))) << law;
+    EXPECT_LT(v2.half_width(), 1e-2 * v2.middle()) << law;
+  }
+}
+
+TEST(Bounds, OfOneProblemByDifferentGridsOverlap) {
+  for (const std::vector<std::string>& overrides :
+       {std::vector<std::string>{"system.restitution=0.5"},
+        {"impulse.rate=0.3"},
+        {"impulse.mean=0.0948683"},
+        {"impulse.mean=-0.0948683", "impulse.law=laplace"},
+        {"impulse.law=two_point"},
+        {"system.cubic=1", "impulse.intensity=1"}}) {
+    const problem::Problem problem = problem::load_case("case1", overrides);
+    const std::vector<Functional> all = standard_functionals();
+    const std::vector<numerics::Enclosure> coarse = on_level(problem, 0, all),
+                                           fine = on_level(problem, 1, all);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_LE(coarse[i].lower, fine[i].upper) << overrides[0] << " " << name(all[i]);
+      EXPECT_LE(fine[i].lower, coarse[i].upper) << overrides[0] << " " << name(all[i]);
+    }
+  }
+}
+
+TEST(Bounds, OfSmoothBinsHoldTheExactDensity) {
+  const problem::Problem linear =
+      problem::load_case("case1", {"system.restitution=1", "system.cubic=0"});
+  const exact::LinearDensity density(linear);
+  const std::vector<Functional> bins{SmoothBin::cardinal(Axis::displacement, 0.9, 0.4),
+                                     SmoothBin::cardinal(Axis::velocity, -0.3, 0.4)};
+  const std::vector<numerics::Enclosure> b = on_level(linear, 1, bins);
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    const std::vector<double> knots = breaks(bins[i]);
+    constexpr int kCells = 400;
+    std::vector<double> edges(kCells + 1);
+    const double width = (knots.back() - knots.front()) / kCells;
+    for (int n = 0; n <= kCells; ++n) edges[n] = knots.front() + n * width;
+    const std::vector<double> p =
+        i == 0 ? density.displacement_averages(edges) : density.velocity_averages(edges);
+    double mean = 0;
+    for (int n = 0; n < kCells; ++n) {
+      const double x = edges[n] + width / 2;
+      mean += p[n] * width * integrand(bins[i], linear, x, x);
+    }
+    mean *= 4 / (knots.back() - knots.front());
+    EXPECT_TRUE(b[i].contains(mean)) << b[i].lower << " " << mean << " " << b[i].upper;
+    EXPECT_LT(b[i].half_width(), 0.1 * mean);
+  }
+}
+
+TEST(Bounds, DoNotDependOnTheNumberOfThreads) {
+  const problem::Problem problem = problem::load_case("case1");
+  const std::vector<Functional> both{kMeanSquare, kMeanSquareVelocity};
+  const Weight tau = weight(problem, 12);
+  const auto one = bounds_on_grid(problem, tau, grids_for(WidthLimit::origin)[0], both, 1);
+  const auto two = bounds_on_grid(problem, tau, grids_for(WidthLimit::origin)[0], both, 2);
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    EXPECT_EQ(one[i].lower, two[i].lower);
+    EXPECT_EQ(one[i].upper, two[i].upper);
+  }
+}
+
+TEST(Bounds, AreRefinedUntilTheWidthAskedForIsMet) {
+  Options options;
+  options.functionals = {kMeanSquare};
+  options.half_width = 1e-5;
+  const Bounds narrow = bounds(problem::load_case("case1"), options);
+  EXPECT_EQ(narrow.status, BoundsStatus::ok);
+  EXPECT_LE(narrow.each[0].value.half_width(), 1e-5);
+  EXPECT_GT(narrow.grids.size(), 1u);
+  EXPECT_LT(narrow.grids.size(), grids_for(WidthLimit::origin).size());
+
+  options.half_width = 1e-12;
+  options.seconds = 0;
+  const Bounds wide = bounds(problem::load_case("case1"), options);
+  EXPECT_EQ(wide.status, BoundsStatus::width_not_met);
+  EXPECT_EQ(wide.grids.size(), 1u);
+  EXPECT_NE(wide.reason.find("--seconds"), std::string::npos) << wide.reason;
+}
+
+// Beyond the grids that all powers have in common each goes on where it is limited.
+TEST(FinestBounds, AreOfAMillionthBelowTheFourthPowerOfTheVelocity) {
+  Options options;
+  options.relative_half_width = 1e-6;
+  options.seconds = 1e9;
+  const Bounds all = bounds(problem::load_case("case1"), options);
+  for (const Bound& bound : all.each) {
+    const auto* const power = std::get_if<PowerMean>(&bound.functional);
+    const bool hardest = power != nullptr && power->axis == Axis::velocity && power->power == 4;
+    EXPECT_LT(bound.value.half_width() / bound.value.middle(), hardest ? 6e-6 : 1e-6)
+        << name(bound.functional);
+  }
+  EXPECT_EQ(all.status, BoundsStatus::width_not_met);
+  EXPECT_NE(all.reason.find("grid is offered for E[y'^4]; ask for --width"), std::string::npos)
+      << all.reason;
+}
+
+TEST(Bounds, AreRefusedForOverdampedMotionAndForWrongOptions) {
+  const Bounds refused = bounds(problem::load_case("case1", {"system.damping=2.5"}));
+  EXPECT_EQ(refused.status, BoundsStatus::not_offered);
+  EXPECT_NE(refused.reason.find("c^2 >= 4k"), std::string::npos);
+  EXPECT_TRUE(refused.each.empty());
+  Options options;
+  options.half_width = -1;
+  EXPECT_THROW(bounds(problem::load_case("case1"), options), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

@@ -1,0 +1,69 @@
+#include "backward/control/control_functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact/linear_moments.hpp"
+#include "exact/linear_problem.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+std::function<double(double)> power(int n) {
+  return [n](double x) { return std::pow(x, n); };
+}
+
+ControlFunctions fitted(const problem::Problem& problem, int cells, double width,
+                        const std::vector<SeparableFunction>& functions) {
+  const numerics::KnotSplines y(numerics::widening_knots(0, 9 * width, 5 * width, cells));
+  const numerics::KnotSplines v(
+      numerics::widening_knots(-10 * width, 10 * width, 6 * width, 2 * cells, 3));
+  const auto weight = [&](double x) {
+    return std::max(std::exp(-x * x / (4 * width * width)), 1e-9);
+  };
+  return control_functions({problem, y, v, weight, weight, 4}, functions);
+}
+
+TEST(ControlFunctions, FindTheMeansOfTheLinearOscillator) {
+  // The linear oscillator with elastic impacts: folding changes no even moment.
+  for (const char* law : tests::kSymmetricLaws) {
+    const auto problem = tests::linear_problem({.law = law});
+    const auto exact = exact::linear_moments_at(problem, {}, 1e4);
+    const auto h = fitted(problem, 24, 0.7, {{power(2), power(0)}, {power(0), power(2)}});
+    EXPECT_NEAR(h.means[0], exact.zz, 1e-5 * exact.zz) << law;
+    EXPECT_NEAR(h.means[1], exact.vv, 1e-5 * exact.vv) << law;
+  }
+}
+
+TEST(ControlFunctions, OfTheVelocityAreMinusTheDisplacement) {
+  // L y = v, so that h = -y + constant, and E[v] = 0, for any problem.
+  const auto problem = tests::make_problem({.restitution = 0.7, .mean = 0.1});
+  const numerics::KnotSplines y(numerics::widening_knots(0, 6, 4, 14)),
+      v(numerics::widening_knots(-7, 7, 4, 28, 3));
+  const auto one = power(0);
+  const auto h = control_functions({problem, y, v, one, one, 4}, {{one, power(1)}});
+  EXPECT_NEAR(h.means[0], 0, 1e-8);
+  const auto in_y = y.power(1);
+  const double constant = h.coefficients(0, 0) + in_y[0];
+  for (int i = 0; i < y.size(); ++i) {
+    for (int j = 0; j < v.size(); ++j) {
+      EXPECT_NEAR(h.coefficients(i * v.size() + j, 0), constant - in_y[i], 1e-3);  // the ridge
+    }
+  }
+}
+
+TEST(ControlFunctions, ConvergeToAValueThatManyRunsAgreeOn) {
+  // Case 1: E[y^2] = 0.3945181772. Two-sided: the coarse grid is not as good as the fine one.
+  const auto problem = tests::paper_case(1);
+  const auto error = [&](int cells) {
+    return std::abs(fitted(problem, cells, 0.65, {{power(2), power(0)}}).means[0] - 0.3945181772);
+  };
+  const double coarse = error(12), fine = error(24);
+  EXPECT_LT(fine, 1e-6);
+  EXPECT_GT(coarse, 3 * fine);
+  EXPECT_LT(coarse, 1e-3);
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

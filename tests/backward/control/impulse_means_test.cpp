@@ -1,0 +1,82 @@
+#include "backward/control/impulse_means.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "laws.hpp"
+#include "problem/impulse_law.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+const numerics::KnotSplines& wide_splines() {
+  static const numerics::KnotSplines s(numerics::widening_knots(-30, 30, 3, 60, 3));
+  return s;
+}
+
+TEST(ImpulseMeans, AreTheMomentsOfEveryLawOnPowers) {
+  const double v[] = {-1.3, 0, 0.05, 2.0};
+  for (const std::string& name : tests::laws_by_name()) {
+    for (const double mean : {0.0, 0.2}) {
+      const auto law = problem::ImpulseLaw::named(name, mean, 0.4);
+      const Eigen::MatrixXd k = impulse_means(wide_splines(), law, v);
+      for (int p = 0; p <= 5; ++p) {
+        const auto c = wide_splines().power(p);
+        const Eigen::VectorXd got =
+            k * Eigen::Map<const Eigen::VectorXd>(c.data(), wide_splines().size());
+        for (int i = 0; i < 4; ++i) {
+          double expected = 0, choose = 1;  // sum of binomials v^(p-n) E[Y^n]
+          for (int n = 0; n <= p; ++n) {
+            expected += choose * std::pow(v[i], p - n) * law.moment(n);
+            choose = choose * (p - n) / (n + 1);
+          }
+          // (Of the Laplace law 1e-18 is beyond its pieces, times 30^5 here.)
+          EXPECT_NEAR(got(i), expected, 1e-10) << name << ' ' << mean << ' ' << p;
+        }
+      }
+    }
+  }
+}
+
+TEST(ImpulseMeans, SumToOneEverywhere) {
+  const double v[] = {-40, -30, -29.9, 0, 30, 33};
+  for (const std::string& name : tests::laws_by_name()) {
+    const auto law = problem::ImpulseLaw::named(name, 0.1, 2.0);
+    const Eigen::MatrixXd k = impulse_means(wide_splines(), law, v);
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(k.row(i).sum(), 1, 1e-13) << name << ' ' << v[i];
+  }
+}
+
+TEST(ImpulseMeans, OfTwoPointsAreTwoShifts) {
+  const double v[] = {0.37};
+  const Eigen::MatrixXd k =
+      impulse_means(wide_splines(), problem::ImpulseLaw::named("two_point", 0, 0.5), v);
+  for (int j = 0; j < wide_splines().size(); ++j) {
+    double expected = 0;
+    for (const double at : {0.37 - 0.5, 0.37 + 0.5}) {
+      const auto b = wide_splines().at(at);
+      if (j >= b.first && j <= b.first + 5) expected += 0.5 * b.value[j - b.first];
+    }
+    EXPECT_NEAR(k(0, j), expected, 1e-15);
+  }
+}
+
+TEST(ImpulseMeans, OfAUniformLawAreAveragesOverCorners) {
+  // The triple knot at 0 lies inside; a fine midpoint rule is the other way.
+  const double v[] = {0.2};
+  const auto law = problem::ImpulseLaw::named("uniform", 0, 0.5);
+  const double half = 0.5 * std::sqrt(3.0);
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(wide_splines().size());
+  constexpr int kPoints = 20000;
+  for (int n = 0; n < kPoints; ++n) {
+    const auto b = wide_splines().at(0.2 - half + 2 * half * (n + 0.5) / kPoints);
+    for (int l = 0; l <= 5; ++l) expected(b.first + l) += b.value[l] / kPoints;
+  }
+  EXPECT_LT(
+      (impulse_means(wide_splines(), law, v).row(0).transpose() - expected).cwiseAbs().maxCoeff(),
+      1e-7);
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

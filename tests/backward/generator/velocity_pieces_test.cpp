@@ -1,0 +1,123 @@
+#include "backward/generator/velocity_pieces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "spline_of.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+ImpactBasis example(double r = 0.7) {
+  return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(3, 6, 0.1, 1)), r);
+}
+
+TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
+  const ImpactBasis basis = example();
+  const std::vector<VelocityPiece> pieces = numerics::rounded_upward([&] {
+    return pieces_of(basis, std::array{-1.234, 0.5}, 0.3);
+  });
+  EXPECT_EQ(pieces.front().from.lower(), -3);
+  EXPECT_NEAR(pieces.back().to.upper(), 0.7 * 3, 1e-15);
+  std::vector<double> wanted = velocity_breaks(basis);
+  wanted.insert(wanted.end(), {-1.234, 0.5});
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    EXPECT_LT(pieces[i].to.upper() - pieces[i].from.lower(), 0.3 + 1e-12);
+    if (i == 0) continue;
+    EXPECT_EQ(pieces[i].from.lower(), pieces[i - 1].to.lower());
+  }
+  for (const double v : wanted) {
+    double nearest = 1;
+    for (const VelocityPiece& p : pieces) {
+      nearest = std::min({nearest, std::abs(p.from.lower() - v), std::abs(p.to.lower() - v)});
+    }
+    EXPECT_LT(nearest, 1e-15) << v;
+  }
+}
+
+TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
+  const ImpactBasis basis = example();
+  numerics::rounded_upward([&] {
+    for (const VelocityPiece& piece : pieces_of(basis, std::array{-0.9, 0.4}, 0.25)) {
+      const PieceFunctions functions = functions_on(basis, piece);
+      for (std::size_t l = 0; l < functions.index.size(); ++l) {
+        Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
+        c(functions.index[l]) = 1;
+        for (const double t : {0.0, 0.4, 1.0}) {
+          const double v = piece.from.lower() + t * (piece.to.lower() - piece.from.lower());
+          const double expected = spline_value(basis, c, v);
+          EXPECT_NEAR(value(functions.value[l], numerics::Interval(t)).lower(), expected, 1e-12);
+        }
+      }
+    }
+    return 0;
+  });
+}
+
+TEST(VelocityPieces, MirroredFunctionsTakeTheSameValueBeforeAndAfterAnImpact) {
+  // The impact condition in exact arithmetic: their Bernstein coefficients on mirrored spans are
+  // enclosed by overlapping intervals, whatever the rounding of r u.
+  const ImpactBasis basis = example(0.98);
+  numerics::rounded_upward([&] {
+    const std::vector<VelocityPiece> spans = pieces_of(basis, {}, 100);
+    for (std::size_t i = 0; i < spans.size() / 2; ++i) {
+      const PieceFunctions in = functions_on(basis, spans[i]);
+      const PieceFunctions out = functions_on(basis, spans[spans.size() - 1 - i]);
+      for (std::size_t l = 0; l < in.index.size(); ++l) {
+        EXPECT_EQ(out.index[l], basis.mirrored(in.index[l]));
+        for (std::size_t j = 0; j < in.value[l].size(); ++j) {
+          EXPECT_TRUE(overlap(in.value[l][j], out.value[l][in.value[l].size() - 1 - j]));
+        }
+      }
+    }
+    return 0;
+  });
+}
+
+TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
+  const ImpactBasis basis = example();
+  const Eigen::VectorXd c = power_coefficients(basis, 3);
+  numerics::rounded_upward([&] {
+    for (const VelocityPiece& piece : pieces_of(basis, {}, 0.5)) {
+      const PieceFunctions functions = functions_on(basis, piece);
+      const std::vector<numerics::BernsteinCoefficients> slopes = difference_slopes(basis, piece);
+      numerics::Interval slope = 0;
+      for (std::size_t l = 1; l < functions.index.size(); ++l) {
+        slope += (numerics::Interval(c(functions.index[l])) - c(functions.index[l - 1])) *
+                 value(slopes[l - 1], numerics::Interval(0.5));
+      }
+      const double v = ((piece.from + piece.to) / 2.0).lower();
+      EXPECT_NEAR(slope.lower(), 3 * v * v, 1e-11);
+      EXPECT_LT(width(slope), 1e-10);
+    }
+    return 0;
+  });
+}
+
+TEST(VelocityPieces, AnEndOutsideItsSpanIsPaidFor) {
+  const ImpactBasis basis = example();
+  numerics::rounded_upward([&] {
+    const VelocityPiece across = located(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
+    EXPECT_EQ(across.side, Side::incoming);
+    EXPECT_GE(across.overhang, 1e-3);
+    const PieceFunctions functions = functions_on(basis, across);
+    // The centre function continues from 1 on, but its true value falls.
+    Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
+    c(basis.centre()) = 1;
+    for (std::size_t l = 0; l < functions.index.size(); ++l) {
+      if (functions.index[l] != basis.centre()) continue;
+      const double there = value(functions.value[l], numerics::Interval(1)).upper();
+      const double error = std::abs(there - spline_value(basis, c, 1e-3));
+      EXPECT_GT(error, 1e-4);
+      EXPECT_LE(error, functions.overhang_error);
+    }
+    const VelocityPiece inside =
+        located(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
+    EXPECT_EQ(functions_on(basis, inside).overhang_error, 0);
+    return 0;
+  });
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

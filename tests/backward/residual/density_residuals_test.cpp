@@ -1,0 +1,273 @@
+#include "backward/residual/density_residuals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "backward/bounds/one_grid.hpp"
+#include "exact/linear_density.hpp"
+#include "exact/linear_moments.hpp"
+#include "exact/linear_problem.hpp"
+#include "residual/bell.hpp"
+#include "uniform_edges.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+using tests::bell;
+using tests::kSv;
+using tests::kSy;
+
+/// Known, and wrong by some per cent.
+const transform::Moments kOfBell{.y1 = kSy * std::sqrt(2 / std::numbers::pi),
+                                 .y2 = kSy * kSy,
+                                 .y4 = 3 * std::pow(kSy, 4),
+                                 .v1 = 0,
+                                 .v2 = kSv * kSv,
+                                 .v4 = 3 * std::pow(kSv, 4)};
+
+/// Its averages over cells, exactly.
+transform::GridDensity bell_on(const std::vector<double>& y, const std::vector<double>& v) {
+  const auto part = [](const std::vector<double>& edges, std::size_t k, double s) {
+    const double unit = s * std::numbers::sqrt2;
+    return (std::erf(edges[k + 1] / unit) - std::erf(edges[k] / unit)) / (edges[k + 1] - edges[k]);
+  };
+  transform::GridDensity grid{y, v, {}};
+  for (std::size_t i = 0; i < grid.ny(); ++i) {
+    for (std::size_t j = 0; j < grid.nv(); ++j) {
+      grid.averages.push_back(part(y, i, kSy) * part(v, j, kSv) / 2);
+    }
+  }
+  return grid;
+}
+
+const DensityResiduals& of_case_1() {
+  static const DensityResiduals residuals(tests::paper_case(1));
+  return residuals;
+}
+
+TEST(DensityResiduals, KnowTheErrorsOfAWrongDensity) {
+  const auto found = of_case_1().of(bell());
+  EXPECT_NEAR(found.mass, 1, 1e-12);
+  // Errors of 0.03 and 0.05 to 3e-9 (what many runs agree on).
+  EXPECT_NEAR(found.corrected.y2, 0.3945181772, 3e-9);
+  EXPECT_NEAR(found.corrected.v2, 0.4415122125, 3e-9);
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    EXPECT_NEAR(found.error.*moment + found.corrected.*moment, kOfBell.*moment, 1e-10) << name;
+  }
+}
+
+TEST(DensityResiduals, LeadAnyDensityIntoTheGuaranteedBounds) {
+  const std::vector<Functional> functionals{
+      PowerMean{Axis::displacement, 1}, PowerMean{Axis::displacement, 2},
+      PowerMean{Axis::displacement, 4}, PowerMean{Axis::velocity, 2}, PowerMean{Axis::velocity, 4}};
+  double transform::Moments::*const moments[] = {&transform::Moments::y1, &transform::Moments::y2,
+                                                 &transform::Moments::y4, &transform::Moments::v2,
+                                                 &transform::Moments::v4};
+  for (const auto& problem :
+       {tests::paper_case(1),
+        tests::make_problem({.restitution = 0.7, .mean = 0.1, .law = "uniform"})}) {
+    const auto bounds = bounds_on_grid(problem, weight(problem, 12),
+                                       grids_for(WidthLimit::origin)[0], functionals, 1);
+    const auto found = DensityResiduals(problem).of(bell());
+    for (std::size_t k = 0; k < functionals.size(); ++k) {
+      const double value = found.corrected.*moments[k];
+      EXPECT_TRUE(bounds[k].contains(value)) << name(functionals[k]) << ' ' << value << " in "
+                                             << bounds[k].lower << ' ' << bounds[k].upper;
+      // A fourth of the error would not do.
+      EXPECT_GT(std::abs(found.error.*moments[k]), 4 * bounds[k].half_width());
+    }
+    EXPECT_NEAR(found.corrected.v1, 0, 1e-9);
+  }
+}
+
+TEST(DensityResiduals, OfCellAveragesConvergeToThoseOfTheFunction) {
+  const auto exact = of_case_1().of(bell()).error;
+  std::vector<double> worst;
+  for (const int cells : {24, 36, 54}) {
+    const auto grid = bell_on(tests::uniform_edges(0, 8 * kSy, cells),
+                              tests::uniform_edges(-8 * kSv, 8 * kSv, 2 * cells));
+    const auto found = of_case_1().of(grid).error;
+    worst.push_back(0);
+    for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+      worst.back() = std::max(worst.back(), std::abs(found.*moment - exact.*moment));
+    }
+  }
+  EXPECT_LT(worst[2], 1e-8);
+  for (const std::size_t k : {0U, 1U}) {
+    const double order = std::log(worst[k] / worst[k + 1]) / std::log(1.5);
+    EXPECT_GT(order, 6.2) << worst[k] << ' ' << worst[k + 1];
+    EXPECT_LT(order, 9.5) << worst[k] << ' ' << worst[k + 1];
+  }
+  // The averages by three points are of sixth order.
+  const auto on_cells = transform::on_cells(bell(), tests::uniform_edges(0, 8 * kSy, 72),
+                                            tests::uniform_edges(-8 * kSv, 8 * kSv, 144));
+  const auto found = of_case_1().of(on_cells).error;
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    EXPECT_NEAR(found.*moment, exact.*moment, 1e-7) << name;
+  }
+}
+
+TEST(DensityResiduals, FindNoErrorInTheExactSolution) {
+  const auto problem = tests::linear_problem({.law = "laplace"});
+  const exact::LinearDensity exact(problem);
+  const auto y = tests::uniform_edges(0, 8, 80), v = tests::uniform_edges(-8, 8, 160);
+  const auto found =
+      DensityResiduals(problem).of(transform::GridDensity{y, v, exact.joint_averages(y, v)});
+  const auto known = exact::linear_moments_at(problem, {}, 1e4);
+  EXPECT_NEAR(found.corrected.y2, known.zz, 1e-8);
+  EXPECT_NEAR(found.corrected.v2, known.vv, 1e-8);
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    EXPECT_NEAR(found.error.*moment, 0, 1e-7) << name;
+  }
+}
+
+double l1(const std::vector<double>& a, const std::vector<double>& b,
+          const std::vector<double>& edges) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += std::abs(a[k] - b[k]) * (edges[k + 1] - edges[k]);
+  }
+  return sum;
+}
+
+TEST(DensityResiduals, KnowHowFarMarginalsAreFromTheExactOnes) {
+  // The bell is off by a quarter or so; its marginals and the exact ones are known.
+  for (const char* law : {"gaussian", "uniform", "laplace"}) {
+    const auto problem = tests::linear_problem({.law = law});
+    const exact::LinearDensity exact(problem);
+    const auto found = DensityResiduals(problem).of(bell());
+    const auto y = tests::uniform_edges(0, 8, 400), v = tests::uniform_edges(-8, 8, 800);
+    std::vector<double> of_y, of_v;
+    for (std::size_t k = 0; k + 1 < y.size(); ++k) {
+      const double unit = kSy * std::numbers::sqrt2;
+      of_y.push_back((std::erf(y[k + 1] / unit) - std::erf(y[k] / unit)) / (y[k + 1] - y[k]));
+    }
+    for (std::size_t k = 0; k + 1 < v.size(); ++k) {
+      const double unit = kSv * std::numbers::sqrt2;
+      of_v.push_back((std::erf(v[k + 1] / unit) - std::erf(v[k] / unit)) / (v[k + 1] - v[k]) / 2);
+    }
+    const double y_true = l1(of_y, exact.displacement_averages(y), y);
+    const double v_true = l1(of_v, exact.velocity_averages(v), v);
+    EXPECT_GT(y_true, 0.1) << law;
+    // Bins see less where the error changes its sign within one.
+    EXPECT_NEAR(found.y_l1.found / y_true, 0.94, 0.06) << law;
+    EXPECT_NEAR(found.ydot_l1.found / v_true, 0.94, 0.06) << law;
+    const auto stated = found.stated();
+    ASSERT_TRUE(stated) << law;
+    EXPECT_GT(stated->y_l1, y_true) << law;
+    EXPECT_LT(stated->y_l1, 1.8 * y_true) << law;
+    EXPECT_GT(stated->ydot_l1, v_true) << law;
+    EXPECT_LT(stated->ydot_l1, 1.8 * v_true) << law;
+    EXPECT_GE(stated->moments.y2, std::abs(found.error.y2)) << law;
+  }
+}
+
+TEST(DensityResiduals, OfWideCellsAreOffByLessThanWhatTheyLeaveUnresolved) {
+  // Losses are strong: few cells do not resolve the backward equation.
+  const auto problem = tests::make_problem({.restitution = 0.5, .rate = 0.5});
+  const DensityResiduals fine(problem), wide(problem, {.y = 32, .v = 64});
+  const auto known = fine.of(bell()), found = wide.of(bell());
+  for (std::size_t k = 0; k < kMomentCount; ++k) {
+    const auto& [name, symbol, moment, size] = transform::kMoments[k];
+    const double off = std::abs(found.error.*moment - known.error.*moment);
+    EXPECT_LT(off, 2 * (found.unresolved[k] + known.unresolved[k])) << name;
+    EXPECT_LT(known.unresolved[k], found.unresolved[k] + 1e-9) << name;
+  }
+}
+
+TEST(StatedError, GrowsByWhatIsUnresolvedInProportionToTheError) {
+  WeightedResiduals residuals{};
+  const auto stated = [&](double found, double unresolved, double contrast = 0) {
+    residuals.y_l1 = {found, unresolved, contrast};
+    const auto error = residuals.stated();
+    return error ? error->y_l1 / WeightedResiduals::kNotSeen : -1;
+  };
+  EXPECT_DOUBLE_EQ(stated(0.01, 0), 0.01);
+  EXPECT_DOUBLE_EQ(stated(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02
+  EXPECT_DOUBLE_EQ(stated(0.5, 0.02), 0.54);         // no more than twice what is unresolved
+  EXPECT_DOUBLE_EQ(stated(0, 0.2), 0.4);             // nothing is found where nothing is known
+  EXPECT_DOUBLE_EQ(stated(0.01, 0, 0.5), 0.02);      // half of the error of wells' shares is seen
+  EXPECT_DOUBLE_EQ(stated(0.01, 0.02, 0.3), 0.02);   // t = 0.01 + 10 t 0.02 + 0.3 t
+  EXPECT_EQ(stated(0, 0.7), -1);                     // no two densities are farther apart than 2
+  EXPECT_EQ(stated(0, 0, 0.6), -1);                  // shares of wells are hardly seen
+}
+
+TEST(DensityResiduals, DoNotDependOnTheUnitOfTheDensity) {
+  auto twice = bell();
+  twice.value = [one = bell().value](double y, double v) { return 2 * one(y, v); };
+  const auto once = of_case_1().of(bell()), found = of_case_1().of(twice);
+  EXPECT_NEAR(found.mass, 2, 1e-12);
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    EXPECT_NEAR(found.error.*moment, once.error.*moment, 1e-13);
+    EXPECT_NEAR(found.corrected.*moment, once.corrected.*moment, 1e-13);
+  }
+  EXPECT_LT((found.contributions[1] - once.contributions[1]).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(DensityResiduals, WeighByTheSolutionLessItsMean) {
+  // Of E[y'] the solution is h = -y + constant: what counts is y - E_p[y].
+  const auto weak = WeakResiduals(tests::paper_case(1), of_case_1().y(), of_case_1().v())(bell());
+  const auto y = of_case_1().y().power(1);
+  Eigen::MatrixXd expected = weak.residuals;
+  for (Eigen::Index i = 0; i < expected.rows(); ++i) {
+    expected.row(i) *= y[static_cast<std::size_t>(i)] - kOfBell.y1;
+  }
+  const double largest = expected.cwiseAbs().maxCoeff();
+  EXPECT_LT((of_case_1().of(bell()).contributions[3] - expected).cwiseAbs().maxCoeff(),
+            1e-4 * largest);
+}
+
+TEST(DensityResiduals, SpreadSumsToTheError) {
+  const auto found = of_case_1().of(bell());
+  const auto &y_splines = of_case_1().y(), &v_splines = of_case_1().v();
+  const auto y = tests::uniform_edges(0, y_splines.end(), 23),
+             v = tests::uniform_edges(v_splines.begin(), v_splines.end(), 31);
+  const double area = (y[1] - y[0]) * (v[1] - v[0]);
+  for (std::size_t k = 0; k < kMomentCount; ++k) {
+    const Eigen::MatrixXd map = of_case_1().spread(found.contributions[k], y, v);
+    EXPECT_EQ(map.rows(), 23);
+    EXPECT_EQ(map.cols(), 31);
+    EXPECT_NEAR(map.sum() * area, found.error.*transform::kMoments[k].moment, 1e-12);
+  }
+}
+
+TEST(DensityResiduals, MapALocalFaultToItsPlace) {
+  // The exact solution and a bump of no mass: pulled apart at (0.9, 0.6).
+  const auto problem = tests::linear_problem();
+  const exact::LinearDensity exact(problem);
+  const DensityResiduals residuals(problem);
+  const auto y = tests::uniform_edges(0, 7, 70), v = tests::uniform_edges(-7, 7, 140);
+  transform::GridDensity grid{y, v, exact.joint_averages(y, v)};
+  constexpr double kHeight = 0.05;
+  const double y0 = 0.9, v0 = 0.6, width = 0.15;
+  for (std::size_t i = 0; i < grid.ny(); ++i) {
+    for (std::size_t j = 0; j < grid.nv(); ++j) {
+      const double a = ((y[i] + y[i + 1]) / 2 - y0) / width,
+                   b = ((v[j] + v[j + 1]) / 2 - v0) / width;
+      grid.averages[i * grid.nv() + j] += kHeight * a * std::exp(-(a * a + b * b) / 2);
+    }
+  }
+  const auto found = residuals.of(grid);
+  EXPECT_NEAR(found.error.y2, kHeight * 4 * std::numbers::pi * y0 * std::pow(width, 3), 1e-6);
+  const Eigen::MatrixXd map = residuals.spread(found.contributions[1], y, v).cwiseAbs();
+  double near = 0, height = 0, speed = 0;
+  for (Eigen::Index i = 0; i < map.rows(); ++i) {
+    for (Eigen::Index j = 0; j < map.cols(); ++j) {
+      const double at_y = 0.05 + 0.1 * static_cast<double>(i),
+                   at_v = -6.95 + 0.1 * static_cast<double>(j);
+      height += at_y * map(i, j) / map.sum();
+      speed += at_v * map(i, j) / map.sum();
+      if (std::hypot(at_y - y0, at_v - v0) < 5 * width) near += map(i, j) / map.sum();
+    }
+  }
+  EXPECT_GT(near, 0.9);
+  EXPECT_NEAR(height, y0, 0.2);
+  EXPECT_NEAR(speed, v0, 0.1);
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

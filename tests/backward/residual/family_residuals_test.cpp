@@ -1,0 +1,327 @@
+#include <gtest/gtest.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "backward/residual/density_residuals.hpp"
+#include "backward/residual/offered.hpp"
+#include "exact/closed_forms.hpp"
+#include "exact/energy_law.hpp"
+#include "family.hpp"
+#include "numerics/quadrature/panels.hpp"
+#include "problem/scales.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+using problem::SystemCoefficients;
+using problem::WallParameters;
+
+struct Exact {
+  std::string name;
+  SystemCoefficients system;
+  WallParameters walls;
+  double intensity;
+
+  problem::Problem problem(double factor = 1) const {
+    return tests::with_noise(problem::System(system, walls), factor * intensity);
+  }
+};
+
+const SystemCoefficients kDuffing{.damping = 0.2, .stiffness = 1, .cubic = 0.5};
+
+/// Of r = 1 and white noise: exact::EnergyLaw.
+const std::vector<Exact> kExact{
+    {"no wall", kDuffing, {.none = true}, 0.4},
+    {"gap", kDuffing, {.left = -0.5, .left_restitution = 1}, 0.4},
+    {"preload", kDuffing, {.left = 0.5, .left_restitution = 1}, 0.4},
+    {"two walls",
+     kDuffing,
+     {.left = -0.5, .left_restitution = 1, .right = 0.8, .right_restitution = 1},
+     0.4},
+    {"tilted double well",
+     {.damping = 0.2, .constant = 0.1, .stiffness = -1, .cubic = 1},
+     {.none = true},
+     0.2},
+    {"ring", {.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}, 0.4},
+    {"ball", {.damping = 0.2, .constant = 1, .restitution = 1}, {}, 0.4},
+    {"quintic",
+     {.damping = 0.3, .stiffness = 1, .quadratic = 0.3, .quintic = 0.2},
+     {.none = true},
+     0.6}};
+
+/// The exact density of a problem, in its coordinates.
+transform::SmoothDensity density_of(const problem::Problem& problem) {
+  const auto law = std::make_shared<const exact::EnergyLaw>(problem);
+  const auto scales = problem::scales(problem);
+  const double margin = 0.1 * (scales.y_high - scales.y_low);
+  const auto &left = problem.system.left(), &right = problem.system.right();
+  return {[law](double y, double v) { return (*law)(y, v); },
+          right ? right->position : scales.y_high + margin, 1.1 * scales.v_high,
+          left ? left->position : scales.y_low - margin};
+}
+
+double distance(const std::function<double(double)>& a, const std::function<double(double)>& b,
+                double from, double to) {
+  return numerics::integrate_panels([&](double x) { return std::abs(a(x) - b(x)); }, from, to, 40);
+}
+
+transform::Moments moments_of(const problem::Problem& problem) {
+  const exact::EnergyLaw law(problem);
+  return {law.moment(1, 0), law.moment(2, 0), law.moment(4, 0),
+          law.moment(0, 1), law.moment(0, 2), law.moment(0, 4)};
+}
+
+TEST(FamilyResiduals, FindNoErrorInExactLaws) {
+  for (const auto& one : kExact) {
+    const auto problem = tests::in_frame(one.problem());
+    const auto found = DensityResiduals(problem, {.y = 20, .v = 40}).of(density_of(problem));
+    EXPECT_LT(found.y_l1.found, 1e-7) << one.name;
+    EXPECT_LT(found.ydot_l1.found, 1e-7) << one.name;
+    const auto known = moments_of(one.problem());
+    for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+      EXPECT_NEAR(found.corrected.*moment, known.*moment, 1e-7) << one.name << ' ' << name;
+    }
+  }
+}
+
+TEST(FamilyResiduals, KnowTheErrorsOfTheLawOfStrongerNoise) {
+  constexpr double kStronger = 1.05;
+  for (const auto& one : kExact) {
+    const auto problem = tests::in_frame(one.problem());
+    const auto right = density_of(problem),
+               wrong = density_of(tests::in_frame(one.problem(kStronger)));
+    const auto found = DensityResiduals(problem, {.y = 28, .v = 60}).of(wrong);
+    // In the physical coordinates.
+    const auto known = moments_of(one.problem()), of_wrong = moments_of(one.problem(kStronger));
+    for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+      const double error = of_wrong.*moment - known.*moment;
+      EXPECT_NEAR(found.corrected.*moment, known.*moment, 1e-7 + 1e-5 * std::abs(error))
+          << one.name << ' ' << name;
+      EXPECT_NEAR(found.error.*moment, error, 1e-7 + 1e-5 * std::abs(error))
+          << one.name << ' ' << name;
+    }
+    const exact::EnergyLaw a(problem), b(tests::in_frame(one.problem(kStronger)));
+    const double y =
+        distance([&](double x) { return a.displacement_marginal(x); },
+                 [&](double x) { return b.displacement_marginal(x); }, wrong.y_min, wrong.y_max);
+    const double v =
+        distance([&](double x) { return a.velocity_marginal(x); },
+                 [&](double x) { return b.velocity_marginal(x); }, -wrong.v_max, wrong.v_max);
+    EXPECT_GT(y, 2e-3) << one.name;
+    EXPECT_NEAR(found.y_l1.found / y, 0.95, 0.05) << one.name;
+    EXPECT_NEAR(found.ydot_l1.found / v, 0.95, 0.05) << one.name;
+    const auto stated = found.stated();
+    ASSERT_TRUE(stated) << one.name;
+    EXPECT_GT(stated->y_l1, y) << one.name;
+    EXPECT_LT(stated->y_l1, 1.8 * y) << one.name;
+    EXPECT_GT(stated->ydot_l1, v) << one.name;
+    EXPECT_LT(stated->ydot_l1, 1.8 * v) << one.name;
+  }
+}
+
+TEST(FamilyResiduals, SeeMassInTheWrongWell) {
+  // The slowest motion of all: how the mass is shared between two wells.
+  const Exact tilted{
+      "", {.damping = 0.2, .constant = 0.02, .stiffness = -1, .cubic = 1}, {.none = true}, 0.1};
+  Exact other = tilted;
+  other.system.constant = 0.03;
+  const auto known = moments_of(tilted.problem()), of_wrong = moments_of(other.problem());
+  const auto found =
+      DensityResiduals(tilted.problem(), {.y = 28, .v = 60}).of(density_of(other.problem()));
+  ASSERT_GT(std::abs(of_wrong.y1 - known.y1), 0.03);
+  EXPECT_NEAR(found.error.y1, of_wrong.y1 - known.y1, 1e-5);
+}
+
+/// Two wells whose barrier is `height` times the mean energy of a degree of freedom.
+Exact deep_wells(double height) {
+  constexpr double kDamping = 0.2, kDepth = 0.25;
+  return {"",
+          {.damping = kDamping, .constant = 0.02, .stiffness = -1, .cubic = 1},
+          {.none = true},
+          2 * kDamping * kDepth / height};
+}
+
+/// A density with other shares of the wells on both sides of a barrier: times 1 + factor tanh.
+transform::SmoothDensity with_other_shares(transform::SmoothDensity density,
+                                           const exact::EnergyLaw& law, double barrier,
+                                           double factor) {
+  const auto one = [=](double y) { return 1 + factor * std::tanh((y - barrier) / 0.1); };
+  const double mass =
+      numerics::integrate_panels([&](double y) { return one(y) * law.displacement_marginal(y); },
+                                 density.y_min, density.y_max, 200);
+  density.value = [=, value = density.value](double y, double v) {
+    return one(y) * value(y, v) / mass;
+  };
+  return density;
+}
+
+TEST(FamilyResiduals, StateNoErrorOfExactLawsOfDeepWells) {
+  const auto wells = deep_wells(10);
+  const auto stated = DensityResiduals(wells.problem()).of(density_of(wells.problem())).stated();
+  ASSERT_TRUE(stated);
+  EXPECT_LT(stated->y_l1, 1e-6);
+  EXPECT_LT(stated->ydot_l1, 1e-6);
+}
+
+TEST(FamilyResiduals, StateNoLessThanTheErrorOfTheSharesOfWells) {
+  const auto right_share = [](const transform::SmoothDensity& p) {
+    const auto mass = [&](double from) {
+      return numerics::integrate_panels([&](double y) { return p.value(y, 0); }, from, p.y_max,
+                                        200);
+    };
+    return mass(0) / mass(p.y_min);
+  };
+  // Exchange goes like exp(-height): it is resolved, and is not.
+  for (const double height : {10.0, 25.0}) {
+    const auto wells = deep_wells(height);
+    const DensityResiduals residuals(wells.problem());
+    const auto right = density_of(wells.problem());
+    const double known = right_share(right);
+    for (const double factor : {-0.95, -0.3}) {
+      const auto wrong = with_other_shares(right, exact::EnergyLaw(wells.problem()), 0, factor);
+      const double moved = std::abs(right_share(wrong) - known);
+      ASSERT_GT(moved, 0.005) << height << ' ' << factor;
+      const auto stated = residuals.of(wrong).stated();
+      const double error = stated ? stated->y_l1 : std::numeric_limits<double>::infinity();
+      EXPECT_GT(error, 2 * moved) << height << ' ' << factor;
+    }
+  }
+}
+
+/// Wells of y^4 and y^6, tilted, some cut by a wall, with barriers of 1 to 12 mean energies of a degree
+/// of freedom and damping .02 to 2.
+Exact random_wells(std::uint64_t number) {
+  boost::random::mt19937_64 engine(number);
+  boost::random::uniform_01<double> unit;
+  const auto between = [&](double from, double to) { return from + (to - from) * unit(engine); };
+  const double damping = 0.02 * std::pow(100, between(0, 1)), height = between(1, 12);
+  Exact wells{"number " + std::to_string(number),
+              {.damping = damping, .constant = between(-0.06, 0.06), .stiffness = -1},
+              {.none = true},
+              0};
+  const bool sixth = unit(engine) < 0.3;
+  (sixth ? wells.system.quintic : wells.system.cubic) = 1;
+  if (!sixth) wells.system.quadratic = between(-0.2, 0.2);
+  if (unit(engine) < 0.3) wells.walls = {.left = between(-1.2, -0.7), .left_restitution = 1};
+  wells.intensity = 2 * damping * (sixth ? 1.0 / 3 : 0.25) / height;
+  return wells;
+}
+
+TEST(RandomWells, HaveErrorsStatedThatHoldOrNone) {
+  constexpr int kCount = 30;
+  int known = 0, accurate = 0;
+  for (int number = 1; number <= kCount; ++number) {
+    const Exact wells = random_wells(static_cast<std::uint64_t>(number));
+    const auto problem = tests::in_frame(wells.problem());
+    const DensityResiduals residuals(problem);
+    const auto right = density_of(problem);
+    const exact::EnergyLaw law(problem);
+    const auto check = [&](const transform::SmoothDensity& density,
+                           const std::function<double(double)>& marginal) {
+      const auto stated = residuals.of(density).stated();
+      if (!stated) return std::numeric_limits<double>::infinity();
+      const double error = distance([&](double y) { return law.displacement_marginal(y); },
+                                    marginal, right.y_min, right.y_max);
+      EXPECT_GT(stated->y_l1, error - 0.004) << wells.name;
+      return stated->y_l1;
+    };
+    const double of_exact = check(right, [&](double y) { return law.displacement_marginal(y); });
+    known += std::isfinite(of_exact) ? 1 : 0;
+    accurate += of_exact < 0.02 ? 1 : 0;
+    const exact::EnergyLaw hotter(tests::in_frame(wells.problem(1.05)));
+    check(density_of(tests::in_frame(wells.problem(1.05))),
+          [&](double y) { return hotter.displacement_marginal(y); });
+    const double barrier = problem.frame.x(0);
+    for (const double factor : {-0.95, -0.3, 0.3, 0.95}) {
+      const auto wrong = with_other_shares(right, law, barrier, factor);
+      // The velocity is independent of y in these laws.
+      const double v = 0.1, ratio = law.displacement_marginal(barrier) / law(barrier, v);
+      check(wrong, [&](double y) { return wrong.value(y, v) * ratio; });
+    }
+  }
+  EXPECT_GE(known, 20);
+  EXPECT_GE(accurate, 15);
+}
+
+TEST(FamilyResiduals, AreThoseOfTheMirroredProblem) {
+  const auto impulses = tests::gaussian_impulses(1.5, 0.1, 0.1);
+  SystemCoefficients system{.damping = 0.1,
+                            .van_der_pol = 0.1,
+                            .rayleigh = 0.05,
+                            .constant = 0.1,
+                            .stiffness = 1,
+                            .quadratic = 0.2,
+                            .cubic = 0.4};
+  const WallParameters walls{
+      .left = -0.8, .left_restitution = 0.8, .right = 1.2, .right_restitution = 0.9},
+      mirrored_walls{.left = -1.2, .left_restitution = 0.9, .right = 0.8, .right_restitution = 0.8};
+  auto one = tests::with_impulses(problem::System(system, walls), impulses);
+  system.constant = -system.constant;
+  system.quadratic = -system.quadratic;
+  auto other = tests::with_impulses(problem::System(system, mirrored_walls), impulses.mirrored());
+  one.noise = other.noise = {.intensity = 0.05};
+  const auto bell = [](double y, double v) {
+    return std::exp(-std::pow(y - 0.1, 2) - 2 * v * v - v * y);
+  };
+  const ControlCells cells{.y = 26, .v = 52};
+  const auto a =
+      DensityResiduals(tests::in_frame(one), cells)
+          .of(transform::SmoothDensity{[&](double x, double v) { return bell(x - 0.8, v); }, 2, 3});
+  const auto b = DensityResiduals(tests::in_frame(other), cells)
+                     .of(transform::SmoothDensity{
+                         [&](double x, double v) { return bell(-(x - 1.2), -v); }, 2, 3});
+  // Splines are graded alike from both walls.
+  EXPECT_NEAR(a.y_l1.found, b.y_l1.found, 1e-4 * a.y_l1.found);
+  EXPECT_NEAR(a.ydot_l1.found, b.ydot_l1.found, 1e-4 * a.ydot_l1.found);
+  EXPECT_NEAR(a.corrected.y1, -b.corrected.y1, 1e-6);
+  EXPECT_NEAR(a.corrected.y2, b.corrected.y2, 1e-6);
+  EXPECT_NEAR(a.corrected.y4, b.corrected.y4, 1e-6);
+  EXPECT_NEAR(a.error.y1, -b.error.y1, 1e-6);
+  EXPECT_NEAR(a.error.v2, b.error.v2, 1e-6);
+  EXPECT_NEAR(a.error.v1, -b.error.v1, 1e-6);
+  EXPECT_GT(std::abs(a.error.v1), 1e-3);
+  EXPECT_GT(std::abs(a.error.v2), 0.01);
+}
+
+TEST(FamilyResiduals, LeadAnyDensityToTheCumulantsOfImpulsesAndNoise) {
+  auto problem = tests::with_impulses(
+      problem::System({.damping = 0.2, .stiffness = 1}, {.none = true}),
+      problem::ImpulseTrain({.arrival_rate = 1, .law = "laplace", .intensity = 0.1, .mean = 0.1}));
+  problem.noise = {.intensity = 0.1};
+  const auto bell = [](double y, double v) {
+    return std::exp(-(y - 0.2) * (y - 0.2) - 0.8 * v * v) * (1 + 0.1 * std::tanh(y + v));
+  };
+  const auto found =
+      DensityResiduals(problem, {.y = 28, .v = 60}).of(transform::SmoothDensity{bell, 5, 5.5, -5});
+  const auto kappa = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
+  const double y1 = kappa(1, 0), y2 = kappa(2, 0), y3 = kappa(3, 0);
+  EXPECT_NEAR(found.corrected.y1, y1, 1e-8);
+  EXPECT_NEAR(found.corrected.y2, y2 + y1 * y1, 1e-8);
+  EXPECT_NEAR(found.corrected.y4,
+              kappa(4, 0) + 3 * y2 * y2 + 4 * y3 * y1 + 6 * y2 * y1 * y1 + std::pow(y1, 4), 1e-6);
+  EXPECT_NEAR(found.corrected.v2, kappa(0, 2), 1e-8);
+  EXPECT_NEAR(found.corrected.v4, kappa(0, 4) + 3 * kappa(0, 2) * kappa(0, 2), 1e-6);
+  EXPECT_GT(std::abs(found.error.y2), 0.01);
+}
+
+TEST(FamilyResiduals, AreNotOfferedWhereALawHasAnAtomOrNoImpactLaw) {
+  const SystemCoefficients pressed{
+      .damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7};
+  const auto impulses = tests::gaussian_impulses(1, 0.5);
+  EXPECT_NE(residuals_refused(tests::with_impulses(problem::System(pressed), impulses)), "");
+  EXPECT_EQ(residuals_refused(tests::with_noise(problem::System(pressed), 0.5)), "");
+  const SystemCoefficients soft{.damping = 0.1, .stiffness = 1, .restitution = 0.15};
+  EXPECT_NE(residuals_refused(tests::with_noise(problem::System(soft), 0.5)), "");
+  EXPECT_EQ(residuals_refused(tests::with_impulses(problem::System(soft), impulses)), "");
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

@@ -1,0 +1,123 @@
+#include "base/files/journal.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "base/files/pending_files.hpp"
+#include "base/input_error.hpp"
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+// In a process of its own that ends at once, as if it were killed there.
+void in_a_process_that_dies(const std::function<void()>& act) {
+  const pid_t child = fork();
+  if (child == 0) {
+    act();
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_EQ(status, 0);
+}
+
+class JournalOfAKilledRun : public testing::Test {
+ protected:
+  JournalOfAKilledRun() {
+    for (const char* name : {"a", "b", "gone"}) write_file(path(name), "old");
+  }
+
+  fs::path path(const char* name) const { return directory.path() / name; }
+  std::string text(const char* name) const { return tests::contents(path(name)); }
+
+  // Of a run that has new files for a, b and c, and none for gone.
+  Journal journal() const {
+    Journal made;
+    for (const char* name : {"a", "b", "c"}) {
+      const fs::path partial = partial_beside(path(name));
+      write_new(partial, "new");
+      made.renames.push_back({partial.filename().string(), name});
+    }
+    made.removals.push_back("gone");
+    return made;
+  }
+  void expect_the_new_files() const {
+    for (const char* name : {"a", "b", "c"}) EXPECT_EQ(text(name), "new") << name;
+    EXPECT_EQ(directory.entries().size(), 3u);
+  }
+  std::string refusal() const {
+    try {
+      finish_interrupted(directory.path());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  tests::TemporaryDirectory directory;
+};
+
+TEST_F(JournalOfAKilledRun, IsCarriedOutByTheNext) {
+  in_a_process_that_dies([&] { journal().announce(directory.path()); });
+  EXPECT_EQ(text("a"), "old");
+  finish_interrupted(directory.path());
+  expect_the_new_files();
+}
+
+TEST_F(JournalOfAKilledRun, IsCarriedOnFromWhereItEnded) {
+  in_a_process_that_dies([&] {
+    const Journal all = journal();
+    all.announce(directory.path());
+    fs::rename(directory.path() / all.renames[0].from, path("a"));
+  });
+  EXPECT_EQ(text("a"), "new");
+  EXPECT_EQ(text("b"), "old");
+  finish_interrupted(directory.path());
+  expect_the_new_files();
+}
+
+TEST_F(JournalOfAKilledRun, ThatWasNotAnnouncedChangesNothing) {
+  in_a_process_that_dies([&] { journal(); });
+  finish_interrupted(directory.path());
+  for (const char* name : {"a", "b", "gone"}) EXPECT_EQ(text(name), "old") << name;
+  remove_abandoned(directory.path());
+  EXPECT_EQ(directory.entries().size(), 3u);
+}
+
+TEST_F(JournalOfAKilledRun, IsLeftToAProcessThatRuns) {
+  journal().announce(directory.path());  // of this process
+  const std::string message = refusal();
+  EXPECT_NE(message.find("is putting files into"), std::string::npos) << message;
+  EXPECT_EQ(text("a"), "old");
+  Journal other;
+  EXPECT_THROW(other.announce(directory.path()), std::system_error);
+}
+
+TEST_F(JournalOfAKilledRun, ThatNamesPlacesElsewhereIsRefused) {
+  for (const char* line : {"remove\n../outside\n", "remove\n/etc/passwd\n",
+                           "rename\n../outside\na\n", "rename\na\n", "what\n"}) {
+    write_file(path(Journal::kFile),
+               "fpkcheck commit 1\n" + Writer::this_one().host + "\n4194999\n" + line + "end\n");
+    EXPECT_NE(refusal().find("no journal of yours, or damaged"), std::string::npos) << line;
+  }
+}
+
+TEST_F(JournalOfAKilledRun, ThatIsCutIsRefused) {
+  in_a_process_that_dies([&] { journal().announce(directory.path()); });
+  const std::string whole = text(Journal::kFile);
+  for (std::size_t size = 0; size < whole.size(); size += 7) {
+    write_file(path(Journal::kFile), whole.substr(0, size));
+    EXPECT_FALSE(refusal().empty()) << size;
+    EXPECT_EQ(text("a"), "old") << size;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::base

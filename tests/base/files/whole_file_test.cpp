@@ -1,0 +1,51 @@
+#include "base/files/whole_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "temporary_directory.hpp"
+
+namespace fpkcheck::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(WriteNew, DoesNotReplaceAFile) {
+  const tests::TemporaryDirectory directory;
+  write_new(directory.path() / "f", "old");
+  EXPECT_THROW(write_new(directory.path() / "f", "new"), std::system_error);
+  EXPECT_EQ(tests::contents(directory.path() / "f"), "old");
+}
+
+TEST(WriteNew, DoesNotFollowALink) {
+  const tests::TemporaryDirectory directory;
+  fs::create_symlink(directory.path() / "elsewhere", directory.path() / "f");
+  EXPECT_THROW(write_new(directory.path() / "f", "text"), std::system_error);
+  EXPECT_FALSE(fs::exists(directory.path() / "elsewhere"));
+}
+
+// A limit on the size of files stands for a full disk: a part is written, then no more.
+TEST(WriteNew, ThatFindsNoSpaceLeavesNothing) {
+  const tests::TemporaryDirectory directory;
+  rlimit before = {};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4096, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  EXPECT_THROW(write_new(directory.path() / "f", std::string(10000, 'x')), std::system_error);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(directory.entries().empty());
+}
+
+TEST(Writer, OfAnotherMachineMayRun) {
+  EXPECT_TRUE(Writer::this_one().may_run());
+  constexpr long kNobody = 4194999;  // beyond the greatest number of a process
+  EXPECT_FALSE((Writer{Writer::this_one().host, kNobody}.may_run()));
+  EXPECT_TRUE((Writer{"elsewhere", kNobody}.may_run()));
+}
+
+}  // namespace
+}  // namespace fpkcheck::base

@@ -1,0 +1,169 @@
+#include "base/options/description.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/input_error.hpp"
+
+namespace fpkcheck::base {
+
+enum class Colour { red, green };
+constexpr Named<Colour> kColourNames[] = {{Colour::red, "red"}, {Colour::green, "dark-green"}};
+constexpr std::span<const Named<Colour>> names(Colour) { return kColourNames; }
+
+namespace {
+
+struct Paint {
+  Colour colour = Colour::red;
+  int coats = 2;
+  double gloss = 0.5;
+  std::optional<double> litres{};
+  std::optional<Colour> primer{};
+  bool wet = false;
+  std::string maker = "us";
+  std::uint64_t batch = 1;
+};
+
+const Description<Paint>& paint() {
+  static const auto description =
+      Description<Paint>("paint.")
+          .add("colour", &Paint::colour, {"C", "of the top coat"})
+          .add("coats", &Paint::coats, {"N", "how many"}, even_between(2, 8))
+          .add("gloss_share", &Paint::gloss, {"G", "how shiny"}, strictly_between(0, 1))
+          .add("litres", &Paint::litres, {"L", "how much"}, positive())
+          .add("primer", &Paint::primer, {"C", "below"})
+          .add("wet", &Paint::wet, {"", "not yet dry"})
+          .add("maker", &Paint::maker, {"M", "who"})
+          .without_flag()
+          .add("batch", &Paint::batch, {"B", "which"});
+  return description;
+}
+
+Values with(Values values, const std::string& name, const Value& value) {
+  for (auto& named : values) {
+    if (named.name == name) named.value = value;
+  }
+  return values;
+}
+
+template <class Action>
+std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Description, ValuesComeBackAsTheyWere) {
+  const Paint changed{.colour = Colour::green,
+                      .coats = 4,
+                      .gloss = 0.25,
+                      .litres = 3,
+                      .primer = Colour::green,
+                      .wet = true,
+                      .maker = "them",
+                      .batch = 1ull << 40};
+  const Values values = paint().values(changed);
+  EXPECT_EQ(paint().values(paint().read(values, "options")), values);
+  const Values usual = paint().values({});
+  for (std::size_t k = 0; k < values.size(); ++k) EXPECT_NE(values[k], usual[k]) << values[k].name;
+  EXPECT_EQ(paint().values(paint().read(usual, "options")), usual);
+}
+
+TEST(Description, AWholeNumberIsANumberButNotTheOtherWayRound) {
+  const Values usual = paint().values({});
+  EXPECT_EQ(paint().read(with(usual, "litres", std::int64_t{3}), "options").litres, 3.0);
+  EXPECT_NE(refusal([&] {
+              paint().read(with(usual, "coats", 4.0), "options");
+            }).find("options.coats = 4 (must be an even number from 2 to 8)"),
+            std::string::npos);
+}
+
+TEST(Description, WhatIsMissingUnknownOrOfAnotherTypeIsNamed) {
+  const Values usual = paint().values({});
+  for (const auto& named : usual) {
+    Values without;
+    for (const auto& other : usual) {
+      if (other.name != named.name) without.push_back(other);
+    }
+    EXPECT_NE(refusal([&] {
+                paint().read(without, "options");
+              }).find("options." + named.name + " is missing"),
+              std::string::npos);
+    const Value wrong = std::holds_alternative<bool>(named.value) ? Value(1.5) : Value(true);
+    EXPECT_NE(refusal([&] {
+                paint().read(with(usual, named.name, wrong), "options");
+              }).find("options." + named.name + " = "),
+              std::string::npos);
+  }
+  Values more = usual;
+  more.push_back({"smell", true});
+  EXPECT_NE(refusal([&] { paint().read(more, "options"); }).find("options.smell is unknown"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              paint().read(with(usual, "colour", std::string("blue")), "options");
+            }).find("options.colour = 'blue' (must be one of red, dark-green)"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              paint().read(with(usual, "batch", std::int64_t{-1}), "options");
+            }).find("options.batch = -1"),
+            std::string::npos);
+}
+
+// A key that came later than the file.
+TEST(Description, WhatHasAFallbackMayBeMissing) {
+  const auto description = Description<Paint>("paint.")
+                               .add("coats", &Paint::coats, {"N", "how many"})
+                               .add("wet", &Paint::wet, {"", "not yet dry"})
+                               .with_fallback(true);
+  EXPECT_TRUE(description.read({{"coats", std::int64_t{3}}}, "options").wet);
+  EXPECT_THROW(description.read({{"wet", true}}, "options"), InputError);
+}
+
+TEST(Description, TheRangeIsCheckedByNameAndAutomaticIsInIt) {
+  EXPECT_NO_THROW(paint().validate({}));
+  EXPECT_EQ(refusal([] { paint().validate({.coats = 3}); }),
+            "paint.coats = 3 (must be an even number from 2 to 8)");
+  EXPECT_EQ(refusal([] { paint().validate({.gloss = 1}); }),
+            "paint.gloss_share = 1 (must be above 0 and below 1)");
+  EXPECT_EQ(refusal([] { paint().validate({.litres = -1}); }),
+            "paint.litres = -1 (must be a positive number)");
+  EXPECT_NE(refusal([] {
+              paint().validate({.litres = std::numeric_limits<double>::quiet_NaN()});
+            }).find("paint.litres = nan"),
+            std::string::npos);
+}
+
+TEST(Description, TextsOfTheCommandLineBecomeValues) {
+  Paint p;
+  const auto parse = [&](const char* name, const char* text) {
+    paint().parse(p, *paint().find(name), text, std::string("--") + name);
+  };
+  parse("coats", "+4");
+  parse("litres", "2e1");
+  parse("primer", "dark-green");
+  parse("wet", "true");
+  EXPECT_EQ(p.coats, 4);
+  EXPECT_EQ(p.litres, 20.0);
+  EXPECT_EQ(p.primer, Colour::green);
+  EXPECT_TRUE(p.wet);
+  parse("litres", "auto");
+  EXPECT_FALSE(p.litres);
+  EXPECT_EQ(refusal([&] { parse("coats", "4x"); }), "--coats '4x' (not an integer)");
+  EXPECT_EQ(refusal([&] { parse("litres", ""); }), "--litres '' (not a number)");
+  EXPECT_EQ(refusal([&] { parse("litres", "1e999"); }),
+            "--litres '1e999' (out of the range of double precision)");
+  EXPECT_EQ(refusal([&] { parse("colour", "auto"); }),
+            "--colour 'auto' (must be one of red, dark-green)");
+}
+
+TEST(Description, FlagsHaveDashesUnlessToldOtherwise) {
+  EXPECT_EQ(paint().find("gloss_share")->flag, "gloss-share");
+  EXPECT_EQ(paint().find("maker")->flag, "");
+}
+
+}  // namespace
+}  // namespace fpkcheck::base

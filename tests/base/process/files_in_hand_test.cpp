@@ -1,0 +1,47 @@
+#include "base/process/files_in_hand.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+namespace fpkcheck::base {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Last of its executable: files stay reserved until the process ends.
+TEST(FilesInHand, AreWaitedForAndThenReserved) {
+  std::atomic<bool> reserved = false;
+  std::optional<FilesInHand> outer(std::in_place);
+  std::optional<FilesInHand> inner(std::in_place);
+  std::jthread ending([&] {
+    reserve_files_for_this_thread();
+    reserved = true;
+    reserved.notify_all();
+    const FilesInHand own;  // the ending thread may write
+    reserved.wait(true);    // as it would, until the process ends
+  });
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(reserved);
+  inner.reset();
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(reserved);
+  outer.reset();
+  reserved.wait(false);
+
+  static std::atomic<bool> late = false;
+  std::thread([] {
+    const FilesInHand too_late;
+    late = true;
+  }).detach();
+  std::this_thread::sleep_for(50ms);
+  EXPECT_FALSE(late);
+  reserved = false;
+  reserved.notify_all();
+}
+
+}  // namespace
+}  // namespace fpkcheck::base

@@ -1,0 +1,57 @@
+#include "base/process/processors.hpp"
+
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <cstdlib>
+#include <thread>
+
+namespace fpkcheck::base {
+namespace {
+
+class Processors : public ::testing::Test {
+ protected:
+  Processors() {
+    unsetenv("SLURM_CPUS_PER_TASK");
+    unsetenv("OMP_NUM_THREADS");
+  }
+  ~Processors() override {
+    unsetenv("SLURM_CPUS_PER_TASK");
+    unsetenv("OMP_NUM_THREADS");
+  }
+};
+
+TEST_F(Processors, AreThoseThatTheProcessMayRunOn) {
+  int found = 0;
+  std::thread([&] {  // affinity is a thread's own
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    found = processors();
+  })
+      .join();
+  EXPECT_EQ(found, 1);
+  EXPECT_GE(processors(), 1);
+}
+
+TEST_F(Processors, AreNoMoreThanTheBatchSystemOrOpenMpGives) {
+  const int own = processors();
+  setenv("SLURM_CPUS_PER_TASK", "1", 1);
+  EXPECT_EQ(processors(), 1);
+  setenv("SLURM_CPUS_PER_TASK", "1000000", 1);
+  EXPECT_EQ(processors(), own);
+  setenv("OMP_NUM_THREADS", "1,4", 1);
+  EXPECT_EQ(processors(), 1);
+}
+
+TEST_F(Processors, WhatIsNoNumberOfProcessorsDoesNotCount) {
+  const int own = processors();
+  for (const char* nonsense : {"", "0", "-2", "many", "1.5", "99999999999999999999"}) {
+    setenv("OMP_NUM_THREADS", nonsense, 1);
+    EXPECT_EQ(processors(), own) << nonsense;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::base

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "prepared_case.hpp"
+
+namespace fpkcheck::control_variates {
+namespace {
+
+/// Of `runs` runs, how many intervals of E[y^2] and of E[y'^2] hold the truth.
+int covered(const tests::PreparedCase& prepared, int runs) {
+  int count = 0;
+  for (int seed = 1; seed <= runs; ++seed) {
+    const Result r = prepared.run(1e4, static_cast<std::uint64_t>(seed), 32);
+    const auto holds = [&](const Estimated& e, double truth) {
+      return std::abs(e.controlled.mean - truth) <
+             r.estimates.interval_factor * e.controlled.standard_error;
+    };
+    count += holds(r.estimates.moments[1], tests::kTrueY2);
+    count += holds(r.estimates.moments[4], tests::kTrueV2);
+  }
+  return count;
+}
+
+// Two intervals a run that go together: at worst 40 independent ones of 95 %, 38 expected with a
+// deviation of 1.4; fewer than 33 come in one of 2000 honest suites.
+constexpr int kRuns = 40, kFewest = 66;
+
+TEST(Coverage, OfTheIntervalsIsHonest) { EXPECT_GE(covered(tests::case_1(), kRuns), kFewest); }
+
+TEST(Coverage, OfTheIntervalsIsHonestWithWrongControlFunctions) {
+  const int count = covered(tests::case_1().wrong_by(1.1), kRuns);
+  EXPECT_GE(count, kFewest);
+  EXPECT_LT(count, 2 * kRuns);  // intervals that always hold would be too wide
+}
+
+}  // namespace
+}  // namespace fpkcheck::control_variates

@@ -1,0 +1,191 @@
+#include "control_variates/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact/linear_density.hpp"
+#include "exact/linear_moments.hpp"
+#include "exact/linear_problem.hpp"
+#include "prepared_case.hpp"
+
+namespace fpkcheck::control_variates {
+namespace {
+
+constexpr int kY2 = 1, kV1 = 3, kV2 = 4;  // places in kMoments
+
+void expect_true(const Estimated& e, double truth, double truth_error = 0) {
+  EXPECT_GT(e.controlled.standard_error, 0);
+  EXPECT_NEAR(e.controlled.mean, truth, 4 * e.controlled.standard_error + truth_error);
+}
+
+double reduction(const Estimated& e) {
+  return std::pow(e.plain.standard_error / e.controlled.standard_error, 2);
+}
+
+TEST(Controlled, MomentsOfCase1AreTrueAndLoseTheirNoise) {
+  const Result result = tests::case_1().run(2e5);
+  expect_true(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
+  expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
+  EXPECT_GT(reduction(result.estimates.moments[kY2]), 1e8);
+  EXPECT_GT(reduction(result.estimates.moments[kV2]), 1e8);
+  // L y = v: no noise at all.
+  EXPECT_LT(std::abs(result.estimates.moments[kV1].controlled.mean), 1e-10);
+  EXPECT_GT(
+      std::pow(result.estimates.v.plain_l1.expected / result.estimates.v.controlled_l1.expected, 2),
+      1e4);
+  EXPECT_GT(
+      std::pow(result.estimates.y.plain_l1.expected / result.estimates.y.controlled_l1.expected, 2),
+      1e2);
+}
+
+TEST(Controlled, IsUnbiasedWithControlFunctionsThatAreWrong) {
+  // A tenth too large, a tenth of the noise is left; with 0 it is the plain estimate.
+  for (const double factor : {1.1, 0.9, 0.0}) {
+    const Result result = tests::case_1().wrong_by(factor).run(2e5);
+    const Estimated& e = result.estimates.moments[kY2];
+    expect_true(e, tests::kTrueY2, 1e-9);
+    expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
+    EXPECT_NEAR(e.controlled.standard_error / e.plain.standard_error, std::abs(1 - factor), 1e-4);
+  }
+}
+
+TEST(Controlled, AgreesWithTheExactLinearOscillator) {
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    SCOPED_TRACE(law);
+    const tests::PreparedCase linear(tests::linear_problem({.law = law}));
+    const Result result = linear.run(1e5);
+    const auto exact = exact::linear_moments_at(linear.problem, {}, 1e4);
+    expect_true(result.estimates.moments[kY2], exact.zz, 1e-12);
+    expect_true(result.estimates.moments[kV2], exact.vv, 1e-12);
+    EXPECT_GT(reduction(result.estimates.moments[kY2]), 1e6);
+  }
+}
+
+TEST(Controlled, SmoothBinsAgreeWithTheExactLinearDensity) {
+  const tests::PreparedCase linear(tests::linear_problem());
+  const Result result = linear.run(2e5);
+  const exact::LinearDensity density(linear.problem);
+  // Averages over fine bins, weighted by the spline at their middles: an error of second order.
+  const auto compare = [&](const BinEstimates& bins, double from, const auto& averages) {
+    constexpr int kFine = 200;
+    for (int b = 0; b < bins.bins.count; ++b) {
+      const double centre = bins.bins.first + b * bins.bins.spacing;
+      const double begin = std::max(from, centre - 2 * bins.bins.spacing);
+      const double width = (centre + 2 * bins.bins.spacing - begin) / kFine;
+      std::vector<double> edges;
+      for (int k = 0; k <= kFine; ++k) edges.push_back(begin + k * width);
+      const auto p = averages(edges);
+      double sum = 0, weight = 0;
+      for (int k = 0; k < kFine; ++k) {
+        const double m =
+            transform::cubic_spline((begin + (k + 0.5) * width - centre) / bins.bins.spacing);
+        sum += m * p[k];
+        weight += m;
+      }
+      const auto& e = bins.averages[b].controlled;
+      EXPECT_NEAR(e.mean, sum / weight, 4.5 * e.standard_error + 2e-6) << centre;
+      EXPECT_LT(e.standard_error, 2e-4 + 0.1 * (sum / weight));
+    }
+  };
+  compare(result.estimates.y, 0, [&](const auto& e) { return density.displacement_averages(e); });
+  compare(result.estimates.v, -1e9, [&](const auto& e) { return density.velocity_averages(e); });
+}
+
+TEST(Controlled, HoldsForLossesRareImpulsesAndAMean) {
+  // Against the fit's own U, which knows nothing of the simulation.
+  for (const tests::Parameters& p :
+       {tests::Parameters{.restitution = 0.5}, tests::Parameters{.rate = 0.3},
+        tests::Parameters{.mean = 0.15}, tests::Parameters{.cubic = 1, .intensity = 1}}) {
+    const tests::PreparedCase other(tests::make_problem(p));
+    const Result result = other.run(1e5);
+    const Estimated& e = result.estimates.moments[kY2];
+    EXPECT_GT(reduction(e), 1e4);
+    EXPECT_NEAR(e.controlled.mean, result.backward_means[kY2], 1e-4 * e.controlled.mean);
+    EXPECT_TRUE(result.checks.failed().empty()) << result.checks.failed().front();
+  }
+}
+
+TEST(Controlled, IsPlainWhereThereAreNoControlFunctions) {
+  const auto note = [](const problem::Problem& problem, mcs::Options options, Cells cells) {
+    options.controlled = true;
+    options.streams = 8;
+    const auto solution = solve(problem, {.simulation = options, .cells = cells});
+    EXPECT_TRUE(solution.smooth_estimates.empty());
+    EXPECT_FALSE(solution.smooth_sampling);
+    return transform::word(solution.observations, "notes[0]").value_or("");
+  };
+  const std::string not_taken = "the noise is not taken out (";
+  const auto problem = tests::paper_case(1);
+  EXPECT_EQ(note(problem, {.equation = mcs::Equation::white, .time = 2e3}, {20, 40}),
+            not_taken + "control functions are those of the impulses, unsplit)");
+  EXPECT_EQ(note(problem, {.time = 2e3, .tails = true}, {20, 40}),
+            not_taken + "control functions are those of the impulses, unsplit)");
+  EXPECT_EQ(note(tests::make_problem({.rate = 100}), {.time = 20}, {3000, 40}),
+            not_taken + "the impulses are so small that it would take too much memory)");
+}
+
+// Fifteen polynomials cannot be tested by eight streams.
+TEST(Controlled, TestsTheGeneratorByAsManyStreamsAsThereAre) {
+  const mcs::Options few{.time = 5e3, .streams = 8};
+  const auto solution = solve(tests::paper_case(1), {.simulation = few, .cells = Cells{20, 40}});
+  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  EXPECT_EQ(transform::number(solution.observations, "checks.generator.dimensions"), 4);
+  const double p = *transform::number(solution.observations, "checks.generator.p_value");
+  EXPECT_GT(p, 0);
+  EXPECT_LT(p, 1);
+}
+
+// Pushed away from the wall it never impacts: nothing is wrong with impacts that did not happen.
+TEST(Controlled, DoesWithoutImpacts) {
+  const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
+  const auto solution = solve(problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
+                                        .cells = Cells{20, 40}});
+  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  EXPECT_EQ(transform::number(solution.observations, "checks.impacts.restitution"), 0);
+}
+
+// What is told of progress may be ended early: not while the fit would have to be waited for, which
+// here takes a hundred times as long as the simulation.
+TEST(Controlled, HasMadeProgressWhenItsFunctionsAreThere) {
+  const auto furthest = [](int threads) {
+    double fraction = -1;
+    solve(tests::paper_case(1), {.simulation = {.time = 2e3,
+                                                .threads = threads,
+                                                .streams = 8,
+                                                .progress =
+                                                    [&](const mcs::Progress& at) {
+                                                      fraction = std::max(fraction, at.fraction);
+                                                    }},
+                                 .cells = Cells{60, 120}});
+    return fraction;
+  };
+  EXPECT_EQ(furthest(2), 0);
+  EXPECT_EQ(furthest(1), 1);
+}
+
+TEST(Controlled, DoesAllOfItInOneCall) {
+  const auto problem = tests::paper_case(1);
+  const mcs::Options simulation{.time = 5e4, .streams = 32};
+  const auto solution = solve(problem, {.simulation = simulation, .cells = Cells{24, 48}});
+  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  const double error = solution.standard_errors->moments.y2;
+  EXPECT_LT(error, 1e-6);
+  EXPECT_NEAR(solution.moments.y2, tests::kTrueY2, 4 * error + 1e-9);
+  // The plain estimate beside it, and the histogram, are those of mcs alone at this step.
+  mcs::Options plain = simulation;
+  plain.step = 0.5;
+  const auto alone = mcs::solve(problem, plain).solution;
+  EXPECT_NEAR(*transform::number(solution.observations, "plain.moments.y2"), alone.moments.y2,
+              4 * alone.standard_errors->moments.y2);
+  EXPECT_EQ(solution.estimated_marginals[0].second.density,
+            alone.estimated_marginals[0].second.density);
+  const auto* smooth = transform::smooth_estimate(solution, transform::Variable::ydot);
+  ASSERT_NE(smooth, nullptr);
+  EXPECT_EQ(static_cast<int>(smooth->averages.size()), smooth->bins.count);
+  EXPECT_GT(*solution.smooth_sampling->y_99, *solution.smooth_sampling->y);
+  EXPECT_LT(*solution.smooth_sampling->y, 0.5 * *solution.sampling->y);
+}
+
+}  // namespace
+}  // namespace fpkcheck::control_variates

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "control_variates/result.hpp"
+#include "mcs/simulation/plan.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::tests {
+
+/// A problem with coarse control functions, made once.
+struct PreparedCase {
+  problem::Problem problem;
+  control_variates::Prepared prepared;
+
+  explicit PreparedCase(problem::Problem p, control_variates::Cells cells = {30, 64})
+      : problem(std::move(p)),
+        prepared(
+            control_variates::prepare(problem, control_variates::places(problem, cells),
+                                      mcs::make_plan(problem, mcs::Options{}).sampling_interval)) {}
+
+  mcs::Options options(double time, std::uint64_t seed = 1, int streams = 64) const {
+    mcs::Options o{.time = time, .seed = seed, .streams = streams, .step = 0.5};
+    o.deposit = prepared.places.grid;
+    return o;
+  }
+  /// @param simulated another problem than the one that the control functions know
+  control_variates::Result run(const problem::Problem& simulated,
+                               const mcs::Options& options) const {
+    return control_variates::combined(prepared, mcs::solve(simulated, options));
+  }
+  control_variates::Result run(double time, std::uint64_t seed = 1, int streams = 64) const {
+    return run(problem, options(time, seed, streams));
+  }
+  /// The control functions off by a factor.
+  PreparedCase wrong_by(double factor) const {
+    PreparedCase other(*this);
+    other.prepared.control *= factor;
+    return other;
+  }
+};
+
+inline const PreparedCase& case_1() {
+  static const PreparedCase prepared(paper_case(1));
+  return prepared;
+}
+
+inline constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // of case 1, to 7e-10
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,153 @@
+#include "exact/linear_characteristic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/input_error.hpp"
+
+namespace fpkcheck::exact {
+namespace {
+
+using std::numbers::pi;
+
+const problem::Problem& linear_and_symmetric(const problem::Problem& problem) {
+  const auto require = [](bool holds, const char* key, double value, const char* needed) {
+    if (holds) return;
+    throw InputError(fmt::format("{} = {} (the exact density of the linear oscillator needs {})",
+                                 key, value, needed));
+  };
+  const auto& system = problem.system;
+  const auto& impulses = problem.impulses;
+  require(system.linear(), "system.cubic", system.force().coefficient(3), "0");
+  require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
+  require(system.damping() * system.damping() < 4 * system.stiffness(), "system.damping",
+          system.damping(), "less than critical damping, 2 sqrt(stiffness)");
+  require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
+  require(impulses.law().symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
+  return problem;
+}
+
+// Chebyshev points of the second kind on [0, 1].
+double chebyshev_point(int n, int order) { return (1 - std::cos(pi * n / order)) / 2; }
+
+// The polynomial through `values` at the Chebyshev points, by the barycentric formula.
+template <std::size_t Points>
+double chebyshev_interpolant(const std::array<double, Points>& values, double x) {
+  constexpr int kOrder = static_cast<int>(Points) - 1;
+  double above = 0, below = 0;
+  for (int n = 0; n <= kOrder; ++n) {
+    const double distance = x - chebyshev_point(n, kOrder);
+    if (distance == 0) return values[n];
+    const double weight = (n % 2 ? -1 : 1) * (n == 0 || n == kOrder ? 0.5 : 1) / distance;
+    above += weight * values[n];
+    below += weight;
+  }
+  return above / below;
+}
+
+}  // namespace
+
+LinearCharacteristicFunction::LinearCharacteristicFunction(const problem::Problem& problem)
+    : system_(linear_and_symmetric(problem).system),
+      impulses_(problem.impulses),
+      scale_(impulses_.law().deviation()) {
+  tabulate();
+}
+
+double LinearCharacteristicFunction::operator()(double u1, double u2) const {
+  return std::exp(logarithm(u1, u2));
+}
+
+double LinearCharacteristicFunction::radius(double u1, double u2) const {
+  return impulse_response(system_, u1, u2).amplitude;
+}
+
+double LinearCharacteristicFunction::logarithm(double u1, double u2) const {
+  const DecayingWave wave = impulse_response(system_, u1, u2);
+  const double zero = wave.first_zero();
+  return marched(wave, zero) + from_zero_on(wave.envelope(zero));
+}
+
+double LinearCharacteristicFunction::largest_beyond(double radius) const {
+  constexpr int kDirections = 32;  // over half a turn; the other half is the same
+  const double c = system_.damping();
+  const double w = std::sqrt(system_.stiffness() - c * c / 4);
+  double largest = -HUGE_VAL;
+  for (int n = 0; n < kDirections; ++n) {
+    const double angle = pi * n / kDirections;
+    const double u2 = radius * std::sin(angle);
+    largest = std::max(largest, logarithm(w * radius * std::cos(angle) + c * u2 / 2, u2));
+  }
+  return std::exp(largest);
+}
+
+// lambda int_0^end ( M(wave(t)) - 1 ) dt
+double LinearCharacteristicFunction::marched(const DecayingWave& wave, double end) const {
+  const auto excess = [this](double u) {
+    return impulses_.law().characteristic_function(u).real() - 1;
+  };
+  return impulses_.arrival_rate() * integral_along(wave, excess, scale_, end);
+}
+
+// The logarithm for a wave that starts with a zero.
+double LinearCharacteristicFunction::from_zero_on(double amplitude) const {
+  return marched_from_zero_on(amplitude, static_cast<double>(panels_.size()) / scale_);
+}
+
+// Half turn by half turn until the amplitude is within the table, or so small that the moments
+// suffice.
+double LinearCharacteristicFunction::marched_from_zero_on(double amplitude,
+                                                          double table_end) const {
+  constexpr double kSmall = 0.02;  // (the next term is (0.02)^8 / 16 at most)
+  const double tabulated = std::max(table_end, kSmall / scale_);
+  const double c = system_.damping();
+  const DecayingWave wave{amplitude, 0, c, std::sqrt(system_.stiffness() - c * c / 4)};
+  const double half_turns =
+      amplitude > tabulated
+          ? std::ceil(std::log(amplitude / tabulated) / (c * wave.half_turn() / 2))
+          : 0;
+  const double end = half_turns * wave.half_turn();
+  const double left = std::min(wave.envelope(end), tabulated);
+  return marched(wave, end) + (table_end > 0 ? interpolated(left) : small_wave_limit(left));
+}
+
+// sum over j = 2, 4, 6 of (-1)^(j/2) lambda E[Y^j]/j! a^j int_0^inf exp(-j c t / 2) sin^j(wt) dt
+double LinearCharacteristicFunction::small_wave_limit(double amplitude) const {
+  const double c = system_.damping();
+  const double w2 = system_.stiffness() - c * c / 4;
+  double sum = 0;
+  for (int j = 2; j < problem::kMomentCount; j += 2) {
+    const double rate = j * c / 2;
+    // int = j! w^j / ( rate prod_{m=1}^{j/2} (rate^2 + (2 m w)^2) ); j! cancels.
+    double term = impulses_.rate_moment(j) * std::pow(-amplitude * amplitude * w2, j / 2) / rate;
+    for (int m = 1; m <= j / 2; ++m) term /= rate * rate + 4 * m * m * w2;
+    sum += term;
+  }
+  return sum;
+}
+
+double LinearCharacteristicFunction::interpolated(double amplitude) const {
+  const double position = amplitude * scale_;
+  const auto panel = std::min(static_cast<std::size_t>(position), panels_.size() - 1);
+  return chebyshev_interpolant(panels_[panel], position - static_cast<double>(panel));
+}
+
+void LinearCharacteristicFunction::tabulate() {
+  constexpr int kMostPanels = 32;
+  constexpr double kNegligible = -40;  // exp(-40) = 4e-18
+  std::vector<Panel> panels;
+  do {
+    Panel& panel = panels.emplace_back();
+    for (int n = 0; n <= kPanelOrder; ++n) {
+      const double position =
+          static_cast<double>(panels.size() - 1) + chebyshev_point(n, kPanelOrder);
+      panel[n] = marched_from_zero_on(position / scale_, 0);
+    }
+  } while (panels.size() < kMostPanels && panels.back().back() > kNegligible);
+  panels_ = std::move(panels);
+}
+
+}  // namespace fpkcheck::exact

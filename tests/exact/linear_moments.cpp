@@ -1,0 +1,54 @@
+#include "exact/linear_moments.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "base/input_error.hpp"
+
+namespace fpkcheck::exact {
+namespace {
+
+void require(bool holds, const char* key, double value, const char* needed) {
+  if (holds) return;
+  throw InputError(fmt::format("{} = {} (the exact moments of the linear oscillator need {})", key,
+                               value, needed));
+}
+
+}  // namespace
+
+LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCovariance& start,
+                                double time) {
+  const auto& system = problem.system;
+  const auto& impulses = problem.impulses;
+  require(system.linear(), "system.cubic", system.force().coefficient(3), "0");
+  require(system.damping_is_constant(), "system.damping", system.damping(), "f = c y'");
+  require(!system.left() || system.left()->position == 0, "wall.left",
+          system.left() ? system.left()->position : 0, "a wall at 0");
+  require(!system.right(), "wall.right", system.right() ? system.right()->position : 0, "none");
+  require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
+  require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
+  require(impulses.law().symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
+  require(std::isfinite(time) && time >= 0, "time", time, "a time from 0 on");
+
+  const double c = system.damping(), k = system.stiffness();
+  const double velocity_variance = problem::total_intensity(problem) / (2 * c);
+  Eigen::Matrix2d generator;
+  generator << 0, 1, -k, -c;
+  const Eigen::Matrix2d propagator = (generator * time).exp();
+  const Eigen::Vector2d mean(start.z, start.v);
+  Eigen::Matrix2d covariance;
+  covariance << start.var_z, start.cov_zv, start.cov_zv, start.var_v;
+  const Eigen::Matrix2d stationary =
+      Eigen::Vector2d(velocity_variance / k, velocity_variance).asDiagonal();
+
+  const Eigen::Vector2d first = propagator * mean;
+  const Eigen::Matrix2d second =
+      stationary +
+      propagator * (covariance + mean * mean.transpose() - stationary) * propagator.transpose();
+  return {first(0), first(1), second(0, 0), second(0, 1), second(1, 1)};
+}
+
+}  // namespace fpkcheck::exact

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "base/input_error.hpp"
+
+/// What every fuzzer does with the bytes that it is given.
+namespace fpkcheck::fuzz {
+
+inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+/// Calls read(). To refuse the input is right; any other exception ends the fuzzer.
+template <class Read>
+int only_input_errors(Read read) {
+  try {
+    read();
+  } catch (const InputError&) {
+  }
+  return 0;
+}
+
+/// Ends the fuzzer where what must hold does not.
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+/// A directory of this process, for readers of files: who runs it removes what is in $TMPDIR.
+inline const std::filesystem::path& directory() {
+  static const std::filesystem::path made = [] {
+    std::string name = (std::filesystem::temp_directory_path() / "fuzz-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    return name;
+  }();
+  return made;
+}
+
+/// Writes a file there anew.
+inline std::filesystem::path written(const std::string& name, std::string_view contents) {
+  const auto file = directory() / name;
+  std::ofstream out(file, std::ios::binary);
+  out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+  return file;
+}
+
+}  // namespace fpkcheck::fuzz

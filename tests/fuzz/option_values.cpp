@@ -1,0 +1,61 @@
+// Options as the command line gives them: a line with a list of methods, "transient" or "bounds",
+// then lines NAME=TEXT.
+#include <sstream>
+
+#include "backward/bounds/options.hpp"
+#include "fd_fpk/transient_options.hpp"
+#include "methods/builtin.hpp"
+#include "one_input.hpp"
+
+namespace {
+
+using namespace fpkcheck;
+
+struct Setting {
+  std::string name, text;
+};
+
+template <class Owner>
+Owner set(const base::Description<Owner>& description, const std::vector<Setting>& settings) {
+  Owner owner{};
+  for (const auto& [name, text] : settings) {
+    if (const auto* parameter = description.find(name)) {
+      description.parse(owner, *parameter, text, name);
+    }
+  }
+  return owner;
+}
+
+void select(const std::string& list, const std::vector<Setting>& settings) {
+  static const methods::Registry registry = methods::builtin();
+  base::Values values;
+  for (const auto& solver : registry.solvers()) {
+    for (const auto& [name, text] : settings) {
+      const auto* parameter = solver.parameters->find(name);
+      if (parameter != nullptr) values.push_back({name, value_from(*parameter, text, name)});
+    }
+  }
+  registry.select(list, values);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::istringstream lines{std::string(fuzz::text_of(data, size))};
+  std::string list;
+  std::getline(lines, list);
+  std::vector<Setting> settings;
+  for (std::string line; std::getline(lines, line);) {
+    const auto equals = line.find('=');
+    if (equals != line.npos) settings.push_back({line.substr(0, equals), line.substr(equals + 1)});
+  }
+  return fuzz::only_input_errors([&] {
+    if (list == "transient") {
+      fd_fpk::validate({}, set(fd_fpk::transient_description(), settings));
+    } else if (list == "bounds") {
+      backward::validate(set(backward::description(), settings));
+    } else {
+      select(list, settings);
+    }
+  });
+}

@@ -1,0 +1,145 @@
+#include "methods/external/joint_table.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "base/input_error.hpp"
+#include "exact/closed_forms.hpp"
+#include "methods/external/between_walls.hpp"
+#include "paper_cases.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using tests::contains;
+using transform::Variable;
+
+JointTable read_joint(const std::string& text) {
+  std::istringstream in(text);
+  const auto table = read_number_table(in, "mine.csv");
+  EXPECT_TRUE(is_joint(table));
+  return joint_table_of(table);
+}
+
+std::string refusal_of_joint(const std::string& text) {
+  try {
+    read_joint(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// At r = 1 under white noise, where the density is known exactly.
+class JointTables : public testing::Test {
+ protected:
+  // Cells or points in 10 deviations of y, twice as many in y'.
+  std::string file(int n, const char* names = "y,v,p", bool swapped = false) const {
+    std::string text = std::string(names) + '\n';
+    for (int i = 0; i <= n; ++i) {
+      for (int j = -n; j <= n; ++j) {
+        const double y = kEnd * i / n, v = kEnd * j / n;
+        text += fmt::format("{},{},{}\n", swapped ? v : y, swapped ? y : v, 2 * exact_(y, v));
+      }
+    }
+    return text;
+  }
+
+  double l1_of_y(const JointTable& table) const {
+    const auto values = values_at(table, points_);
+    const auto averages = PointIntegrals(points_, values).averages();
+    const auto found = transform::marginal(averages, Variable::y, axes_.y_edges);
+    double sum = 0;
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      const double width = found.width(b), centre = found.centre(b);
+      const auto p = [&](double at) { return exact_.displacement_marginal(at); };
+      const double offset = width / 2 * std::sqrt(0.6);
+      const double exact = (5 * p(centre - offset) + 8 * p(centre) + 5 * p(centre + offset)) / 18;
+      sum += width * std::abs(found.density[b] - exact);
+    }
+    return sum;
+  }
+
+  static constexpr double kEnd = 6;
+  problem::Problem problem_ = tests::make_problem({.restitution = 1});
+  compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
+  DensityPoints points_{axes_, problem_.system.walls()};
+  exact::WhiteNoiseDensity exact_{problem_};
+};
+
+TEST_F(JointTables, AreInterpolatedToThirdOrder) {
+  const double coarse = l1_of_y(read_joint(file(24))), middle = l1_of_y(read_joint(file(48))),
+               fine = l1_of_y(read_joint(file(96)));
+  const double first = std::log2(coarse / middle), second = std::log2(middle / fine);
+  // Akima's slopes are of second order, at extrema of first.
+  EXPECT_GT(first, 2.5) << coarse << ' ' << middle << ' ' << fine;
+  EXPECT_LT(first, 4.2) << coarse << ' ' << middle << ' ' << fine;
+  EXPECT_GT(second, 2.5) << coarse << ' ' << middle << ' ' << fine;
+  EXPECT_LT(second, 4.2) << coarse << ' ' << middle << ' ' << fine;
+  EXPECT_LT(fine, 2e-4);
+}
+
+TEST_F(JointTables, MayHaveTheirColumnsAndRowsInAnyOrder) {
+  const auto usual = read_joint(file(8));
+  const auto swapped = read_joint(file(8, "velocity;x;density", true));
+  EXPECT_EQ(usual.y, swapped.y);
+  EXPECT_EQ(usual.v, swapped.v);
+  EXPECT_EQ(usual.p, swapped.p);
+}
+
+TEST_F(JointTables, GoOnToTheWallFromCentresOfCells) {
+  std::string text = "y,v,p\n";
+  for (int i = 0; i < 30; ++i) {
+    for (int j = -30; j <= 30; ++j) {
+      text += fmt::format("{},{},{}\n", 0.2 * (i + 0.5), 0.2 * j,
+                          std::exp(-0.04 * j * j) * std::max(0.0, 5.0 - i));
+    }
+  }
+  const auto values = values_at(read_joint(text), points_);
+  // On the straight line through the first two, 5 at y = 0.1 and 4 at 0.3.
+  const std::size_t nv = points_.v().size(), middle = nv / 2;
+  EXPECT_NEAR(values[middle] / values[nv * 2 + middle], 5.5 / (5.5 - 5 * points_.y()[2]), 1e-6);
+}
+
+TEST_F(JointTables, OfCellsKeepTheirAverages) {
+  transform::GridDensity cells{axes_.y_edges, axes_.v_edges, {}};
+  for (std::size_t i = 0; i < cells.ny(); ++i) {
+    for (std::size_t j = 0; j < cells.nv(); ++j) {
+      const double y = (cells.y_edges[i] + cells.y_edges[i + 1]) / 2;
+      const double v = (cells.v_edges[j] + cells.v_edges[j + 1]) / 2;
+      cells.averages.push_back(2 * exact_(y, v));
+    }
+  }
+  const auto values = values_at(cells, points_);
+  const PointIntegrals integrals(points_, values);
+  EXPECT_NEAR(integrals.mass(), transform::mass(cells), 1e-12);
+  const auto averages = integrals.averages();
+  std::size_t j0 = 0;
+  while (averages.v_edges[j0] < cells.v_edges[0] - 1e-9) ++j0;
+  for (const std::size_t i : {0, 7, 40}) {
+    for (const std::size_t j : {5, 100, 120}) {
+      EXPECT_NEAR(averages.average(i, j0 + j), cells.average(i, j), 1e-12) << i << ' ' << j;
+    }
+  }
+  const double wall = values[points_.v().size() / 2];
+  EXPECT_NEAR(wall / (2 * exact_(0, points_.v()[points_.v().size() / 2])), 1, 1e-3);
+}
+
+TEST_F(JointTables, ThatAreNoGridAreRefused) {
+  const std::string whole = file(4);
+  const auto last = whole.substr(0, whole.size() - 1).rfind('\n');
+  EXPECT_TRUE(contains(refusal_of_joint(whole.substr(0, last + 1)),
+                       "mine.csv: 44 rows with 5 values of y and 9 of y' (must be one for every"));
+  EXPECT_TRUE(contains(refusal_of_joint(whole + "0,0,1\n"), "mine.csv:47: y = 0, y' = 0 for the"));
+  EXPECT_TRUE(contains(refusal_of_joint(file(2)), "3 values of y (must be at least 4)"));
+  EXPECT_EQ(refusal_of_joint(whole), "accepted");
+  std::istringstream marginal("y,v,error\n0,1,2\n1,2,3\n2,3,4\n3,4,5\n");
+  EXPECT_FALSE(is_joint(read_number_table(marginal, "mine.csv")));
+}
+
+}  // namespace
+}  // namespace fpkcheck::methods

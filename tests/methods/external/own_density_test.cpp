@@ -1,0 +1,168 @@
+#include "methods/external/own_density.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "base/input_error.hpp"
+#include "exact/closed_forms.hpp"
+#include "methods/builtin.hpp"
+#include "methods/external/between_walls.hpp"
+#include "methods/external/label.hpp"
+#include "methods/external/own_samples.hpp"
+#include "methods/run_cases.hpp"
+#include "paper_cases.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using problem::Equation;
+using tests::contains;
+using transform::Status;
+using transform::Variable;
+using Function = std::function<double(double, double)>;
+
+// At r = 1, where the density under white noise is known exactly.
+class OwnDensities : public testing::Test {
+ protected:
+  Method of(const Function& p,
+            const OwnDensity& own = {.label = "own", .equation = Equation::white},
+            const OwnFunction& how = {}) {
+    std::vector<double> values;
+    for (const double y : points_.y()) {
+      for (const double v : points_.v()) values.push_back(p(y, v));
+    }
+    return own_function(own, how, points_, values);
+  }
+  transform::Solution solved(const Method& method) {
+    return solve_by(method, problem_, {axes_, {}});
+  }
+  std::string refusal(const std::function<void()>& what) {
+    try {
+      what();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  problem::Problem problem_ = tests::make_problem({.restitution = 1});
+  compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
+  DensityPoints points_{axes_, problem_.system.walls()};
+  exact::WhiteNoiseDensity exact_{problem_};
+};
+
+TEST_F(OwnDensities, AreKnownAsTheFunctionIs) {
+  const auto own = solved(of([&](double y, double v) { return 5 * exact_(y, v); }));
+  EXPECT_EQ(own.status, Status::ok);
+  EXPECT_NEAR(own.mass, 1, 1e-9);
+  EXPECT_NEAR(own.moments.v2, 0.5, 1e-8);
+  EXPECT_NEAR(own.moments.v4, 0.75, 1e-7);
+  EXPECT_NEAR(own.energy_residual, 0, 1e-8);
+  EXPECT_NEAR(transform::number(own.observations, "normalised_by").value(), 2.5, 1e-8);
+  EXPECT_NEAR(transform::number(own.observations, "balances.virial").value(), 0, 1e-7);
+  EXPECT_NEAR(transform::number(own.observations, "balances.momentum").value(), 0, 1e-7);
+  EXPECT_EQ(transform::solves_text(own.identity), "white/map");
+  const auto y = transform::marginal(own, Variable::y, axes_.y_edges);
+  // An average over a bin is not the density at its centre.
+  for (const std::size_t b : {0, 20, 70}) {
+    EXPECT_NEAR(y.density[b] / exact_.displacement_marginal(y.centre(b)), 1, 3e-3);
+  }
+}
+
+TEST_F(OwnDensities, AreClosuresWithABudgetWhereTheirEquationIsSaid) {
+  const Function p = [&](double y, double v) { return exact_(y, v); };
+  auto methods = builtin().select("fd-white,fd-kf", {});
+  methods.insert(methods.begin(), of(p, {.label = "nobody"}));
+  methods.insert(methods.begin() + 1,
+                 of(p, {.label = "own", .equation = Equation::white}, {.accuracy = 1}));
+  const auto one = run_cases({problem_}, methods, 0, {}).front();
+  const auto& own = *one.find("own");
+  EXPECT_EQ(own.identity.role, transform::Role::closure);
+  EXPECT_EQ(one.find("nobody")->identity.role, transform::Role::given);
+  EXPECT_EQ(own.status, Status::ok);
+  // Its error against the full problem is that of white noise.
+  const double far = one.l1("own", "fd-kf", Variable::y).value();
+  EXPECT_GT(own.error.value().y_l1, far);
+  EXPECT_LT(own.error.value().y_l1, 1.7 * far);
+  ASSERT_EQ(one.budget.size(), 2u);
+  for (const auto& row : one.budget) {
+    EXPECT_EQ(row.solution, "own");
+    EXPECT_LT(row.find("closure")->l1, 1e-4);
+    EXPECT_GT(row.find("white noise")->l1, 0.01);
+  }
+  EXPECT_FALSE(builtin().that_made(own, {}));
+}
+
+TEST_F(OwnDensities, SayWhatIsNoDensity) {
+  const auto status_of = [&](const Function& p, bool normalise = true) {
+    const auto own = solved(
+        of(p, {.label = "own", .equation = Equation::kf}, {.normalise = normalise, .accuracy = 1}));
+    return std::string(name(own.status)) + ": " + own.reason;
+  };
+  EXPECT_EQ(status_of([&](double y, double v) { return exact_(y, v); }, false),
+            "inadmissible: its integral is 0.5 and not 1");
+  EXPECT_TRUE(contains(status_of([](double, double) { return 1; }), "cut off, at y ="));
+  EXPECT_TRUE(
+      contains(status_of([&](double y, double v) { return exact_(y, v) * (2 - y); }), "negative"));
+}
+
+TEST_F(OwnDensities, OfNoUseAreRefused) {
+  EXPECT_EQ(refusal([&] { of([](double y, double) { return 1 / y; }); }).find("density 'own': p(0"),
+            0u);
+  EXPECT_TRUE(contains(refusal([&] { of([](double, double) { return -1; }); }), "integral is -"));
+  EXPECT_TRUE(contains(refusal([&] {
+                         own_function({.label = "a"}, {}, points_, {1, 2});
+                       }),
+                       "2 values (must be 601 x 600)"));
+  const std::vector<double> few(99, 1), many(100, 1), behind(100, -1), other(101, 1);
+  const auto samples = [&](const auto& y, const auto& v, double independent = 0) {
+    return refusal([&] { own_samples({.label = "a"}, y, v, independent).check(problem_); });
+  };
+  EXPECT_EQ(samples(few, few), "samples 'a': 99 (must be 100 at least)");
+  EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y'");
+  EXPECT_TRUE(contains(samples(behind, many), "y = -1, y' = 1 (must be y >= 0)"));
+  EXPECT_TRUE(contains(samples(many, many, 101), "independent = 101 (must be 0 .. 100"));
+  EXPECT_EQ(samples(many, many, 100), "accepted");
+  const auto all = builtin();
+  EXPECT_TRUE(contains(refusal([&] { require_free("fd.kf", all); }), "is a method's"));
+  EXPECT_TRUE(contains(refusal([&] { require_unlike("a.b", "a-b"); }), "too alike"));
+  // Who gave it had no option of the program in hand.
+  for (const char* label : {"fd.kf", "a b"}) {
+    EXPECT_FALSE(contains(refusal([&] { require_free(label, all); }), "--")) << label;
+  }
+  EXPECT_EQ(refusal([&] { require_unlike("a.b", "a.b"); }), "accepted");
+}
+
+TEST_F(OwnDensities, SamplesAreAsFarAsTheirErrorsSay) {
+  constexpr int kSamples = 50'000;
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal(0, std::sqrt(0.5));
+  std::vector<double> y, v;
+  for (int k = 0; k < kSamples; ++k) {
+    y.push_back(std::abs(normal(engine)));
+    v.push_back(normal(engine));
+  }
+  const auto drawn = solved(own_samples({.label = "drawn", .equation = Equation::white}, y, v));
+  const auto exact = solved(of([](double a, double b) { return std::exp(-a * a - b * b); }));
+  for (const auto variable : transform::kVariables) {
+    const auto& edges = compare::edges(axes_, variable);
+    const double far = l1(marginal(drawn, variable, edges), marginal(exact, variable, edges));
+    const double expected = transform::expected(*drawn.sampling, variable).value();
+    EXPECT_NEAR(far / expected, 1, 0.3);
+    EXPECT_LT(far, transform::in_99(*drawn.sampling, variable).value());
+  }
+  EXPECT_NEAR(drawn.mass, 1, 1e-9);
+  EXPECT_NEAR(drawn.moments.v2, 0.5, 4 * drawn.standard_errors->moments.v2);
+  EXPECT_NEAR(drawn.standard_errors->moments.v2, 0.5 * std::sqrt(2.0 / kSamples), 1e-4);
+  // A quarter as many independent ones: twice the errors.
+  const auto fewer = solved(own_samples({.label = "a"}, y, v, kSamples / 4.0));
+  EXPECT_NEAR(fewer.sampling->y.value() / drawn.sampling->y.value(), 2, 1e-9);
+  EXPECT_NEAR(fewer.standard_errors->moments.y1 / drawn.standard_errors->moments.y1, 2, 1e-9);
+}
+
+}  // namespace
+}  // namespace fpkcheck::methods

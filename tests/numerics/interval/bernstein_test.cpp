@@ -1,0 +1,64 @@
+#include "numerics/interval/bernstein.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fpkcheck::backward {
+namespace {
+
+// 1 - 3 t + 2 t^2 + 5 t^3 at t.
+double cubic(double t) { return 1 + t * (-3 + t * (2 + t * 5)); }
+const BernsteinCoefficients kPowers{Interval(1), Interval(-3), Interval(2), Interval(5)};
+
+void expect_value(const Interval& x, double expected) {
+  EXPECT_NEAR(x.lower(), expected, 1e-13);
+  EXPECT_NEAR(x.upper(), expected, 1e-13);
+  EXPECT_LE(x.lower(), x.upper());
+}
+
+TEST(Bernstein, PowersAndBackAndOfAnyHigherDegree) {
+  rounded_upward([] {
+    const BernsteinCoefficients b = from_powers(kPowers);
+    const BernsteinCoefficients back = to_powers(b), higher = elevated(b, 11);
+    for (int k = 0; k < 4; ++k) expect_value(back[k], kPowers[k].lower());
+    for (const double t : {0.0, 0.3, 0.77, 1.0}) {
+      expect_value(value(b, Interval(t)), cubic(t));
+      expect_value(value(higher, Interval(t)), cubic(t));
+    }
+    return 0;
+  });
+}
+
+TEST(Bernstein, ProductsAndDerivativesAreThoseOfThePolynomials) {
+  rounded_upward([] {
+    const BernsteinCoefficients b = from_powers(kPowers),
+                                line{Interval(2), Interval(-1)};  // 2 - 3t
+    const BernsteinCoefficients p = product(b, line), d = derivative(b);
+    for (const double t : {0.1, 0.5, 0.9}) {
+      expect_value(value(p, Interval(t)), cubic(t) * (2 - 3 * t));
+      expect_value(value(d, Interval(t)), -3 + 4 * t + 15 * t * t);
+    }
+    return 0;
+  });
+}
+
+TEST(Bernstein, APolynomialIsCarriedToASegment) {
+  rounded_upward([] {
+    const BernsteinCoefficients b =
+        on_segment(std::array{1.0, -3.0, 2.0, 5.0}, Interval(0.5), Interval(1), Interval(3));
+    for (const double t : {0.0, 0.25, 1.0}) {
+      expect_value(value(b, Interval(t)) / 100.0, cubic(1 + 2 * t - 0.5) / 100);
+    }
+    return 0;
+  });
+}
+
+TEST(Bernstein, BinomialCoefficientsAreExact) {
+  EXPECT_EQ(binomial(6, 3), 20);
+  EXPECT_EQ(binomial(24, 12), 2704156);
+  EXPECT_EQ(binomial(40, 20), 137846528820);
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

@@ -1,0 +1,76 @@
+#include "numerics/roots/newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace fpkcheck::numerics {
+namespace {
+
+using Eigen::VectorXd;
+
+// atan(a) = 0, from which whole steps flee when |a| > 1.39.
+struct Arctangent {
+  struct Iterate {
+    VectorXd a;
+    double size;
+  };
+  struct Step {
+    VectorXd change;
+  };
+  Iterate at(const VectorXd& a) const { return {a, std::abs(std::atan(a[0]))}; }
+  Step step(const Iterate& here) const {
+    const double a = here.a[0];
+    return {VectorXd::Constant(1, -std::atan(a) * (1 + a * a))};
+  }
+  double share(const Iterate& here, const Step& step) const {
+    return halved_until(
+        1, 1e-3, [&](double share) { return at(here.a + share * step.change).size < here.size; });
+  }
+};
+
+NewtonResult from(double start, const NewtonOptions& options) {
+  return newton(Arctangent{}, VectorXd::Constant(1, start), options);
+}
+
+TEST(Newton, DampedStepsReachTheRootThatWholeOnesFlee) {
+  const NewtonResult damped = from(3, {}), whole = from(3, {.damped = false});
+  EXPECT_TRUE(damped.converged);
+  EXPECT_NEAR(damped.a[0], 0, 1e-15);
+  EXPECT_FALSE(whole.converged);
+  EXPECT_EQ(whole.a[0], 3);  // the best of them was the start
+  EXPECT_TRUE(from(1, {.damped = false}).converged);
+}
+
+TEST(Newton, PolishingIsOneStepMore) {
+  const NewtonResult rough = from(1, {.tolerance = 1e-2, .polish = false});
+  const NewtonResult polished = from(1, {.tolerance = 1e-2});
+  EXPECT_TRUE(rough.converged);
+  EXPECT_EQ(polished.iterations, rough.iterations + 1);
+  EXPECT_LT(polished.residual, rough.residual);
+  EXPECT_EQ(from(0, {}).iterations, 1);  // the start is the root
+  EXPECT_EQ(from(0, {.polish = false}).iterations, 0);
+}
+
+TEST(Newton, TakesNoMoreStepsThanAllowed) {
+  EXPECT_EQ(from(1.3, {.max_iterations = 2}).iterations, 2);
+  const NewtonResult none = from(1e-12, {.max_iterations = 0});
+  EXPECT_EQ(none.iterations, 0);
+  EXPECT_TRUE(none.converged);
+}
+
+TEST(Newton, EndsWhereThereIsNoResidual) {
+  const NewtonResult result = from(std::numeric_limits<double>::quiet_NaN(), {});
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.iterations, 0);
+}
+
+TEST(HalvedUntil, TakesTheFirstShareThatIsAccepted) {
+  EXPECT_EQ(halved_until(1, 1e-3, [](double share) { return share < 0.3; }), 0.25);
+  EXPECT_EQ(halved_until(0.7, 1e-3, [](double) { return true; }), 0.7);
+  EXPECT_EQ(halved_until(1, 1e-3, [](double) { return false; }), 0);
+}
+
+}  // namespace
+}  // namespace fpkcheck::numerics

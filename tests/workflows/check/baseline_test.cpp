@@ -1,0 +1,269 @@
+#include "workflows/check/baseline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/input_error.hpp"
+#include "methods/builtin.hpp"
+#include "results/run_json.hpp"
+#include "solved_run.hpp"
+#include "thorough.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+TEST(SavedProblem, ComesBackFromASummary) {
+  std::vector<problem::Problem> problems;
+  for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
+    problems.push_back(tests::make_problem({.damping = 0.11,
+                                            .stiffness = 1.2,
+                                            .cubic = 0.3,
+                                            .restitution = 0.94,
+                                            .rate = 1.5,
+                                            .intensity = 0.16,
+                                            .mean = 0.07,
+                                            .law = law}));
+  }
+  for (int number = 1; number <= 4; ++number) problems.push_back(tests::paper_case(number));
+  for (const auto& problem : problems) {
+    auto saved = tests::case_of({});
+    saved.problem = problem;
+    std::istringstream file(results::summary_text({results::this_program(""), {saved}}));
+    const auto again = results::read_summary(file, "summary.json").cases.at(0).problem;
+    EXPECT_EQ(again.name, problem.name);
+    const auto was = problem::sections(problem), is = problem::sections(again);
+    ASSERT_EQ(was.size(), is.size());
+    for (std::size_t k = 0; k < was.size(); ++k) {
+      EXPECT_EQ(was[k].name, is[k].name);
+      EXPECT_EQ(was[k].values, is[k].values) << was[k].name;  // to the last digit
+    }
+  }
+}
+
+/// A directory of its own with a small run in it.
+class BaselineTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::temp_directory_path() / (std::string("fpkcheck-baseline-") +
+                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static Baseline load(const fs::path& place) {
+    return load_baseline(place, methods::builtin(), {{"threads", std::int64_t{2}}});
+  }
+
+  /// Saves the summary after a change and says how the program takes it.
+  std::string message(const std::function<void(Json&)>& change) {
+    std::ifstream in(FPKCHECK_BASELINES "/case1/summary.json");
+    Json summary = Json::parse(in);
+    change(summary);
+    std::ofstream(folder_ / "b.json") << summary;
+    try {
+      load(folder_ / "b.json");
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  void expect_message(const std::string& part, const std::function<void(Json&)>& change) {
+    const std::string said = message(change);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
+  const auto first = [](Json& json) -> Json& { return json["cases"][0]["solutions"][0]; };
+  expect_message("accepted", [](Json&) {});
+  expect_message("b.json: case1: epc-gaussian-n4: options.order is missing",
+                 [&](Json& json) { first(json)["options"].erase("order"); });
+  expect_message("case1: epc-gaussian-n4: options.colour is unknown",
+                 [&](Json& json) { first(json)["options"]["colour"] = 1; });
+  expect_message("options.order = 'six' (must be an even number",
+                 [&](Json& json) { first(json)["options"]["order"] = "six"; });
+  expect_message("order = 5", [&](Json& json) { first(json)["options"]["order"] = 5; });
+  expect_message("options are those of epc-gaussian-n6",
+                 [&](Json& json) { first(json)["options"]["order"] = 6; });
+  expect_message("method 'magic'", [&](Json& json) { first(json)["method"] = "magic"; });
+  expect_message("case1: system.stiffness is missing",
+                 [](Json& json) { json["cases"][0]["system"].erase("stiffness"); });
+  expect_message("system.restitution = -1",
+                 [](Json& json) { json["cases"][0]["system"]["restitution"] = -1; });
+  expect_message("impulse.law = 3 (must be one of",
+                 [](Json& json) { json["cases"][0]["impulse"]["law"] = 3; });
+  expect_message("schema 2", [](Json& json) { json["schema"] = 2; });
+  expect_message("not a whole summary", [](Json& json) { json.erase("cases"); });
+  expect_message("not a whole summary", [&](Json& json) { first(json).erase("options"); });
+  expect_message("is there twice",
+                 [](Json& json) { json["cases"].push_back(Json(json["cases"][0])); });
+  expect_message("no solution that can be solved again",
+                 [](Json& json) { json["cases"] = Json::array(); });
+}
+
+TEST_F(BaselineTest, ASimulationMustBeWholeAndKnowItsErrors) {
+  const auto mcs = [](Json& json) -> Json& { return json["cases"][0]["solutions"].back(); };
+  expect_message("case1: mcs: the simulation was interrupted (run again, to its end)",
+                 [&](Json& json) { mcs(json)["interrupted"] = true; });
+  for (const Json& bad : {Json(), Json(0.0), Json(-1e-4)}) {
+    expect_message("case1: mcs: standard error of E[y^2] = ",
+                   [&](Json& json) { mcs(json)["standard_errors"]["y2"] = bad; });
+    expect_message("sampling L1 in 99 of 100 of p(y') = ",
+                   [&](Json& json) { mcs(json)["sampling_l1"]["ydot_99"] = bad; });
+  }
+  expect_message("not a whole summary",
+                 [&](Json& json) { mcs(json)["standard_errors"]["y2"] = "small"; });
+}
+
+TEST_F(BaselineTest, CurvesOfAnotherRunAreRefused) {
+  std::ofstream(folder_ / "marginals.csv")
+      << "case,solution,variable,abscissa,density,lower,upper\ncase1,fd-kf,y,0.1,1,,\n";
+  expect_message("marginals.csv", [](Json&) {});
+  expect_message("not of the same run", [](Json&) {});
+}
+
+TEST_F(BaselineTest, WithoutCurvesANoteSaysSo) {
+  message([](Json&) {});
+  const auto baseline = load(folder_ / "b.json");
+  EXPECT_FALSE(baseline.has_marginals);
+  ASSERT_EQ(baseline.notes.size(), 1u);
+  EXPECT_NE(baseline.notes[0].find("curves are not compared"), std::string::npos);
+}
+
+TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
+  EXPECT_EQ(message([](Json& json) {
+              json["cases"][0]["solutions"][1]["method"] = "file";
+              json["cases"][0]["solutions"][1]["options"] = {{"path", "theirs.csv"}};
+            }),
+            "accepted");
+  const auto baseline = load(folder_ / "b.json");
+  const auto whole = load(FPKCHECK_BASELINES "/case1");
+  const std::size_t methods = whole.cases[0].methods.size();
+  EXPECT_EQ(baseline.cases[0].methods.size() + 1, methods);
+  EXPECT_EQ(baseline.run.cases[0].find("epc-gaussian-n6"), nullptr);
+  EXPECT_NE(baseline.notes.back().find("case1 epc-gaussian-n6 was given from outside"),
+            std::string::npos);
+  const auto& pairs = baseline.run.cases[0].pairs;
+  for (const auto& pair : pairs) {
+    EXPECT_NE(pair.a, "epc-gaussian-n6");
+    EXPECT_NE(pair.b, "epc-gaussian-n6");
+  }
+  for (const auto& row : baseline.run.cases[0].budget) EXPECT_NE(row.solution, "epc-gaussian-n6");
+  EXPECT_LT(baseline.run.cases[0].budget.size(), whole.run.cases[0].budget.size());
+  EXPECT_EQ(pairs.size(), whole.run.cases[0].pairs.size() - 2 * (methods - 1));
+}
+
+TEST_F(BaselineTest, OptionsThatAreGivenReplaceThoseOfTheRun) {
+  const auto threads = [](const Baseline& baseline) {
+    for (const auto& [name, value] : baseline.cases[0].methods.back().options) {
+      if (name == "threads") return value;
+    }
+    return base::Value("none");
+  };
+  EXPECT_EQ(threads(load(FPKCHECK_BASELINES "/case1")), base::Value(std::int64_t{2}));
+}
+
+TEST_F(BaselineTest, EveryPaperCaseLoadsWholeWithItsCurves) {
+  for (const char* name : {"case1", "case2", "case3", "case4"}) {
+    const auto baseline = load(fs::path(FPKCHECK_BASELINES) / name);
+    EXPECT_TRUE(baseline.has_marginals);
+    EXPECT_TRUE(baseline.notes.empty());
+    ASSERT_EQ(baseline.cases.size(), 1u);
+    EXPECT_EQ(baseline.cases[0].methods.size(), 9u);
+    EXPECT_EQ(baseline.run.cases[0].name(), name);
+  }
+}
+
+/// The paper's first case by its closures alone: what is solved in no time.
+Baseline closures() {
+  auto baseline = load_baseline(FPKCHECK_BASELINES "/case1", methods::builtin(), {});
+  auto& one = baseline.run.cases[0];
+  const auto is_closure = [](const std::string& id) { return id.starts_with("epc-"); };
+  std::erase_if(one.solutions, [&](const auto& s) { return !is_closure(s.id()); });
+  std::erase_if(one.curves, [&](const auto& c) { return !is_closure(c.solution); });
+  std::erase_if(one.pairs, [&](const auto& p) { return !is_closure(p.a) || !is_closure(p.b); });
+  one.budget.clear();
+  std::erase_if(baseline.cases[0].methods, [&](const auto& m) { return !is_closure(m.id()); });
+  return baseline;
+}
+
+TEST(RunAgain, SolvedByThisProgramTheOldFilesAgree) {
+  const auto baseline = closures();
+  std::vector<methods::RunProgress> told;
+  const auto run = run_again(baseline, "fpkcheck check", 2,
+                             [&](const methods::RunProgress& at) { told.push_back(at); });
+  EXPECT_EQ(run.program.command, "fpkcheck check");
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back().total, baseline.cases[0].methods.size());
+  const auto same = check(baseline.run, run, {});
+  for (const auto& figure : same.moved()) ADD_FAILURE() << figure.solution << " " << figure.name;
+  EXPECT_GT(same.figures.size(), 300u);
+}
+
+TEST(RunAgain, FindsEveryResultOfAClosureThatMovesByAMillionth) {
+  const auto baseline = closures();
+  const auto again = run_again(baseline, "", 2, {});
+  std::size_t tried = 0;
+  for (const auto& closure : baseline.run.cases[0].solutions) {
+    auto before = tests::only(baseline.run, closure.id());
+    const auto run = tests::only(again, closure.id());
+    auto& was = before.cases[0].solutions.at(0);
+    for (auto& o : was.observations) {
+      const auto* now = transform::find(run.cases[0].find(was.id())->observations, o.path);
+      const auto value = transform::number(was.observations, o.path);
+      if (now == nullptr || !value || now->kind == transform::Kind::work) continue;
+      const auto kept = o.value;
+      const double size = std::max(std::abs(*value), now->least_scale);
+      o.value = *value + size * (now->delicate ? 3e-6 : 1e-6);
+      EXPECT_GE(check(before, run, {}).moved().size(), 1u) << was.id() << " " << o.path;
+      o.value = kept;
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 200u);
+}
+
+/// A simulation alone, saved as a run is.
+results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double time = 2e5) {
+  const auto problem = tests::make_problem({.intensity = intensity});
+  const auto method = methods::builtin().by_id(
+      "mcs",
+      {{"time", time}, {"seed", static_cast<std::int64_t>(seed)}, {"streams", std::int64_t{64}}});
+  return {results::this_program(""), methods::run_cases({problem}, {*method}, 0, {})};
+}
+
+TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
+  const auto baseline = simulated_run(1);
+  for (std::uint64_t seed = 2; seed <= tests::usually(3u, 6u); ++seed) {
+    const auto other = check(baseline, simulated_run(seed), {});
+    for (const auto& figure : other.moved()) ADD_FAILURE() << seed << " " << figure.name;
+    // Chance enters: it is not the same run.
+    EXPECT_TRUE(std::ranges::any_of(other.figures, [](const Figure& f) { return f.change > 0.5; }));
+  }
+  constexpr double kShort = 2e4;  // to a bit, however long
+  const auto same = check(simulated_run(1, 0.1, kShort), simulated_run(1, 0.1, kShort), {});
+  EXPECT_TRUE(std::ranges::all_of(same.figures, [](const Figure& f) { return f.change == 0; }));
+}
+
+TEST(SimulationCheck, ImpulsesFivePercentStrongerAreFound) {
+  constexpr double kTime = 4e4;
+  const auto one = simulated_run(1, 0.1, kTime), stronger = simulated_run(2, 0.105, kTime);
+  EXPECT_GE(check(one, stronger, {}).moved().size(), 2u);
+}
+
+}  // namespace
+}  // namespace fpkcheck::check

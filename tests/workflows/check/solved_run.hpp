@@ -1,0 +1,202 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "paper_cases.hpp"
+#include "results/saved_run.hpp"
+#include "workflows/check/check.hpp"
+#include "workflows/check/claims.hpp"
+
+/// Runs to be held against each other; nothing is solved here.
+namespace fpkcheck::tests {
+
+/// The paper's first case as the repository holds it: of observations, files have the values alone.
+inline const results::Run& paper_baseline() {
+  static const results::Run run = results::load_run(FPKCHECK_BASELINES "/case1");
+  return run;
+}
+
+inline transform::Solution& solution(results::Run& run, std::string_view id) {
+  for (auto& one : run.cases.at(0).solutions) {
+    if (one.id() == id) return one;
+  }
+  throw std::logic_error("no " + std::string(id));
+}
+
+inline transform::Observation& observation(transform::Solution& one, std::string_view path) {
+  for (auto& found : one.observations) {
+    if (found.path == path) return found;
+  }
+  throw std::logic_error(one.id() + " has no " + std::string(path));
+}
+
+/// Says of an observation what its solver says of it.
+inline void describe(transform::Observation& o) {
+  using transform::Kind;
+  const std::string_view path = o.path;
+  const auto is_one_of = [&](std::initializer_list<std::string_view> paths) {
+    for (const auto one : paths) {
+      if (path == one || path.starts_with(std::string(one) + '.')) return true;
+    }
+    return false;
+  };
+  const auto beside = [&](std::string_view last, const char* other) {
+    return o.path.substr(0, path.size() - last.size()) + other;
+  };
+  o.kind = Kind::result;  // words too
+  if (is_one_of({"iterations",
+                 "residual",
+                 "condition",
+                 "quadrature_change",
+                 "homotopies",
+                 "support.worst_direction",
+                 "nonzeros",
+                 "leak",
+                 "steps",
+                 "factorisations",
+                 "rhs_evaluations",
+                 "krylov_iterations",
+                 "factor_entries",
+                 "factor_seconds",
+                 "krylov_seconds",
+                 "stepped_against_direct",
+                 "time",
+                 "samples",
+                 "impulses",
+                 "flights",
+                 "rounds",
+                 "threads",
+                 "seed",
+                 "outside",
+                 "variance_reduction",
+                 "splitting_thresholds[]"}) ||
+      path.ends_with(".lower") || path.ends_with(".upper")) {
+    o.kind = Kind::work;
+  } else if (path.ends_with("_error") || path.starts_with("effective_samples")) {
+    o.kind = Kind::error;
+  } else if (path.starts_with("coefficients") && path.ends_with("].a")) {
+    o.kind = Kind::coefficient;
+    o.least_scale = 2e-8;
+  } else if (is_one_of({"support.edge_density", "support.cut_off"})) {
+    o.least_scale = 1e-6;
+    o.delicate = true;
+  } else if (path == "error.observed_order") {
+    o.delicate = true;
+  } else if (is_one_of({"wall_density"})) {
+    o.least_scale = 1e-6;
+  } else if (path.ends_with("].mean")) {
+    o.error_at = beside("mean", "standard_error");
+  } else if (path.ends_with("].rate")) {
+    o.error_at = beside("rate", "standard_error");
+  } else if (path.starts_with("quantiles") && path.ends_with("].value")) {
+    o.error_at = beside("value", "standard_error");
+    o.delicate = true;
+  } else if (path == "excess_power.relative") {
+    o.error_at = "excess_power.standard_error";
+  }
+}
+
+/// The same run as if it had just been solved: its observations say what they are.
+inline const results::Run& solved_run() {
+  static const results::Run run = [] {
+    results::Run solved = paper_baseline();
+    for (auto& one : solved.cases.at(0).solutions) {
+      const bool is_simulation = one.standard_errors.has_value();
+      for (auto& o : one.observations) {
+        describe(o);
+        if (is_simulation && o.path == "impact_rate") o.error_at = "impact_rate_error";
+        // A handful of events.
+        if (!o.path.ends_with("].rate")) continue;
+        const double rate = *number(one.observations, o.path);
+        o.delicate = !(1.96 * *number(one.observations, o.error_at) <= rate / 2);
+      }
+      // What is new: older files have the interval alone.
+      for (const char* list : {"quantiles.y", "quantiles.ydot"}) {
+        for (int k = 0;; ++k) {
+          const std::string entry = std::string(list) + '[' + std::to_string(k) + "].";
+          const auto lower = number(one.observations, entry + "lower");
+          const auto upper = number(one.observations, entry + "upper");
+          if (!lower || !upper) break;
+          one.observations.push_back({.path = entry + "standard_error",
+                                      .value = (*upper - *lower) / (2 * 1.96),
+                                      .kind = transform::Kind::error});
+        }
+      }
+    }
+    return solved;
+  }();
+  return run;
+}
+
+using Change = std::function<void(results::Run&)>;
+
+/// A run as files have it, and as it was solved.
+struct TwoRuns {
+  results::Run files = paper_baseline();
+  results::Run solved = solved_run();
+};
+
+/// What a run has of one solution alone, where nothing else matters.
+inline results::Run only(results::Run run, const std::string& id) {
+  results::Case& one = run.cases.at(0);
+  std::erase_if(one.solutions, [&](const auto& other) { return other.id() != id; });
+  std::erase_if(one.curves, [&](const auto& curve) { return curve.solution != id; });
+  one.pairs.clear();
+  one.budget.clear();
+  return run;
+}
+inline TwoRuns alone(const std::string& id) {
+  return {.files = only(paper_baseline(), id), .solved = only(solved_run(), id)};
+}
+
+/// What moves when a run differs from the baseline by a change alone.
+inline std::vector<check::Figure> moved_by(const Change& change,
+                                           const check::Tolerances& tolerances = {},
+                                           const TwoRuns& runs = {}) {
+  results::Run changed = runs.solved;
+  change(changed);
+  const auto forth = check::check(runs.files, changed, tolerances).moved();
+  // Which of the two changed must not matter.
+  EXPECT_EQ(check::check(changed, runs.solved, tolerances).moved().size(), forth.size());
+  return forth;
+}
+
+inline std::vector<check::FigureKind> kinds(const std::vector<check::Figure>& figures) {
+  std::vector<check::FigureKind> result;
+  for (const auto& figure : figures) result.push_back(figure.kind);
+  return result;
+}
+
+inline void scale(double& number, double relative) { number *= 1 + relative; }
+
+/// A number that a solver observes, whole or not.
+inline void scale(transform::Observation& o, double relative) {
+  const transform::Observations alone{o};
+  o.value = transform::number(alone, o.path).value() * (1 + relative);
+}
+
+inline Change scaled(const std::string& id, const std::string& path, double relative) {
+  return [=](results::Run& run) { scale(observation(solution(run, id), path), relative); };
+}
+
+/// A case of one solution, made of nothing but observations.
+inline results::Case case_of(transform::Observations observations) {
+  transform::Solution one{.identity = {.id = "solution", .method = "toy"}};
+  one.status = transform::Status::ok;
+  one.observations = std::move(observations);
+  return {.problem = paper_case(1),
+          .solutions = {one},
+          .pairs = {},
+          .budget = {},
+          .limits = {},
+          .curves = {},
+          .joints = {}};
+}
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,84 @@
+#include "workflows/paper/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "epc/options.hpp"
+#include "methods/builtin.hpp"
+#include "problem/named_cases.hpp"
+#include "workflows/paper/criteria.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+TEST(Claims, CoverEveryPanelOfFigures2To5AndBothDensitiesOfEveryCase) {
+  std::set<std::string> panels;
+  std::set<std::pair<int, transform::Variable>> densities;
+  for (const auto& claim : claims()) {
+    if (claim.cases.size() > 1) continue;
+    for (const char panel : claim.panels) {
+      panels.insert(std::to_string(Claim::figure(claim.cases.front())) + panel);
+    }
+    for (const auto variable : claim.variables) densities.insert({claim.cases.front(), variable});
+  }
+  EXPECT_EQ(panels.size(), 16u);
+  EXPECT_TRUE(panels.contains("2a"));
+  EXPECT_TRUE(panels.contains("5d"));
+  EXPECT_EQ(densities.size(), 8u);
+}
+
+TEST(Claims, SayInEachCaseWhatBecomesOfEachOrder) {
+  for (int number = 1; number <= 4; ++number) {
+    for (const int order : {2, 4, 6, 8}) {
+      EXPECT_TRUE(std::ranges::any_of(claims(),
+                                      [&](const Claim& claim) {
+                                        return claim.cases == std::vector<int>{number} &&
+                                               claim.order == order;
+                                      }))
+          << number << ' ' << order;
+    }
+  }
+}
+
+TEST(Claims, AreToldApartByCaseAndWordsAndQuoteThePaper) {
+  std::set<std::pair<std::vector<int>, std::string>> seen;
+  for (const auto& claim : claims()) {
+    EXPECT_TRUE(seen.insert({claim.cases, words(claim)}).second) << words(claim);
+    EXPECT_FALSE(claim.quote.empty());
+    EXPECT_EQ(claim.panels.find_first_not_of("abcd"), std::string::npos);
+    // A panel shows one of the densities.
+    for (const auto variable : claim.variables) {
+      const bool of_y = variable == transform::Variable::y;
+      if (claim.panels.empty()) continue;
+      EXPECT_NE(claim.panels.find_first_of(of_y ? "ab" : "cd"), std::string::npos) << words(claim);
+    }
+    const bool compares = claim.relation == Relation::closer ||
+                          claim.relation == Relation::closer_in_l1 ||
+                          claim.relation == Relation::closer_in_tail;
+    EXPECT_EQ(compares, claim.rival != 0) << words(claim);
+  }
+}
+
+TEST(Claims, AreOfTheMethodsAndCasesThatTheProgramHas) {
+  const auto methods = methods::builtin().select(kMethods, {});
+  for (const auto& claim : claims()) {
+    EXPECT_TRUE(std::ranges::any_of(methods, [&](const methods::Method& method) {
+      return method.identity.id == closure_id(claim.order);
+    })) << words(claim);
+  }
+  ASSERT_EQ(problem::named_cases().size(), 4u);
+  for (int number = 1; number <= 4; ++number) {
+    EXPECT_EQ(problem::named_cases()[static_cast<std::size_t>(number) - 1].name, case_name(number));
+  }
+}
+
+TEST(Criteria, AgreementIsTheAccuracyThatClosuresAreHeldTo) {
+  EXPECT_EQ(epc::Options{}.accuracy, kAgreementL1);
+}
+
+}  // namespace
+}  // namespace fpkcheck::paper

@@ -1,0 +1,192 @@
+#include "workflows/paper/judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "judged_run.hpp"
+#include "workflows/paper/criteria.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+using tests::budget_row;
+using tests::case_in;
+using tests::closure;
+using tests::judged;
+using tests::run_with_distances;
+using transform::Status;
+using transform::Variable;
+
+constexpr const char* kAgrees = "n=6 agrees with MCS in p(y)";
+constexpr const char* kDiffers = "n=2 differs from MCS in p(y')";
+constexpr const char* kBetter = "n=6 is better than n=2 in p(y')";
+constexpr const char* kNotFound = "n=8 is not found by Newton's method";
+constexpr double kJustAbove = 1 + 1e-9;
+
+Outcome outcome(const results::Run& run, int number, const char* words) {
+  return judged(run, number, words).outcome;
+}
+
+TEST(Judge, AgreementNeedsBothNumbersWithinTheirLimits) {
+  EXPECT_EQ(outcome(run_with_distances(kAgreementL1, kAgreementInTail), 1, kAgrees),
+            Outcome::established);
+  EXPECT_EQ(outcome(run_with_distances(kAgreementL1 * kJustAbove, 0.1), 1, kAgrees),
+            Outcome::not_established);
+  const auto tail = judged(run_with_distances(0.01, 0.21), 1, kAgrees);
+  EXPECT_EQ(tail.outcome, Outcome::not_established);
+  EXPECT_EQ(tail.note, "tail 0.21 is above 0.2");
+  EXPECT_EQ(tail.l1.value, 0.01);
+  EXPECT_EQ(tail.tail.limit, kAgreementInTail);
+}
+
+TEST(Judge, ToDifferOneNumberIsEnough) {
+  EXPECT_EQ(outcome(run_with_distances(0.03, 0.1), 1, kDiffers), Outcome::established);
+  EXPECT_EQ(outcome(run_with_distances(0.01, 0.3), 1, kDiffers), Outcome::established);
+  const auto neither = judged(run_with_distances(0.01, 0.1), 1, kDiffers);
+  EXPECT_EQ(neither.outcome, Outcome::not_established);
+  EXPECT_EQ(neither.note, "L1 0.01 is not above 0.02, tail 0.1 is not above 0.2");
+}
+
+TEST(Judge, InTheTailTheTailAloneDecides) {
+  auto run = run_with_distances(0.03, 0.1);
+  EXPECT_EQ(outcome(run, 4, "n=6 agrees in the tail of p(y)"), Outcome::established);
+  EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), Outcome::not_established);
+  run = run_with_distances(0.01, 0.3);
+  EXPECT_EQ(outcome(run, 4, "n=6 agrees in the tail of p(y)"), Outcome::not_established);
+  EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), Outcome::established);
+}
+
+TEST(Judge, TheBetterOneIsSoByMoreThanTheReferenceLeavesOpen) {
+  auto run = run_with_distances();
+  auto& own = budget_row(run, 3, 6, Variable::ydot);
+  const auto& rival = budget_row(run, 3, 2, Variable::ydot);
+  const double open = 0.0015;  // what the simulation says of itself in p(y')
+  own.total_tail = rival.total_tail / 2;
+  own.total = rival.total - 1.1 * open;
+  EXPECT_EQ(outcome(run, 3, kBetter), Outcome::established);
+  own.total = rival.total - 0.9 * open;
+  EXPECT_EQ(outcome(run, 3, kBetter), Outcome::not_established);
+  own.total = rival.total / 2;
+  own.total_tail = rival.total_tail * kJustAbove;
+  EXPECT_EQ(outcome(run, 3, kBetter), Outcome::not_established);
+  // Finite differences and the simulation differ by as much.
+  own.total_tail = rival.total_tail - 0.01;
+  own.parts.back().links = {compare::Link::discretisation};
+  own.parts.back().tail = 0.02;
+  EXPECT_EQ(outcome(run, 3, kBetter), Outcome::not_established);
+  own.parts.back().tail = 0.005;
+  EXPECT_EQ(outcome(run, 3, kBetter), Outcome::established);
+}
+
+TEST(Judge, BetterInOnePanelIsDecidedByItsNumberAlone) {
+  auto run = run_with_distances();
+  budget_row(run, 4, 6, Variable::y).total = 0.001;
+  budget_row(run, 4, 6, Variable::y).total_tail = 5;
+  EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y), L1"), Outcome::established);
+  budget_row(run, 4, 6, Variable::ydot).total = 0.5;
+  budget_row(run, 4, 6, Variable::ydot).total_tail = 0.01;
+  EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y'), tail"), Outcome::established);
+}
+
+TEST(Judge, PraiseOfWhatIsNoDensityIsEstablishedWithABut) {
+  const auto good = judged(run_with_distances(), 4, "n=4 agrees with MCS in p(y')");
+  EXPECT_EQ(good.outcome, Outcome::qualified);
+  EXPECT_EQ(good.note, "n=4 meets its equations yet is no probability density (inadmissible)");
+  EXPECT_EQ(good.status, Status::inadmissible);
+  EXPECT_NE(good.reason.find("the leading form"), std::string::npos);
+  const auto bad = judged(run_with_distances(0.03), 4, "n=4 agrees with MCS in p(y')");
+  EXPECT_EQ(bad.outcome, Outcome::not_established);
+  EXPECT_EQ(bad.note,
+            "L1 0.03 is above 0.02; and n=4 meets its equations yet is no probability density "
+            "(inadmissible)");
+  // That it differs is no praise.
+  EXPECT_EQ(outcome(run_with_distances(0.03), 1, "n=4 differs from MCS in p(y')"),
+            Outcome::established);
+}
+
+TEST(Judge, OfAllCasesTheWorstDecides) {
+  auto run = run_with_distances();
+  EXPECT_EQ(outcome(run, 0, kAgrees), Outcome::established);
+  budget_row(run, 3, 6, Variable::y).total = 0.025;
+  budget_row(run, 3, 6, Variable::ydot).total = 0.5;
+  const auto all = judged(run, 0, kAgrees);
+  EXPECT_EQ(all.outcome, Outcome::not_established);
+  EXPECT_EQ(all.l1.value, 0.025);
+  closure(run, 2, 6).status = Status::inadmissible;
+  EXPECT_EQ(judged(run, 0, kAgrees).status, Status::inadmissible);
+}
+
+TEST(Judge, LessGaussianIsFurtherFromTheGaussianThanInCase1) {
+  constexpr const char* kLess = "p(y) is less Gaussian than in case 1";
+  auto run = run_with_distances();
+  EXPECT_EQ(outcome(run, 2, kLess), Outcome::not_established);
+  budget_row(run, 2, 2, Variable::y).total = 0.02;
+  EXPECT_EQ(outcome(run, 2, kLess), Outcome::established);
+  budget_row(run, 1, 2, Variable::y).total = 0.03;
+  EXPECT_EQ(outcome(run, 2, kLess), Outcome::not_established);
+}
+
+TEST(Judge, OrderTwoIsHeldToTheGaussianOfEquivalentLinearisation) {
+  constexpr const char* kSame = "n=2 is equivalent linearisation";
+  const auto off = judged(run_with_distances(), 0, kSame);
+  EXPECT_EQ(off.outcome, Outcome::not_established);  // the made-up one is another Gaussian
+  EXPECT_GT(off.l1.value.value(), kSameGaussianL1);
+  auto run = run_with_distances();
+  std::erase_if(case_in(run, 2).curves, [](const results::Curve& curve) {
+    return curve.solution == closure_id(2) && curve.variable == Variable::ydot;
+  });
+  EXPECT_EQ(outcome(run, 0, kSame), Outcome::unjudged);
+}
+
+TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
+  auto run = run_with_distances();
+  const auto none = judged(run, 1, kNotFound);
+  EXPECT_EQ(none.outcome, Outcome::established);
+  EXPECT_NE(none.reason.find("Newton steps"), std::string::npos);
+
+  auto& eighth = closure(run, 1, 8);
+  eighth.status = Status::inadmissible;
+  eighth.observations = transform::Observer().work("plain_newton_converges", true).take();
+  const auto found = judged(run, 1, kNotFound);
+  EXPECT_EQ(found.outcome, Outcome::not_established);
+  EXPECT_EQ(found.note,
+            "plain Newton steps from equivalent linearisation find a root, which meets its "
+            "equations yet is no probability density (inadmissible)");
+
+  eighth.observations = transform::Observer().work("plain_newton_converges", false).take();
+  eighth.status = Status::ok;
+  const auto otherwise = judged(run, 1, kNotFound);
+  EXPECT_EQ(otherwise.outcome, Outcome::established);
+  EXPECT_EQ(otherwise.note, "plain Newton steps find none, but other means find a root");
+}
+
+TEST(Judge, WhatCannotBeMeasuredIsUnjudgedAndSaysWhy) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::pair<std::function<void(results::Run&)>, std::string>> losses{
+      {[](auto& run) {
+         std::erase_if(case_in(run, 1).solutions,
+                       [](auto& one) { return one.id() == closure_id(6); });
+       },
+       "case1 has no epc-gaussian-n6"},
+      {[](auto& run) { closure(run, 1, 6).status = Status::failed; },
+       "epc-gaussian-n6 failed in case1"},
+      {[](auto& run) { run.cases.erase(run.cases.begin()); }, "the run has no case1"},
+      {[](auto& run) { case_in(run, 1).budget.clear(); }, "case1 has no reference to measure by"},
+      {[](auto& run) { case_in(run, 1).solutions.back().sampling = {.y = 0.1, .ydot = 0.1}; },
+       "the reference of case1 may itself be off by L1 0.1 (simulate longer)"},
+      {[=](auto& run) { budget_row(run, 1, 6, Variable::y).total_tail = nan; },
+       "no bin of the tail is known well"}};
+  for (const auto& [lose, why] : losses) {
+    auto run = run_with_distances();
+    lose(run);
+    const auto one = judged(run, 1, kAgrees);
+    EXPECT_EQ(one.outcome, Outcome::unjudged) << why;
+    EXPECT_EQ(one.note, why);
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::paper

@@ -1,0 +1,92 @@
+#include "workflows/study/order.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/input_error.hpp"
+#include "made_up.hpp"
+#include "methods/builtin.hpp"
+#include "toy_methods.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+TEST(OrderStudy, MeasuresEveryOrderByTheDiscretisationOfTheProblemItself) {
+  const auto study = study_orders(tests::paper_case(1), {{"moment", "gaussian"}, {4, 2, 4}},
+                                  methods::builtin(), {});
+  EXPECT_EQ(study.reference.id(), "fd-kf");
+  EXPECT_TRUE(study.reference.is_ok());
+  ASSERT_EQ(study.rows.size(), 4u);
+  const char* const ids[] = {"epc-moment-n2", "epc-moment-n4", "epc-gaussian-n2",
+                             "epc-gaussian-n4"};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(study.rows[k].solution.id(), ids[k]);
+  EXPECT_TRUE(study.rows[0].to_converge);
+  EXPECT_FALSE(study.rows[2].to_converge);
+  EXPECT_LT(study.rows[1].l1->ydot, study.rows[0].l1->ydot / 2);
+  EXPECT_GT(*study.rows[0].tail_ydot, 0.5);
+  EXPECT_LT(*study.rows[1].tail_ydot, *study.rows[0].tail_ydot);
+  EXPECT_FALSE(study.rows[3].solution.is_ok());  // looked at, no more
+  EXPECT_TRUE(reached(study));
+}
+
+TEST(OrderStudy, TakesAClosureThatIsRegisteredFromOutside) {
+  const auto registry = tests::toy_registry();
+  EXPECT_EQ(formulations(registry),
+            (std::vector<std::string>{"flat", "flat-white", "other-flat", "other-flat-white"}));
+  const auto study = study_orders(tests::paper_case(1), {{"flat"}, {2, 6}}, registry, {});
+  EXPECT_EQ(study.reference.id(), "cells");
+  ASSERT_EQ(study.rows.size(), 2u);
+  EXPECT_EQ(study.rows[1].solution.id(), "toy-flat-n6");
+  EXPECT_TRUE(study.rows[1].to_converge);
+  EXPECT_LT(study.rows[1].l1->y, study.rows[0].l1->y / 2);
+}
+
+std::string refusal(const OrderStudyOptions& options, const methods::Registry& registry) {
+  try {
+    study_orders(tests::paper_case(1), options, registry, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(OrderStudy, RefusesWhatIsNoFormulationAndNoOrderOfOne) {
+  const auto registry = tests::toy_registry();
+  EXPECT_EQ(refusal({{"round"}, {2}}, registry),
+            "--formulations: 'round' is none (use some of flat, flat-white, other-flat, "
+            "other-flat-white)");
+  EXPECT_TRUE(refusal({{"flat"}, {3}}, registry).starts_with("toy order = 3 (must be"));
+  EXPECT_EQ(refusal({{"flat"}, {40}}, registry),
+            "--orders 40 (there is no toy-flat-n40) leave it out");
+}
+
+TEST(OrderStudy, RefusesToMeasureByNothing) {
+  methods::Registry registry;
+  registry.add(tests::toy_solver({"toy", "toy-flat", transform::Role::closure, true}));
+  EXPECT_TRUE(refusal({{"flat"}, {2}}, registry).starts_with("nothing to measure closures by"));
+}
+
+TEST(OrderStudy, IsReachedWhereWhatIsToConvergeIsOk) {
+  auto study = tests::made_up_order_study();
+  EXPECT_TRUE(reached(study));  // gaussian is looked at
+  study.rows.back().solution.status = transform::Status::inadmissible;
+  EXPECT_FALSE(reached(study));
+  study = tests::made_up_order_study();
+  study.reference.status = transform::Status::not_converged;
+  EXPECT_FALSE(reached(study));
+}
+
+TEST(OrderStudy, FindsTheBranchThatASolutionTellsOf) {
+  const auto study = tests::made_up_order_study();
+  EXPECT_FALSE(branch(study.rows[0].solution.observations));
+  const auto followed = branch(study.rows[2].solution.observations);
+  ASSERT_TRUE(followed);
+  EXPECT_EQ(followed->end, "white_noise");
+  EXPECT_EQ(followed->furthest, 0.655);
+  ASSERT_EQ(followed->points.size(), 2u);
+  EXPECT_EQ(followed->points[1].norm, 2.5);
+  EXPECT_FALSE(followed->points[0].fold);
+  EXPECT_TRUE(followed->points[1].fold);
+}
+
+}  // namespace
+}  // namespace fpkcheck::study

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "base/options/range.hpp"
+#include "made_up_solutions.hpp"
+#include "methods/registry.hpp"
+
+/// Methods from outside the tree that solve nothing: registering them is all that a study needs.
+namespace fpkcheck::tests {
+
+struct ToyOptions {
+  int order = 2;
+  problem::Equation equation = problem::Equation::kf;
+};
+
+inline const base::Description<ToyOptions>& toy_description() {
+  static const auto description =
+      base::Description<ToyOptions>("toy ")
+          .add("order", &ToyOptions::order, {"N", "degree"}, base::even_between(2, 6))
+          .add("equation", &ToyOptions::equation, {"E", "white or kf"})
+          .with_choices({"white", "kf"});
+  return description;
+}
+
+/// What a toy solver is: ids are FAMILY, FAMILY-white, with -nN where there is an order.
+struct Toy {
+  std::string solver, family;
+  transform::Role role;
+  bool with_order = false;
+  problem::Impact impact = problem::Impact::map;
+
+  transform::Identity identity(const ToyOptions& options) const {
+    const bool white = options.equation == problem::Equation::white;
+    const std::string stem = family + (white ? "-white" : "");
+    transform::Identity who{.id = with_order ? fmt::format("{}-n{}", stem, options.order) : stem,
+                            .method = solver,
+                            .equation = options.equation,
+                            .impact = impact,
+                            .role = role};
+    if (with_order) who.order = options.order;
+    return who;
+  }
+};
+
+/// The density of a closure comes nearer to that of the others with its order.
+inline methods::Solver toy_solver(const Toy& toy) {
+  methods::Solver solver{.name = toy.solver,
+                         .summary = "",
+                         .usage = "",
+                         .families = {},
+                         .parameters = &toy_description(),
+                         .usual_options = {},
+                         .options_of = {},
+                         .method = {}};
+  solver.families.push_back(
+      {toy.family, toy.role, "A toy.", {toy.identity({}).id}, [](const transform::Identity&) {
+         return transform::Look{};
+       }});
+  solver.options_of = [toy](std::string_view id) -> std::optional<base::Values> {
+    for (const auto equation : {problem::Equation::kf, problem::Equation::white}) {
+      for (int order = 2; order < 20; ++order) {
+        const ToyOptions options{order, equation};
+        if (toy.identity(options).id == id) return toy_description().values(options);
+      }
+    }
+    return std::nullopt;
+  };
+  solver.method = [toy](const base::Values& values) {
+    const auto options = toy_description().read(values, "options");
+    toy_description().validate(options);
+    return methods::Method{
+        toy.identity(options), values, false,
+        [=](const problem::Problem&, const methods::Setting& setting) {
+          const double off = toy.role == transform::Role::closure ? 0.5 / options.order : 0;
+          return solution(toy.identity(options),
+                          smooth({2.3 + off, 0.06, 2.4, 0}, setting.axes.y_edges.back(),
+                                 setting.axes.v_edges.back()));
+        }};
+  };
+  return solver;
+}
+
+inline methods::Registry toy_registry() {
+  using transform::Role;
+  methods::Registry registry;
+  registry.add(toy_solver({"toy", "toy-flat", Role::closure, true}));
+  registry.add(toy_solver({"other", "other-flat", Role::closure, true, problem::Impact::delta}));
+  registry.add(toy_solver({"plain", "plain", Role::closure}));
+  registry.add(toy_solver({"cells", "cells", Role::equation}));
+  registry.add(toy_solver({"dice", "dice", Role::simulation, false, problem::Impact::exact}));
+  return registry;
+}
+
+}  // namespace fpkcheck::tests

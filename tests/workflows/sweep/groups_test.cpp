@@ -1,0 +1,28 @@
+#include "workflows/sweep/result/groups.hpp"
+
+#include <gtest/gtest.h>
+
+#include "paper_cases.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+// Lengths in a third, times in a half: c and lambda are twice as large, k four times, mu 4 * 9 times,
+// and lambda E[Y^2], a squared velocity in a time, 2 * 4 / 9 times.
+TEST(Groups, DoNotDependOnUnits) {
+  const auto one = groups_of(tests::make_problem({}));
+  const auto other = groups_of(tests::make_problem(
+      {.damping = 0.2, .stiffness = 4, .cubic = 0.1 * 36, .rate = 2, .intensity = 0.1 * 8 / 9}));
+  EXPECT_NEAR(one.impulses_per_decay_time, other.impulses_per_decay_time, 1e-9);
+  EXPECT_NEAR(one.damping_ratio, other.damping_ratio, 1e-12);
+  EXPECT_NEAR(one.cubic_share, other.cubic_share, 1e-12);
+}
+
+TEST(Groups, OfALinearSpringAndOfAPurelyCubicOne) {
+  EXPECT_NEAR(groups_of(tests::make_problem({.cubic = 0})).cubic_share, 0, 1e-12);
+  EXPECT_NEAR(groups_of(tests::make_problem({.stiffness = 0})).cubic_share, 1, 1e-12);
+  EXPECT_NEAR(groups_of(tests::make_problem({.cubic = 0})).damping_ratio, 0.05, 1e-12);
+}
+
+}  // namespace
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,123 @@
+#include "workflows/sweep/result/journal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/input_error.hpp"
+#include "made_up_sweep.hpp"
+#include "temporary_directory.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+class JournalFile : public testing::Test {
+ protected:
+  JournalFile() {
+    Journal journal(file_, plan_);
+    EXPECT_TRUE(journal.found().points.empty());
+    for (const std::size_t point : {4, 0, 2}) journal.append(tests::result_of(plan_, point));
+  }
+
+  void rewrite(const std::string& text) const { std::ofstream(file_, std::ios::binary) << text; }
+  std::string text() const { return tests::contents(file_); }
+
+  const Plan plan_ = tests::small_plan();
+  tests::TemporaryDirectory directory_;
+  const std::filesystem::path file_ = directory_.path() / "journal";
+};
+
+TEST_F(JournalFile, GoesOnWhereItWas) {
+  {
+    Journal again(file_, plan_);
+    EXPECT_EQ(again.found().damaged, 0);
+    ASSERT_EQ(again.found().points.size(), 3);
+    again.append(tests::result_of(plan_, 5));
+  }
+  const auto content = read_journal(file_);
+  EXPECT_EQ(csv(sweep_results(plan_, content.points)),
+            csv(sweep_results(plan_, {tests::result_of(plan_, 0), tests::result_of(plan_, 2),
+                                      tests::result_of(plan_, 4), tests::result_of(plan_, 5)})));
+}
+
+// Wherever a process is killed.
+TEST_F(JournalFile, CutOffAnywhereItLosesItsLastPointAtMost) {
+  const std::string whole = text();
+  const auto last = whole.rfind('\n', whole.size() - 2) + 1;
+  for (auto length = last + 1; length < whole.size(); length += 7) {
+    rewrite(whole.substr(0, length));
+    Journal journal(file_, plan_);
+    EXPECT_EQ(journal.found().points.size(), 2);
+    EXPECT_EQ(journal.found().damaged, 1);
+    journal.append(tests::result_of(plan_, 2));
+    EXPECT_EQ(text(), whole);
+  }
+  // In its first line: as if it had not begun.
+  rewrite(whole.substr(0, 100));
+  EXPECT_TRUE(Journal(file_, plan_).found().points.empty());
+}
+
+TEST_F(JournalFile, DamagedLinesAreLeftOut) {
+  std::string damaged = text();
+  damaged[damaged.find("fd-kf", damaged.find('\n')) + 1] = 'x';
+  rewrite(damaged);
+  Journal journal(file_, plan_);
+  EXPECT_EQ(journal.found().points.size(), 2);
+  EXPECT_EQ(journal.found().damaged, 1);
+}
+
+TEST_F(JournalFile, OfAnotherPlanIsRefused) {
+  const Plan other = tests::plan_of({axis_from("impulse.rate", "1,2", "x")});
+  try {
+    Journal journal(file_, other);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("begun with another plan"), std::string::npos);
+  }
+}
+
+TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {
+  const Journal first(file_, plan_);
+  EXPECT_THROW(Journal(file_, plan_), InputError);
+}
+
+TEST_F(JournalFile, WhatIsNoJournalIsRefused) {
+  for (const char* content : {"hello\n", "12345678 {}\n", "\n", "00000000 {\"schema\":1}\n"}) {
+    rewrite(content);
+    EXPECT_THROW(Journal(file_, plan_), InputError) << content;
+    EXPECT_THROW(read_journal(file_), InputError) << content;
+  }
+  EXPECT_THROW(read_journal(directory_.path() / "absent"), InputError);
+}
+
+TEST_F(JournalFile, TheFirstOfTwoLinesOfAPointCounts) {
+  {
+    Journal journal(file_, plan_);
+    auto other = tests::result_of(plan_, 0);
+    other.reference = "mcs";
+    journal.append(other);
+  }
+  const auto content = read_journal(file_);
+  ASSERT_EQ(content.points.size(), 3);
+  EXPECT_EQ(content.points[1].reference, "fd-kf");
+}
+
+// What is not a number stays one, and reasons may hold anything.
+TEST_F(JournalFile, KeepsWhatIsOdd) {
+  auto odd = tests::result_of(plan_, 1);
+  odd.methods[0].moments->y2 = std::numeric_limits<double>::quiet_NaN();
+  odd.methods[0].status = transform::Status::failed;
+  odd.methods[0].reason = "\"two\"\nlines \xff";
+  odd.methods[1].moments.reset();
+  Journal(file_, plan_).append(odd);
+  const auto points = read_journal(file_).points;
+  EXPECT_TRUE(std::isnan(points.back().methods[0].moments->y2));
+  EXPECT_EQ(points.back().methods[0].status, transform::Status::failed);
+  EXPECT_TRUE(points.back().methods[0].reason.starts_with("\"two\"\\x0alines "))
+      << points.back().methods[0].reason;
+  EXPECT_FALSE(points.back().methods[1].moments);
+}
+
+}  // namespace
+}  // namespace fpkcheck::sweep

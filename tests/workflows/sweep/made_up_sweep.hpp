@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "methods/builtin.hpp"
+#include "paper_cases.hpp"
+#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
+
+/// Plans and results that nobody solved.
+namespace fpkcheck::tests {
+
+inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
+                           sweep::Design design = sweep::Design::product,
+                           const std::string& methods = "epc-gaussian-n2,fd-kf") {
+  sweep::Plan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
+  plan.methods = methods::builtin().select(methods, {});
+  plan.points = sweep::points_of(plan.axes, design, 0);
+  return plan;
+}
+
+/// Of a closure whose error nobody measures: milliseconds a point.
+inline sweep::Plan quick_plan(std::vector<sweep::Axis> axes) {
+  sweep::Plan plan = plan_of(std::move(axes));
+  plan.methods = methods::builtin().select("epc-gaussian-n2", {{"accuracy", {}}});
+  return plan;
+}
+
+/// Two rates and three restitutions.
+inline sweep::Plan small_plan() {
+  return plan_of({sweep::axis_from("impulse.rate", "1,2", "test"),
+                  sweep::axis_from("system.restitution", "0.8:1:3", "test")});
+}
+
+/// Numbers by which a point and a method are known again.
+inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) {
+  sweep::PointResult result{.point = point,
+                            .seconds = 2 + 2 * static_cast<double>(point),
+                            .reference = plan.methods.back().id()};
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    const double number = static_cast<double>(point) + 0.1 * static_cast<double>(m);
+    result.methods.push_back({.status = transform::Status::ok,
+                              .seconds = 1 + number,
+                              .moments = transform::Moments{.y2 = number, .v2 = 2 * number}});
+  }
+  result.methods.front().l1 = sweep::MarginalPair{0.01 * static_cast<double>(point + 1), 0.02};
+  result.methods.front().budget = {{"closure + impact", {0.3, 0.4}}};
+  return result;
+}
+
+inline sweep::SweepResults results_of(const sweep::Plan& plan) {
+  std::vector<sweep::PointResult> points;
+  for (std::size_t p = 0; p < plan.points.size(); ++p) points.push_back(result_of(plan, p));
+  return sweep::sweep_results(plan, points);
+}
+
+}  // namespace fpkcheck::tests

@@ -1,0 +1,158 @@
+#include "workflows/sweep/map/advice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "made_up_map.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using Ids = std::vector<std::string>;
+using tests::answer;
+using tests::made_up_map;
+using tests::made_up_place;
+using transform::Status;
+
+Ids promised_ids(const Advice& advice) {
+  Ids ids;
+  for (const auto& one : advice.promised()) ids.push_back(one.id);
+  return ids;
+}
+
+Ids promised_ids(const ValidityMap& map, double accuracy = 0.01,
+                 const Place& place = made_up_place()) {
+  return promised_ids(advice(place, accuracy, map));
+}
+
+const Ids kAll{"epc-moment-n4", "epc-polar-n6", "fd-kf"}, kButTheQuickest{"epc-polar-n6", "fd-kf"};
+
+TEST(Advice, HasTheQuickestFirst) {
+  EXPECT_EQ(promised_ids(made_up_map()), kAll);
+  auto map = made_up_map();
+  for (auto& point : map.points) point.answers[0]->seconds = 10;
+  EXPECT_EQ(promised_ids(map), (Ids{"epc-polar-n6", "fd-kf", "epc-moment-n4"}));
+}
+
+TEST(Advice, HasTheMostAccurateFirstOfThoseThatAreAboutAsQuick) {
+  auto map = made_up_map();
+  for (auto& point : map.points) point.answers[1]->seconds = 0.044;
+  EXPECT_EQ(promised_ids(map), (Ids{"epc-polar-n6", "epc-moment-n4", "fd-kf"}));
+  for (auto& point : map.points) point.answers[1]->seconds = 0.046;
+  EXPECT_EQ(promised_ids(map), kAll);
+  // Whatever is not promised is no matter.
+  for (auto& point : map.points) point.answers[1] = answer(0.0004, 0.03, Status::inaccurate);
+  EXPECT_EQ(promised_ids(map), (Ids{"epc-moment-n4", "fd-kf"}));
+  EXPECT_EQ(advice(made_up_place(), 0.01, map).methods.front().id, "epc-moment-n4");
+}
+
+TEST(Advice, TellsWhatWasNearby) {
+  const auto found = advice(made_up_place(), 0.01, made_up_map());
+  EXPECT_EQ(found.nearest, 0);
+  EXPECT_EQ(found.near, 5);
+  EXPECT_FALSE(found.outside());
+  const auto best = found.promised().front();
+  EXPECT_EQ(best.points, 5);
+  EXPECT_EQ(best.ok, 5);
+  EXPECT_EQ(best.worst_l1, 0.004);
+  EXPECT_EQ(best.seconds, 0.03);
+}
+
+TEST(Advice, DoesNotPromiseWhatWasOffAtOnePointNearby) {
+  auto map = made_up_map();
+  map.points[4].answers[0]->l1 = 0.011;
+  EXPECT_EQ(promised_ids(map), kButTheQuickest);
+  // Elsewhere it may be as it likes.
+  map.points[4].place = made_up_place(10, 0.5);
+  EXPECT_EQ(promised_ids(map), kAll);
+}
+
+TEST(Advice, DoesNotPromiseWhatWasNotOkAtOnePointNearby) {
+  auto map = made_up_map();
+  map.points[0].answers[0]->status = Status::inaccurate;
+  EXPECT_EQ(promised_ids(map), kButTheQuickest);
+  map.points[0].answers[0] = MappedAnswer{Status::not_converged, {}, false, 0.03};
+  EXPECT_EQ(promised_ids(map), kButTheQuickest);
+}
+
+TEST(Advice, CountsWhatTheReferenceMayBeOffBy) {
+  auto map = made_up_map();
+  map.points[2].answers[2]->l1 = 0.007;
+  EXPECT_EQ(promised_ids(map), kButTheQuickest);
+  // Of the reference itself once.
+  EXPECT_EQ(promised_ids(map, 0.0075), (Ids{"epc-polar-n6", "fd-kf"}));
+  EXPECT_EQ(promised_ids(map, 0.0069), Ids{});
+}
+
+TEST(Advice, AsksEachMethodAtFourPointsOrMore) {
+  auto map = made_up_map();
+  map.points[0].answers[0] = std::nullopt;
+  EXPECT_EQ(promised_ids(map), kAll);
+  map.points[1].answers[0] = std::nullopt;
+  EXPECT_EQ(promised_ids(map), kButTheQuickest);
+  // A fourth one that is far away is asked too.
+  map.points.push_back(
+      {made_up_place(10, 0.5), {answer(0.5, 0.03), answer(0.5, 0.3), answer(0, 1)}});
+  EXPECT_EQ(promised_ids(map), kButTheQuickest);
+  map.points.back().answers[0]->l1 = 0.004;
+  EXPECT_EQ(promised_ids(map), kAll);
+}
+
+TEST(Advice, SaysThatAProblemIsOutsideTheMap) {
+  const auto far = advice(made_up_place(10, 0.7), 0.01, made_up_map());
+  EXPECT_TRUE(far.outside());
+  EXPECT_NEAR(far.nearest, 2, 1e-12);
+  EXPECT_TRUE(far.promised().empty());
+
+  const auto mean = advice(tests::make_problem({.mean = 0.1}), 0.01, shipped_validity_map());
+  EXPECT_TRUE(mean.outside());
+  EXPECT_TRUE(mean.promised().empty());
+  EXPECT_FALSE(advice(tests::make_problem(), 0.01, shipped_validity_map()).outside());
+}
+
+TEST(Advice, TellsWhoMisleads) {
+  auto map = made_up_map();
+  map.points[1].answers[0] = MappedAnswer{Status::ok, 0.02, true, 0.03};
+  const auto misstated = [&](double accuracy) {
+    const auto found = advice(made_up_place(), accuracy, map);
+    return std::ranges::find(found.methods, "epc-moment-n4", &MethodNearby::id)->misstated;
+  };
+  EXPECT_EQ(misstated(0.01), 1);
+  // By less than anybody asked for.
+  EXPECT_EQ(misstated(0.02), 0);
+}
+
+TEST(Advice, AStricterAccuracyPromisesNothingMore) {
+  const auto& map = shipped_validity_map();
+  for (std::size_t k = 0; k < map.points.size(); k += 37) {
+    const auto sorted_ids = [&](double accuracy) {
+      Ids ids = promised_ids(map, accuracy, map.points[k].place);
+      std::ranges::sort(ids);
+      return ids;
+    };
+    Ids looser = sorted_ids(0.1);
+    for (const double accuracy : {0.02, 0.01, 0.003, 0.001, 1e-4}) {
+      const Ids ids = sorted_ids(accuracy);
+      EXPECT_TRUE(std::ranges::includes(looser, ids)) << k << ' ' << accuracy;
+      looser = ids;
+    }
+  }
+}
+
+// Lengths in a third, times in a half, as in tests/workflows/sweep/groups_test.cpp.
+TEST(Advice, DoesNotDependOnUnits) {
+  const auto one = advice(tests::make_problem({}), 0.005, shipped_validity_map());
+  const auto other = advice(
+      tests::make_problem(
+          {.damping = 0.2, .stiffness = 4, .cubic = 0.1 * 36, .rate = 2, .intensity = 0.1 * 8 / 9}),
+      0.005, shipped_validity_map());
+  EXPECT_NEAR(one.nearest, other.nearest, 1e-9);
+  EXPECT_EQ(one.near, other.near);
+  EXPECT_FALSE(one.promised().empty());
+  EXPECT_EQ(promised_ids(one), promised_ids(other));
+}
+
+}  // namespace
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,98 @@
+#include "workflows/sweep/report/advice_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "made_up_map.hpp"
+#include "methods/builtin.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using tests::made_up_map;
+using tests::made_up_place;
+using transform::Status;
+
+const AdviceSetting kSetting{.name = "mine",
+                             .command = [](const std::string& id) { return "solve by " + id; },
+                             .otherwise = {"solve carefully"},
+                             .registry = methods::builtin()};
+
+TEST(AdviceText, SaysWhatToTypeAndWhatMisleads) {
+  auto map = made_up_map();
+  map.methods[1] = "fd-km4";
+  map.points[3].answers[1] = MappedAnswer{Status::ok, 0.06, true, 0.3};
+  EXPECT_EQ(advice_text(advice(made_up_place(), 0.01, map), kSetting, 80),
+            R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness
+cubic, r = 0.9, gaussian impulses. Nearest of the map's points: 0 away; 5 within
+1.
+
+For L1 0.01 of p(y) and p(y'), the quickest that kept it nearby:
+  solve by epc-moment-n4
+
+               --- at the points nearby ----
+method         points  ok  worst L1  seconds
+epc-moment-n4       5   5     0.004     0.03
+fd-kf               5   5    0.0001        1
+
+Or:
+  solve by fd-kf
+
+Misleads there, being ok but further off than twice what it states: fd-km4
+(solves km4/map, off by up to 0.06 at 1 of 5).
+
+No guarantee: nobody looked between the points (docs/validity.md). What the
+answer says of itself, status and stated error, is of this very problem.
+)");
+}
+
+TEST(AdviceText, SaysWhoIsOffAndWhoHasNoDensity) {
+  auto map = made_up_map();
+  map.points[3].answers[0] = MappedAnswer{Status::inaccurate, 0.06, false, 0.3};
+  for (auto& point : map.points) {
+    point.answers[1] = MappedAnswer{Status::inadmissible, 0.7, false, 0.3};
+  }
+  const auto text = advice_text(advice(made_up_place(), 0.01, map), kSetting, 200);
+  EXPECT_NE(text.find("Off by more than 5 % somewhere there, and says so: epc-moment-n4 (0.06).\n"),
+            text.npos);
+  EXPECT_NE(text.find("No probability density at any of these points: epc-polar-n6.\n"), text.npos);
+}
+
+TEST(AdviceText, OutsideTheMapHasMethodsThatTellTheirOwnErrors) {
+  Place mean = made_up_place();
+  mean.mean_share = -0.3;
+  EXPECT_EQ(
+      advice_text(advice(mean, 0.01, made_up_map()), kSetting, 200),
+      R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness cubic, r = 0.9, gaussian impulses, their mean -0.3 of their size. Outside the map: no point of it has impulses with a mean.
+
+Nothing is promised for L1 0.01. These tell their own errors:
+  solve carefully
+
+What the answer says of itself, status and stated error, is of this very problem.
+)");
+  const auto far = advice_text(advice(made_up_place(10, 0.7), 0.01, made_up_map()), kSetting, 200);
+  EXPECT_NE(far.find("Outside the map: its nearest point is 2 away (1 is near)."), far.npos);
+}
+
+TEST(AdviceJson, HasAllMethodsAndIsJsonWhereNothingIsNear) {
+  const auto json_of = [](const Place& place) {
+    return nlohmann::json::parse(
+        advice_json(advice(place, 0.01, made_up_map()), kSetting, "asked"));
+  };
+  const auto near = json_of(made_up_place());
+  EXPECT_EQ(near["recommended"], "epc-moment-n4");
+  EXPECT_EQ(near["methods"].size(), 3);
+  EXPECT_EQ(near["methods"][1]["command"], "solve by epc-polar-n6");
+  EXPECT_EQ(near["outside"], false);
+  Place law = made_up_place();
+  law.law = "uniform";
+  const auto outside = json_of(law);
+  EXPECT_TRUE(outside["nearest"].is_null());
+  EXPECT_TRUE(outside["recommended"].is_null());
+  EXPECT_EQ(outside["outside"], true);
+  EXPECT_EQ(outside["otherwise"][0], "solve carefully");
+}
+
+}  // namespace
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,114 @@
+#include "workflows/sweep/map/validity_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "methods/builtin.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using transform::Status;
+
+const std::string kHeader =
+    "impulses_per_decay_time,damping_ratio,cubic_share,restitution,law,mean_share,epc-polar-n6,fd-kf\n";
+
+std::string refusal_of(const std::string& text) {
+  try {
+    read_validity_map(text, "map");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(ReadValidityMap, ReadsPlacesAndAnswers) {
+  const auto map = read_validity_map(
+      kHeader + "10,.05,0,.9,laplace,0,7.1e-05o310,.0001o1200\n2.5,.1,.3,1,gaussian,0,n2100,.004o5",
+      "map");
+  EXPECT_EQ(map.methods, (std::vector<std::string>{"epc-polar-n6", "fd-kf"}));
+  ASSERT_EQ(map.points.size(), 2);
+  const auto& place = map.points[0].place;
+  EXPECT_EQ(place.groups.impulses_per_decay_time, 10);
+  EXPECT_EQ(place.groups.damping_ratio, 0.05);
+  EXPECT_EQ(place.restitution, 0.9);
+  EXPECT_EQ(place.law, "laplace");
+  EXPECT_EQ(map.points[1].place.groups.cubic_share, 0.3);
+  const auto& answer = map.points[0].answers[0];
+  EXPECT_EQ(answer->status, Status::ok);
+  EXPECT_EQ(answer->l1, 7.1e-5);
+  EXPECT_EQ(answer->seconds, 0.31);
+  EXPECT_FALSE(answer->misstated);
+  EXPECT_EQ(map.points[1].answers[0]->status, Status::not_converged);
+  EXPECT_FALSE(map.points[1].answers[0]->l1);
+}
+
+TEST(ReadValidityMap, KnowsEveryLetterAndWhoWasNotAsked) {
+  const auto status_of = [](const std::string& cell) {
+    return read_validity_map(kHeader + "1,1,0,1,gaussian,0," + cell + ",.1o1\n", "map")
+        .points[0]
+        .answers[0];
+  };
+  EXPECT_EQ(status_of(".1i5")->status, Status::inaccurate);
+  EXPECT_EQ(status_of(".1a5")->status, Status::inadmissible);
+  EXPECT_EQ(status_of("p5")->status, Status::ill_posed);
+  EXPECT_EQ(status_of("f5")->status, Status::failed);
+  EXPECT_EQ(status_of("u5")->status, Status::not_offered);
+  EXPECT_TRUE(status_of(".1x5")->is_ok());
+  EXPECT_TRUE(status_of(".1x5")->misstated);
+  EXPECT_FALSE(status_of(""));
+}
+
+TEST(ReadValidityMap, HasALetterOfItsOwnForEveryStatus) {
+  // Where two shared one, the reader would know the first of them alone.
+  std::set<std::pair<Status, bool>> read;
+  for (char letter = 'a'; letter <= 'z'; ++letter) {
+    if (letter == 'e') continue;  // of an exponent
+    try {
+      const auto map =
+          read_validity_map(kHeader + "1,1,0,1,gaussian,0,.1" + letter + "5,.1o1\n", "map");
+      const auto& answer = *map.points[0].answers[0];
+      EXPECT_TRUE(read.emplace(answer.status, answer.misstated).second) << letter;
+    } catch (const InputError&) {
+    }
+  }
+  std::set<std::pair<Status, bool>> expected{{Status::ok, true}};
+  for (const auto& named : names(Status{})) expected.emplace(named.value, false);
+  EXPECT_EQ(read, expected);
+}
+
+TEST(ReadValidityMap, RefusesWhatIsNone) {
+  EXPECT_EQ(refusal_of(""), "map is no map of validity (make one by scripts/validity)");
+  EXPECT_EQ(refusal_of("a,b\n1,2\n"), "map is no map of validity (make one by scripts/validity)");
+  const auto row_refusal = [](const std::string& row) { return refusal_of(kHeader + row); };
+  EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,o5\n"),
+            "map:2: 7 columns (must be 8, as in the first line)");
+  EXPECT_EQ(row_refusal("one,1,0,1,gaussian,0,,.1o1\n"),
+            "map:2: 'one' (must be a number that is not negative)");
+  EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,,.1o1\n1,0,0,1,gaussian,0,,.1o1\n"),
+            "map:3: '0' (must be above 0)");
+  EXPECT_EQ(row_refusal("1,1,0,nan,gaussian,0,,.1o1\n"),
+            "map:2: 'nan' (must be a number that is not negative)");
+  EXPECT_EQ(row_refusal("1,1,-1,1,gaussian,0,,.1o1\n"),
+            "map:2: '-1' (must be a number that is not negative)");
+  EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,.1q5,.1o1\n"),
+            "map:2: '.1q5' (must be L1, letter of a status, milliseconds: .004o310)");
+  EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,.1o,.1o1\n"),
+            "map:2: '' (must be a number that is not negative)");
+  EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,o5,.1o1\n"), "map:2: 'o5' (ok without L1)");
+  EXPECT_EQ(row_refusal("1,1,0,1,gaussian,0,.1o5,\n"),
+            "map:2: no L1 of the last method (it is the reference)");
+}
+
+TEST(ShippedValidityMap, IsOfMethodsThatTheProgramHas) {
+  const auto& map = shipped_validity_map();
+  EXPECT_GT(map.points.size(), 100);
+  EXPECT_EQ(map.methods.back(), "fd-kf");
+  for (const auto& id : map.methods) EXPECT_TRUE(methods::builtin().by_id(id)) << id;
+}
+
+}  // namespace
+}  // namespace fpkcheck::sweep

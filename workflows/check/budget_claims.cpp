@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+
+#include "workflows/check/chance.hpp"
+#include "workflows/check/claims.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+using compare::BudgetPart;
+using compare::BudgetRow;
+
+// The chain of models in words.
+std::string chain(const BudgetRow& row) {
+  std::string text = row.reference + ":";
+  for (const BudgetPart& part : row.parts) {
+    text += fmt::format(" {} ({} to {})", part.name(), part.from, part.to);
+  }
+  return text;
+}
+
+/// @param simulation at the end of the chain, where chance has moved it; else null
+void add_row(const BudgetRow& row, const transform::Solution* simulation,
+             const Tolerances& tolerances, Claims& claims) {
+  const Part part{claims, row.solution, fmt::format("budget {}", density_name(row.variable))};
+  const auto add = [&](const std::string& name, double number) -> Claim& {
+    return part.number(part.name + ' ' + name, FigureKind::budget, number,
+                       tolerances.deterministic);
+  };
+  const auto add_l1 = [&](const std::string& name, double l1, bool to_reference) {
+    Claim& claim = add(name, l1);
+    if (!to_reference || simulation == nullptr) return;
+    move_by_sampling(claim, transform::best_sampling(*simulation), row.variable, tolerances);
+  };
+  const auto add_tail = [&](const std::string& name, double tail) {
+    // By what factor a tail, or its number of bins, may differ between two simulations: the
+    // simulation picks the bins. docs/checking.md has the measurement.
+    constexpr double kOtherBins = 5;
+    Claim& claim = add(name, tail);
+    claim.allowed = simulation == nullptr ? tolerances.tail() : kOtherBins - 1;
+    if (simulation != nullptr) claim.kind = FigureKind::simulated_error;
+  };
+  const auto add_error = [&](const std::string& name, const std::optional<double>& l1,
+                             bool of_the_simulation) {
+    Claim& claim = add(name, l1.value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (simulation == nullptr || !of_the_simulation) return;
+    claim.kind = FigureKind::simulated_error;
+    claim.allowed = allowed_scatter(*simulation, 2, 1, tolerances);
+  };
+  part.begin(FigureKind::budget, chain(row));
+  add_l1("total", row.total, true);
+  add_tail("tail of total", row.total_tail);
+  add("tail from", row.tail_from);
+  add("tail to", row.tail_to);
+  add_tail("bins of tail", row.tail_bins);
+  for (const BudgetPart& step : row.parts) {
+    const std::string name = step.name();
+    add_l1(name, step.l1, step.to == row.reference);
+    add_tail("tail of " + name, step.tail);
+    add_error("uncertainty " + name, step.uncertainty, false);
+    add_error("expected " + name, step.expected, true);
+    add_error("in_99 " + name, step.in_99, true);
+    add_error("standard error of " + name, step.standard_error, true);
+  }
+}
+
+}  // namespace
+
+Claims budget_claims(const results::Case& one, const results::Case& other,
+                     const Tolerances& tolerances) {
+  Claims claims;
+  for (const BudgetRow& row : one.budget) {
+    const auto *end = one.find(row.reference), *again = other.find(row.reference);
+    const bool by_chance = end != nullptr && again != nullptr && moved_by_chance(*end, *again);
+    add_row(row, by_chance ? end : nullptr, tolerances, claims);
+  }
+  return claims;
+}
+
+}  // namespace fpkcheck::check

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "workflows/check/chance.hpp"
+#include "workflows/check/claims.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+using compare::PairDistances;
+
+double deviation(const transform::Solution* reference, transform::Variable variable) {
+  if (reference == nullptr || !reference->has_density()) return 1;
+  const auto& moments = reference->moments;
+  return std::sqrt(variable == transform::Variable::y ? moments.y2 : moments.v2);
+}
+
+bool has_divergence(const results::Case& one, const PairDistances& pair) {
+  const auto* found = compare::find_pair(one.pairs, pair.a, pair.b, pair.variable);
+  return found == nullptr || std::isfinite(found->distances.kl);
+}
+
+void add_tail(const compare::Distances& d, const Part& pair, double allowed) {
+  // Of which densities, and how many bins: of others it is another tail.
+  std::string bins;
+  for (const auto& decade : d.log10_tail) {
+    bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,
+                        decade.left_out);
+  }
+  const Part tail{pair.claims, pair.solution, "tail " + pair.name};
+  tail.begin(FigureKind::tail, bins, pair.name);
+  for (const auto& decade : d.log10_tail) {
+    tail.number(fmt::format("tail {:.0e} {}", decade.from, pair.name), FigureKind::tail,
+                decade.mean_abs, allowed);
+  }
+}
+
+void add_standard_error(const PairDistances& pair, const transform::Solution& simulation,
+                        const Tolerances& tolerances, const Part& part) {
+  constexpr std::size_t kBothVariables = 2;
+  part.number("standard error of L1 " + part.name, FigureKind::simulated_error,
+              *pair.l1_standard_error, allowed_scatter(simulation, kBothVariables, 1, tolerances));
+}
+
+}  // namespace
+
+Claims distance_claims(const results::Case& one, const results::Case& other,
+                       const Tolerances& tolerances) {
+  Claims claims;
+  for (const PairDistances& pair : one.pairs) {
+    const auto *a = one.find(pair.a), *b = one.find(pair.b);
+    const auto& d = pair.distances;
+    const Part part{claims, pair.a, fmt::format("{} to {}", density_name(pair.variable), pair.b)};
+    const auto add = [&](const char* symbol, double distance, double scale) -> Claim& {
+      return part.number(fmt::format("{} {}", symbol, part.name), FigureKind::distance, distance,
+                         tolerances.deterministic, scale);
+    };
+    part.begin(FigureKind::distance);
+    Claim& l1 = add("L1", d.l1, 1);
+    for (const auto* end : {a, b}) {
+      if (end == nullptr) continue;
+      const bool measured = pair.l1_standard_error.has_value();
+      move_by_sampling(l1, measured ? transform::best_sampling(*end) : end->sampling, pair.variable,
+                       tolerances);
+    }
+    const bool by_chance = l1.kind == FigureKind::simulated_l1;
+    const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
+    if (pair.l1_standard_error && measure != nullptr) {
+      add_standard_error(pair, *measure, tolerances, part);
+    }
+    if (by_chance) continue;
+    const double unit = 1 / deviation(b, pair.variable);
+    add("L2", d.l2, std::sqrt(unit));
+    add("sup", d.sup, unit);
+    add("Hellinger", d.hellinger, 1);
+    if (has_divergence(one, pair) && has_divergence(other, pair)) add("KL", d.kl, 1);
+    add_tail(d, part, tolerances.tail());
+  }
+  return claims;
+}
+
+}  // namespace fpkcheck::check

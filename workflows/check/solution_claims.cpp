@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "workflows/check/chance.hpp"
+#include "workflows/check/claims.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+using transform::Solution;
+
+void add_density(const Solution& s, const Tolerances& tolerances, const Part& density) {
+  // Judged in standard errors where chance enters.
+  const auto add = [&](const char* name, FigureKind otherwise, double number, double error,
+                       double scale) {
+    Claim& claim = density.number(name, otherwise, number, tolerances.deterministic, scale);
+    if (!s.standard_errors) return;
+    claim.kind = FigureKind::simulated;
+    claim.allowed = tolerances.standard_errors;
+    claim.error = error;
+  };
+  const auto errors = s.standard_errors.value_or(transform::StandardErrors{});
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    // E[y'] = 0 in every stationary state: where it is less than a thousandth of a deviation it is
+    // an error of the method, and its last digits are rounding.
+    const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
+    add(symbol, FigureKind::moment, s.moments.*moment, errors.moments.*moment,
+        std::max(std::abs(s.moments.*moment), least));
+  }
+  for (const auto& atom : s.atoms) {
+    const std::string name = fmt::format("probability of rest at y = {:g}", atom.y);
+    add(name.c_str(), FigureKind::moment, atom.probability, atom.standard_error.value_or(0),
+        atom.probability);
+  }
+  add("mass", FigureKind::mass, s.mass, error_of_mass(s), 1);
+  add("energy residual", FigureKind::energy, s.energy_residual, errors.energy_residual, 1);
+  constexpr double kFaint = 1e-6;
+  density.number("smallest density", FigureKind::detail, s.min_density, tolerances.deterministic,
+                 std::max(std::abs(s.min_density), kFaint));
+}
+
+void add_stated_error(const Solution& s, const Tolerances& tolerances, const Part& stated) {
+  const auto add = [&](const std::string& of, double error, double least) {
+    constexpr double kLeast = 0.1;  // as transform::Observation::least_scale
+    stated.number("error of " + of, FigureKind::detail, error, tolerances.deterministic,
+                  std::max({std::abs(error), least, kLeast}));
+  };
+  for (const auto variable : transform::kVariables) {
+    add(density_name(variable), l1(*s.error, variable), 0);
+  }
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    // The error of a moment has the moment's rounding.
+    add(symbol, s.error->moments.*moment, std::abs(s.moments.*size));
+  }
+}
+
+void add_standard_errors(const transform::StandardErrors& errors, const Part& part) {
+  const auto add = [&](const std::string& of, double error) {
+    part.number("standard error of " + of, FigureKind::simulated_error, error, 1);
+  };
+  for (const auto& [name, symbol, moment, size] : transform::kMoments)
+    add(symbol, errors.moments.*moment);
+  add("energy residual", errors.energy_residual);
+}
+
+void add_sampling(const transform::SamplingError& sampling, const Part& part) {
+  for (const auto variable : transform::kVariables) {
+    const auto add = [&](const std::string& which, const std::optional<double>& l1) {
+      part.number(part.name + which + density_name(variable), FigureKind::simulated_error,
+                  l1.value_or(std::numeric_limits<double>::quiet_NaN()), 1);
+    };
+    add(" of ", expected(sampling, variable));
+    add(" in 99 of 100 of ", in_99(sampling, variable));
+  }
+}
+
+}  // namespace
+
+Claims solution_claims(const Solution& s, const Tolerances& tolerances) {
+  Claims claims;
+  const auto part = [&](const char* name, const char* value = "there") {
+    return Part{claims, s.id(), name}.begin(FigureKind::status, value);
+  };
+  const Part whole = part(kWhole);
+  whole.word("equation", solves_text(s.identity));
+  whole.word("status", std::string(name(s.status)));
+  const Part density = part("density", s.has_density() ? "one" : "none");
+  if (s.has_density()) add_density(s, tolerances, density);
+  if (s.error) add_stated_error(s, tolerances, part(kStatedError));
+  if (s.standard_errors) add_standard_errors(*s.standard_errors, part("standard errors"));
+  if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
+  if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
+  add_observations(s.observations, tolerances, whole);
+  // One may be the largest of so many; until here they have powers.
+  const auto errors = std::ranges::count(claims, FigureKind::simulated_error, &Claim::kind);
+  for (Claim& claim : claims) {
+    if (claim.kind != FigureKind::simulated_error) continue;
+    claim.allowed = allowed_scatter(s, static_cast<std::size_t>(errors), claim.allowed, tolerances);
+  }
+  return claims;
+}
+
+}  // namespace fpkcheck::check

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "report/text/columns.hpp"
+#include "report/text/wrapped.hpp"
+#include "workflows/check/check.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+using base::Value;
+using report::Column;
+using report::kAbsent;
+using report::kAlwaysShown;
+using report::TextFormat;
+
+constexpr std::size_t kMostRows = 40;
+
+std::string amount(double value) {
+  return std::isfinite(value) ? fmt::format("{:.2g}", value) : kAbsent;
+}
+
+// Digits enough to see what moved.
+std::string value_text(const Value& value, int digits) {
+  if (base::is_nothing(value)) return kAbsent;
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::text_of(value);
+}
+
+std::pair<std::string, std::string> values(const Figure& figure) {
+  constexpr int kFew = 8, kAll = 15;
+  std::pair few{value_text(figure.baseline, kFew), value_text(figure.now, kFew)};
+  if (few.first != few.second) return few;
+  return {value_text(figure.baseline, kAll), value_text(figure.now, kAll)};
+}
+
+void add_row(std::vector<Column>& columns, const std::vector<std::string>& cells) {
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells.at(k));
+}
+
+std::string moved_table(const std::vector<Figure>& moved, const TextFormat& format) {
+  std::vector<Column> columns{{"", "case", true, kAlwaysShown},
+                              {"", "solution", true, kAlwaysShown},
+                              {"", "figure", true, kAlwaysShown},
+                              {"", "baseline", false, 2},
+                              {"", "now", false, 2},
+                              {"", "change", false, kAlwaysShown},
+                              {"", "allowed", false, kAlwaysShown},
+                              {"", "", true, 1}};
+  for (const Figure& f : moved) {
+    const bool is_number = f.kind != FigureKind::status;
+    const auto [baseline, now] = values(f);
+    add_row(columns,
+            {f.case_name, f.solution, f.name, baseline, now, is_number ? amount(f.change) : kAbsent,
+             is_number ? amount(f.allowed) : kAbsent, std::string(unit(f.kind))});
+  }
+  return report::rows(std::move(columns), format);
+}
+
+std::string kinds_table(const Check& check, const TextFormat& format) {
+  std::vector<Column> columns{{"", "compared", true, kAlwaysShown},
+                              {"", "figures", false, kAlwaysShown},
+                              {"", "moved", false, kAlwaysShown},
+                              {"within allowance", "largest", false, kAlwaysShown},
+                              {"within allowance", "allowed", false, kAlwaysShown},
+                              {"within allowance", "", true, 2},
+                              {"", "of", true, 1}};
+  for (const auto& [kind, count, moved, largest] : by_kind(check)) {
+    const bool shown = largest != nullptr && kind != FigureKind::status;
+    const std::string of =
+        shown && largest->change > 0 ? largest->case_name + ' ' + largest->solution : "";
+    add_row(columns,
+            {std::string(name(kind)), fmt::format("{}", count), fmt::format("{}", moved),
+             shown ? amount(largest->change) : kAbsent, shown ? amount(largest->allowed) : kAbsent,
+             std::string(shown ? unit(kind) : ""), of});
+  }
+  return report::rows(std::move(columns), format);
+}
+
+// The clearest changes, in the order of the run.
+std::vector<Figure> clearest(const std::vector<Figure>& moved, std::size_t most) {
+  if (moved.size() <= most) return moved;
+  std::vector<double> shares;
+  for (const auto& figure : moved) shares.push_back(figure.share());
+  std::ranges::nth_element(shares, shares.begin() + static_cast<std::ptrdiff_t>(most - 1),
+                           std::greater<>{});
+  const double least = shares[most - 1];
+  std::vector<Figure> result;
+  for (const auto& figure : moved) {
+    if (!(figure.share() < least) && result.size() < most) result.push_back(figure);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string check_table(const Check& check, const TextFormat& format) {
+  const auto moved = check.moved();
+  std::string text;
+  if (!moved.empty()) {
+    const auto shown = clearest(moved, kMostRows);
+    text += moved_table(shown, format) + '\n';
+    if (shown.size() < moved.size()) {
+      text += fmt::format("and {} more (--json or --out have them all)\n\n",
+                          moved.size() - shown.size());
+    }
+  }
+  text += kinds_table(check, format) + '\n';
+  for (const auto& note : check.notes) text += report::wrapped(note, format.width);
+  text += moved.empty() ? fmt::format("{} figures of {} solutions agree.\n", check.figures.size(),
+                                      check.solutions)
+                        : fmt::format("{} of {} figures of {} solutions moved.\n", moved.size(),
+                                      check.figures.size(), check.solutions);
+  return text;
+}
+
+}  // namespace fpkcheck::check

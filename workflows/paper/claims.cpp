@@ -1,0 +1,247 @@
+#include "workflows/paper/claims.hpp"
+
+#include <fmt/format.h>
+
+namespace fpkcheck::paper {
+namespace {
+
+using transform::Variable;
+
+const std::vector<Variable> kY{Variable::y}, kYdot{Variable::ydot}, kBoth{kY[0], kYdot[0]};
+const std::vector<int> kAll{1, 2, 3, 4};
+
+constexpr const char* kNoEighth =
+    "the conventional Newton-Raphson method solving Eq. (23) becomes non-convergent for EPC "
+    "(n = 8) in the four examined cases";
+constexpr const char* kLessGaussian =
+    "It is expected that the PDF solutions of the response become more non-Gaussian when these "
+    "parameters increase in their magnitudes.";
+constexpr const char* kConclusion =
+    "the PDFs obtained with the proposed solution procedure agree well with the simulated results "
+    "when the polynomial order equals six. The tail region of the PDF is also approximated well "
+    "for both displacement and velocity.";
+
+std::string density(const Claim& claim) {
+  if (claim.variables.size() > 1) return "both densities";
+  return claim.variables.front() == Variable::y ? "p(y)" : "p(y')";
+}
+
+}  // namespace
+
+// {cases, panels, variables, n, relation, rival, the paper's words}
+const std::vector<Claim>& claims() {
+  using enum Relation;
+  static const std::vector<Claim> all{
+      // Section 3.1
+      {kAll, "abcd", kBoth, 2, is_linearisation, 0,
+       "EPC (n = 2) is the same as that given by equivalent linearization method in the case of "
+       "Gaussian white noise."},
+      {{1},
+       "ab",
+       kY,
+       2,
+       agrees,
+       0,
+       "Both EPC (n = 2) and EPC (n = 6) are close to MCS showing that the PDF distribution of "
+       "displacement is almost Gaussian."},
+      {{1}, "ab", kY, 6, agrees, 0, "Both EPC (n = 2) and EPC (n = 6) are close to MCS"},
+      {{1},
+       "b",
+       kY,
+       4,
+       differs_in_tail,
+       0,
+       "EPC (n = 4) differs a lot from the simulation in the tail as shown in Fig. 2b."},
+      {{1},
+       "cd",
+       kYdot,
+       6,
+       agrees,
+       0,
+       "in the case of velocity as shown in Fig. 2c, d, EPC (n = 6) agrees well with MCS"},
+      {{1},
+       "cd",
+       kYdot,
+       2,
+       differs,
+       0,
+       "they [n = 6 and MCS] differ significantly from EPC (n = 2) (denoting a Gaussian PDF)"},
+      {{1},
+       "cd",
+       kYdot,
+       4,
+       differs,
+       0,
+       "EPC (n = 4) differs from the simulation result unlike EPC (n = 2) and EPC (n = 6)."},
+      {{1}, "", {}, 8, not_found, 0, kNoEighth},
+      // Section 3.2
+      {{2},
+       "ab",
+       kY,
+       2,
+       differs,
+       0,
+       "EPC (n = 2) differs significantly from the simulated result showing that the PDF of "
+       "displacement becomes non-Gaussian due to the increase in excitation intensity."},
+      {{2},
+       "ab",
+       kY,
+       4,
+       closer,
+       2,
+       "Compared with EPC (n = 2), EPC (n = 4) provides an improved result for the PDF of "
+       "displacement"},
+      {{2},
+       "b",
+       kY,
+       4,
+       differs_in_tail,
+       0,
+       "but it [n = 4] still differs a lot from the simulation result as shown in Fig. 3b"},
+      {{2}, "ab", kY, 6, agrees, 0, "EPC (n = 6) coincides well with the simulated result"},
+      {{2}, "b", kY, 6, agrees_in_tail, 0, "especially in the tail region as shown in Fig. 3b"},
+      {{2}, "cd", kYdot, 2, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
+      {{2}, "cd", kYdot, 4, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
+      {{2}, "cd", kYdot, 6, agrees, 0, "whereas EPC (n = 6) agrees well with the simulated result"},
+      {{2}, "", kY, 2, further_than_in_case_1, 0, kLessGaussian},
+      {{2}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussian},
+      {{2}, "", {}, 8, not_found, 0, kNoEighth},
+      // Section 3.3
+      {{3},
+       "ab",
+       kY,
+       2,
+       differs,
+       0,
+       "Compared with Case 1, EPC (n = 2) departs from the simulated result due to the increase in "
+       "the nonlinearity coefficient."},
+      {{3},
+       "ab",
+       kY,
+       4,
+       closer,
+       2,
+       "Similar to Case 2, EPC (n = 4) gave a better result compared to EPC (n = 2)."},
+      {{3}, "ab", kY, 6, agrees, 0, "EPC (n = 6) agrees well with the simulated result."},
+      {{3},
+       "cd",
+       kYdot,
+       2,
+       differs,
+       0,
+       "the PDF distribution of velocity is non-Gaussian because EPC (n = 2) differs from the "
+       "simulated result"},
+      {{3},
+       "cd",
+       kYdot,
+       6,
+       agrees,
+       0,
+       "EPC (n = 6) is in good agreement with the simulated result"},
+      {{3}, "cd", kYdot, 6, closer, 2, "which is better than EPC (n = 2) and EPC (n = 4)"},
+      {{3}, "cd", kYdot, 6, closer, 4, "which is better than EPC (n = 2) and EPC (n = 4)"},
+      {{3}, "", kY, 2, further_than_in_case_1, 0, kLessGaussian},
+      {{3}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussian},
+      {{3}, "", {}, 8, not_found, 0, kNoEighth},
+      // Section 3.4
+      {{4},
+       "ab",
+       kY,
+       2,
+       differs,
+       0,
+       "the simulated result differs a lot from EPC (n = 2) (i.e., a Gaussian PDF) in the case of "
+       "displacement"},
+      {{4},
+       "ab",
+       kY,
+       4,
+       agrees,
+       0,
+       "both EPC (n = 4) and EPC (n = 6) can present a satisfactory PDF solution compared with the "
+       "simulated result"},
+      {{4},
+       "ab",
+       kY,
+       6,
+       agrees,
+       0,
+       "both EPC (n = 4) and EPC (n = 6) can present a satisfactory PDF solution compared with the "
+       "simulated result"},
+      {{4}, "b", kY, 4, agrees_in_tail, 0, "[n = 4 and n = 6] especially in the tail region"},
+      {{4}, "b", kY, 6, agrees_in_tail, 0, "[n = 4 and n = 6] especially in the tail region"},
+      {{4}, "cd", kYdot, 2, differs, 0, "EPC (n = 2) differs from MCS"},
+      {{4},
+       "cd",
+       kYdot,
+       4,
+       agrees,
+       0,
+       "EPC (n = 4) and EPC (n = 6) agree well with the simulated result"},
+      {{4},
+       "cd",
+       kYdot,
+       6,
+       agrees,
+       0,
+       "EPC (n = 4) and EPC (n = 6) agree well with the simulated result"},
+      {{4},
+       "a",
+       kY,
+       6,
+       closer_in_l1,
+       4,
+       "EPC (n = 6) is more accurate than EPC (n = 4) as shown in Fig. 5a, d"},
+      {{4},
+       "d",
+       kYdot,
+       6,
+       closer_in_tail,
+       4,
+       "EPC (n = 6) is more accurate than EPC (n = 4) as shown in Fig. 5a, d"},
+      {{4}, "", kY, 2, further_than_in_case_1, 0, kLessGaussian},
+      {{4}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussian},
+      {{4}, "", {}, 8, not_found, 0, kNoEighth},
+      // Section 4
+      {kAll, "ab", kY, 6, agrees, 0, kConclusion},
+      {kAll, "cd", kYdot, 6, agrees, 0, kConclusion},
+  };
+  return all;
+}
+
+std::string words(const Claim& claim) {
+  const auto said = [&](const char* what) {
+    return fmt::format(fmt::runtime(what), fmt::arg("n", claim.order),
+                       fmt::arg("rival", claim.rival),
+                       fmt::arg("p", claim.variables.empty() ? "" : density(claim)));
+  };
+  switch (claim.relation) {
+    case Relation::agrees:
+      return said("n={n} agrees with MCS in {p}");
+    case Relation::agrees_in_tail:
+      return said("n={n} agrees in the tail of {p}");
+    case Relation::differs:
+      return said("n={n} differs from MCS in {p}");
+    case Relation::differs_in_tail:
+      return said("n={n} differs in the tail of {p}");
+    case Relation::closer:
+      return said("n={n} is better than n={rival} in {p}");
+    case Relation::closer_in_l1:
+      return said("n={n} is better than n={rival} in {p}, L1");
+    case Relation::closer_in_tail:
+      return said("n={n} is better than n={rival} in {p}, tail");
+    case Relation::further_than_in_case_1:
+      return said("{p} is less Gaussian than in case 1");
+    case Relation::is_linearisation:
+      return said("n={n} is equivalent linearisation");
+    case Relation::not_found:
+      return said("n={n} is not found by Newton's method");
+  }
+  return "";
+}
+
+std::string closure_id(int order) { return fmt::format("epc-gaussian-n{}", order); }
+
+std::string case_name(int number) { return fmt::format("case{}", number); }
+
+}  // namespace fpkcheck::paper

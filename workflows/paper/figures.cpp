@@ -1,0 +1,113 @@
+#include "workflows/paper/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "report/figure/content.hpp"
+#include "report/figure/ranges.hpp"
+#include "report/figure/script.hpp"
+#include "report/page/density_plots.hpp"
+#include "workflows/paper/claims.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+using results::Case;
+
+constexpr int kOrders[] = {2, 4, 6};
+constexpr const char* kSimulation = "mcs";
+
+// Ids here, and what the paper calls them.
+std::vector<std::pair<std::string, std::string>> names_in_the_paper() {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const int order : kOrders) {
+    names.emplace_back(closure_id(order), fmt::format("EPC (n = {})", order));
+  }
+  names.emplace_back(kSimulation, "MCS");
+  return names;
+}
+
+// The case as the paper's figure shows it: four solutions under other names, and their curves.
+Case as_in_the_paper(const Case& one) {
+  Case shown{.problem = one.problem,
+             .solutions = {},
+             .pairs = {},
+             .budget = {},
+             .limits = {},
+             .curves = {},
+             .joints = {}};
+  for (const auto& [id, paper_name] : names_in_the_paper()) {
+    const auto* solution = one.find(id);
+    if (solution == nullptr) continue;
+    shown.solutions.push_back(*solution);
+    shown.solutions.back().identity.id = paper_name;
+    for (const auto variable : transform::kVariables) {
+      const auto* curve = one.curve(id, variable);
+      if (curve == nullptr) continue;
+      shown.curves.push_back(*curve);
+      shown.curves.back().solution = paper_name;
+    }
+  }
+  return shown;
+}
+
+// Calls use(figure, case as the paper shows it, content) for each figure.
+template <class Use>
+void for_each_figure(const results::Run& run, const Use& use) {
+  for (int number = 1; number <= 4; ++number) {
+    const auto one = std::ranges::find(run.cases, case_name(number), &Case::name);
+    if (one == run.cases.end()) continue;
+    const int figure = Claim::figure(number);
+    const Case shown = as_in_the_paper(*one);
+    auto content = report::figure_content(shown);
+    if (content.sides.empty()) continue;
+    // The paper has no differences.
+    content.reference.clear();
+    for (auto& side : content.sides) {
+      for (auto& drawn : side.curves) drawn.difference = {};
+      // Nor does it judge what it draws: the peaks of all are seen.
+      const auto all_curves = report::figure_ranges(side.curves);
+      side.ranges.linear_top = std::max(side.ranges.linear_top, all_curves.linear_top);
+      side.ranges.largest_density =
+          std::max(side.ranges.largest_density, all_curves.largest_density);
+    }
+    use(figure, shown, content);
+  }
+}
+
+std::string stem_of(int figure) { return fmt::format("paper-fig-{}", figure); }
+
+}  // namespace
+
+std::vector<report::Picture> figures(const results::Run& run, report::FigureWidth width) {
+  std::vector<report::Picture> all;
+  for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
+    const std::string stem = stem_of(figure);
+    problem::Problem titled = shown.problem;
+    titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
+    all.push_back({stem, report::figure_script(titled, content, stem, width)});
+  });
+  return all;
+}
+
+std::vector<std::vector<report::Plot>> figure_plots(const results::Run& run) {
+  std::vector<std::vector<report::Plot>> all;
+  for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
+    std::set<std::string> ids;
+    for (const auto& solution : shown.solutions) ids.insert(solution.id());
+    auto plots = report::density_plots(shown, content, ids, stem_of(figure));
+    for (std::size_t k = 0; k < plots.size(); ++k) {
+      const bool of_y = content.sides[k].variable == transform::Variable::y;
+      plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, of_y ? "a, b" : "c, d",
+                                     shown.problem.name, plots[k].caption);
+    }
+    all.push_back(std::move(plots));
+  });
+  return all;
+}
+
+}  // namespace fpkcheck::paper

@@ -1,0 +1,27 @@
+#include "workflows/paper/measured_text.hpp"
+
+#include <fmt/format.h>
+
+#include "report/text/l1_text.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+// "0.02000" of a criterion says more than is meant.
+std::string without_last_zeros(std::string number) {
+  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  return number.ends_with('.') ? number.substr(0, number.size() - 1) : number;
+}
+
+}  // namespace
+
+std::string l1_text(const std::optional<double>& l1) {
+  return l1 ? without_last_zeros(report::l1_text(*l1)) : "";
+}
+
+std::string tail_text(const std::optional<double>& tail) {
+  return tail ? without_last_zeros(fmt::format("{:.3f}", *tail)) : "";
+}
+
+}  // namespace fpkcheck::paper

@@ -1,0 +1,89 @@
+#include "workflows/paper/supplement.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/page/html.hpp"
+#include "report/page/plot.hpp"
+#include "workflows/paper/figures.hpp"
+#include "workflows/paper/files.hpp"
+#include "workflows/paper/table.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+std::string list_html(const std::vector<std::string>& lines) {
+  std::string html;
+  for (const auto& line : lines) html += report::element("li", line);
+  return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
+}
+
+std::string claims_table(std::span<const Judgement> judgements) {
+  using report::Align;
+  std::vector<report::HtmlColumn> columns{
+      {"case", Align::left},           {"Fig.", Align::left},
+      {"the paper says", Align::left}, {"L1"},
+      {"wanted", Align::left},         {"tail"},
+      {"wanted", Align::left},         {"came out", Align::left}};
+  columns.back().is_status = true;
+  for (const auto& row : rows(judgements)) {
+    const std::string* const cells[] = {&row.cases,       &row.figure,    &row.claim,
+                                        &row.l1,          &row.l1_wanted, &row.tail,
+                                        &row.tail_wanted, &row.outcome};
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      columns[k].cells.emplace_back(cells[k]->empty() ? report::kNoValue : *cells[k]);
+    }
+  }
+  return report::table_html("The claims, and the numbers that decide them", std::move(columns));
+}
+
+// The paper's words, for whoever has not the paper at hand.
+std::string quotes(std::span<const Judgement> judgements) {
+  std::vector<std::string> lines;
+  for (const auto& one : judgements) {
+    lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", cases_text(one.claim),
+                                words(one.claim), one.claim.quote));
+  }
+  return report::folded("claims-quotes", "The claims in the paper's own words", list_html(lines));
+}
+
+report::PageSection section(std::span<const Judgement> judgements, const results::Run& run) {
+  report::PageSection section{
+      .anchor = "claims", .heading = "The paper's claims", .html = {}, .groups = figure_plots(run)};
+  auto sentences = summary(judgements);
+  sentences.erase(sentences.begin());  // opens the page
+  for (const auto& sentence : sentences) section.html += report::element("p", sentence);
+  section.html += claims_table(judgements);
+  for (const auto& sentence : criteria()) section.html += report::element("p", sentence);
+  section.html += report::folded("claims-notes", "What must be said of single claims",
+                                 list_html(notes(judgements))) +
+                  quotes(judgements);
+  if (!section.groups.empty()) {
+    section.html +=
+        "<h3 id=\"paper-figures\">The paper's figures, by the densities of this run</h3>\n";
+  }
+  for (const auto& plots : section.groups) section.html += report::plots_html(plots);
+  return section;
+}
+
+}  // namespace
+
+report::Supplement supplement(std::span<const Judgement> judgements, const results::Run& run,
+                              report::FigureWidth width, const report::TextFormat& format) {
+  return {.summary = summary(judgements),
+          .text = '\n' + table(judgements, format),
+          .sections = {section(judgements, run)},
+          .files = {{kClaimsCsv, claims_csv(judgements)},
+                    {kClaimsJson, claims_json(judgements, run.program) + '\n'}},
+          .pictures = figures(run, width)};
+}
+
+bool is_run_of_paper(const results::Run& run) {
+  const std::string command = run.program.command + ' ';
+  return command.starts_with("fpkcheck paper ") && run.stopped.empty();
+}
+
+}  // namespace fpkcheck::paper

@@ -1,0 +1,227 @@
+#include "workflows/study/grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "base/input_error.hpp"
+#include "compare/axes.hpp"
+#include "fd_fpk/solve.hpp"
+#include "workflows/study/kinds.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using transform::Level;
+using transform::Solution;
+
+// The box ends where the density is this small relative to its peak, so that what lies beyond does
+// not limit the convergence.
+constexpr double kWallDensity = 1e-9;
+
+/// The problem with what every solve of the study shares.
+class Solving {
+ public:
+  Solving(const problem::Problem& problem, const GridStudyOptions& options, std::size_t total,
+          const methods::ProgressListener& listener)
+      : problem_(problem),
+        axes_(compare::even_axes(compare::comparison_axes(problem))),
+        options_(options),
+        listener_(listener),
+        total_(total) {}
+
+  GridRow grid(int order, int level) {
+    GridRow row{.order = order,
+                .level = level,
+                .refinement = options_.coarsest * std::pow(transform::kLevelRatio, level - 1),
+                .solution = {}};
+    tell(fmt::format("order {}, level {}", order, level), 0, "");
+    auto found = fd_fpk::solve(problem_, {.equation = options_.equation,
+                                          .impact = options_.impact,
+                                          .stepper = fd_fpk::Stepper::direct,
+                                          .order = order,
+                                          .refinement = row.refinement,
+                                          .origin_refinement = options_.origin_refinement,
+                                          .x1_max = y_max_,
+                                          .x2_max = v_max_,
+                                          .wall_density = kWallDensity,
+                                          .refine_unresolved = false,
+                                          .error_estimate = false});
+    ++done_;
+    row.origin_refinement = found.summary.origin_refinement;
+    row.nx = found.summary.nx;
+    row.nv = found.summary.nv;
+    row.solution = std::move(found.solution);
+    row.density = density(row.solution);
+    if (row.density) {
+      // All grids share a box: where it ends is no part of the convergence.
+      y_max_ = found.summary.x1_max;
+      v_max_ = found.summary.x2_max;
+    }
+    return row;
+  }
+
+  Solution solve(const methods::Method& method) {
+    const methods::Fraction progress = [&](double fraction, const std::string& note) {
+      tell(method.id(), fraction, note);
+    };
+    progress(0, "");
+    Solution solution = methods::solve_by(method, problem_, {axes_, progress});
+    ++done_;
+    return solution;
+  }
+
+  std::optional<Level> density(const Solution& solution) const {
+    if (!solution.has_density()) return std::nullopt;
+    return transform::level(solution, axes_.y_edges, axes_.v_edges);
+  }
+
+ private:
+  void tell(const std::string& method, double fraction, const std::string& note) const {
+    if (listener_) listener_({done_, total_, problem_.name, method, fraction, note});
+  }
+
+  const problem::Problem& problem_;
+  compare::ComparisonAxes axes_;
+  const GridStudyOptions& options_;
+  const methods::ProgressListener& listener_;
+  std::size_t done_ = 0, total_;
+  std::optional<double> y_max_{}, v_max_{};
+};
+
+// Why three grids have no limit; empty where they have one. Only where the finest density is ok,
+// and they converge: else the extrapolation leads away.
+std::string obstacle(const GridRow& coarse, const GridRow& middle, const GridRow& fine) {
+  for (const GridRow* grid : {&coarse, &middle, &fine}) {
+    if (grid->density && (grid != &fine || fine.solution.is_ok())) continue;
+    return fmt::format("one of the three finest grids is {} ({})", name(grid->solution.status),
+                       grid->solution.reason);
+  }
+  for (const auto& [before, here] : {std::pair(&coarse, &middle), std::pair(&middle, &fine)}) {
+    if (before->nx != here->nx || before->nv != here->nv) continue;
+    return fmt::format(
+        "two of the three finest levels have the same {} x {} cells, the fewest there are (begin "
+        "with a larger --coarsest)",
+        here->nx, here->nv);
+  }
+  if (transform::has_limit(fine.observed->l1, fine.order)) return "";
+  if (fine.observed->l1 > fine.order) {
+    return fmt::format(
+        "the differences fall at order {:.2g}, more than a scheme of order {} explains (begin with a "
+        "larger --coarsest)",
+        fine.observed->l1, fine.order);
+  }
+  return fmt::format(
+      "the differences fall at order {:.2g} only, and the limit takes {} (refine the origin, or "
+      "take finer levels)",
+      fine.observed->l1, transform::kLeastOrderOfALimit);
+}
+
+// The orders that the grids of a scheme show, and what they tend to.
+GridLimit limit(std::vector<GridRow>& grids) {
+  for (std::size_t k = 2; k < grids.size(); ++k) {
+    const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
+               &fine = grids[k].density;
+    if (!coarse || !middle || !fine) continue;
+    grids[k].observed =
+        transform::observed_orders(transform::change(*coarse, *middle),
+                                   transform::change(*middle, *fine), transform::kLevelRatio);
+  }
+  const GridRow &coarse = grids.end()[-3], &middle = grids.end()[-2], &fine = grids.back();
+  GridLimit limit{.order = fine.order, .none = obstacle(coarse, middle, fine)};
+  if (!limit.none.empty()) return limit;
+  const auto found = transform::richardson(transform::change(*coarse.density, *middle.density),
+                                           transform::change(*middle.density, *fine.density),
+                                           transform::kLevelRatio, fine.order);
+  limit.density = transform::limit(*middle.density, *fine.density, found.factor);
+  limit.error = found.error.moments;
+  return limit;
+}
+
+std::optional<MarginalL1> l1(const std::optional<Level>& one, const std::optional<Level>& other) {
+  if (!one || !other) return std::nullopt;
+  return MarginalL1{transform::l1(one->y, other->y), transform::l1(one->ydot, other->ydot)};
+}
+
+// A grid alone estimates no error: it is what the grids tend to that measures it.
+void state_error(GridRow& row) {
+  if (row.l1) {
+    row.solution.error = transform::StatedError{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
+  }
+  transform::require_stated_error(row.solution);
+}
+
+fd_fpk::Options of_grids(const GridStudyOptions& options) {
+  return {.equation = options.equation, .impact = options.impact};
+}
+
+}  // namespace
+
+void validate(const GridStudyOptions& options) {
+  constexpr int kFewest = 3, kMost = 9;
+  if (options.levels < kFewest || options.levels > kMost) {
+    throw InputError(
+        fmt::format("--levels {} (an observed order takes 3, and 9 are 256 times the coarsest "
+                    "cells; use 3 .. 9)",
+                    options.levels));
+  }
+  if (options.orders.empty()) {
+    throw InputError("--orders: the list is empty (use some of 2 .. 8)");
+  }
+  for (const int order : options.orders) {
+    auto of_order = of_grids(options);
+    of_order.order = order;
+    fd_fpk::validate(of_order);
+  }
+  fd_fpk::validate(
+      {.refinement = options.coarsest, .origin_refinement = options.origin_refinement});
+}
+
+GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
+                     const methods::Registry& registry, const methods::ProgressListener& listener) {
+  validate(options);
+  const std::set<int> orders(options.orders.begin(), options.orders.end());
+  const auto others = other_methods(registry, options.equation, options.impact, options.simulation);
+  methods::require_solvable({problem}, others);
+  Solving solving(problem, options,
+                  orders.size() * static_cast<std::size_t>(options.levels) + others.size(),
+                  listener);
+  GridStudy study{problem, fd_fpk::identity(of_grids(options)), {}, {}, {}};
+  for (const int order : orders) {
+    std::vector<GridRow> grids;
+    for (int level = 1; level <= options.levels; ++level) {
+      grids.push_back(solving.grid(order, level));
+    }
+    study.limits.push_back(limit(grids));
+    std::ranges::move(grids, std::back_inserter(study.rows));
+  }
+  const auto& truth = study.truth().density;
+  for (auto& row : study.rows) {
+    row.l1 = l1(row.density, truth);
+    state_error(row);
+  }
+  for (auto& one : study.limits) one.l1 = l1(one.density, truth);
+  if (!truth) return study;  // nothing to measure others by
+  if (study.limits.size() > 1) study.known_to = study.limits.end()[-2].l1;
+  for (const auto& method : others) {
+    auto solution = solving.solve(method);
+    const auto distance = l1(solving.density(solution), truth);
+    transform::require_stated_error(solution);
+    study.others.push_back({std::move(solution), distance});
+  }
+  return study;
+}
+
+bool reached(const GridStudy& study) {
+  for (std::size_t k = 0; k < study.rows.size(); ++k) {
+    const bool finest =
+        k + 1 == study.rows.size() || study.rows[k + 1].order != study.rows[k].order;
+    if (finest && study.rows[k].solution.status == transform::Status::failed) return false;
+  }
+  return study.truth().none.empty();
+}
+
+}  // namespace fpkcheck::study

@@ -1,0 +1,112 @@
+#include "workflows/study/kinds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "base/input_error.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using methods::Method;
+using methods::Registry;
+using problem::Equation;
+using problem::Impact;
+using transform::Identity;
+using transform::Role;
+
+// Nothing also where the solver has the id, yet cannot do it.
+std::optional<Method> offered(const Registry& registry, const std::string& id,
+                              const base::Values& given = {}) {
+  try {
+    return registry.by_id(id, given);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+// The usual members, then what one choice of an option makes of them.
+std::vector<Method> with_variants(const Registry& registry, const methods::Solver& solver,
+                                  const std::vector<std::string>& usual) {
+  std::vector<Method> found;
+  const auto add = [&](std::optional<Method> method) {
+    if (method) found.push_back(std::move(*method));
+  };
+  for (const auto& id : usual) add(registry.by_id(id));
+  for (const auto& id : usual) {
+    for (const auto& parameter : solver.parameters->all()) {
+      for (const auto& choice : parameter.choices) {
+        add(offered(registry, id, {{parameter.name, choice}}));
+      }
+    }
+  }
+  return found;
+}
+
+std::string stem_of(const Identity& identity) {
+  const std::string end = identity.order ? fmt::format("-n{}", *identity.order) : "";
+  return identity.id.substr(0, identity.id.size() - (identity.id.ends_with(end) ? end.size() : 0));
+}
+
+// A simulation's impact is exact, as the map's is.
+bool solves(const Identity& identity, Equation equation, Impact impact) {
+  return identity.equation == equation && identity.impact &&
+         (*identity.impact == Impact::delta) == (impact == Impact::delta);
+}
+
+}  // namespace
+
+bool Kind::solves_the_problem() const { return solves(identity(), Equation::kf, Impact::map); }
+
+std::vector<Kind> kinds(const Registry& registry, Role role) {
+  std::vector<Kind> all;
+  const auto known = [&](const std::string& stem) {
+    return std::ranges::find(all, stem, &Kind::stem) != all.end();
+  };
+  for (const auto& solver : registry.solvers()) {
+    for (const auto& family : solver.families) {
+      if (family.role != role) continue;
+      for (auto& method : with_variants(registry, solver, family.usual)) {
+        const std::string stem = stem_of(method.identity), prefix = solver.name + '-';
+        if (method.identity.family != family.name || known(stem)) continue;
+        const bool of_the_first = all.empty() || all.front().identity().method == solver.name;
+        const bool shortened = of_the_first && stem.starts_with(prefix);
+        std::string name = shortened ? stem.substr(prefix.size()) : stem;
+        const bool usual = std::ranges::find(family.usual, method.id()) != family.usual.end();
+        all.push_back({std::move(name), stem, usual, std::move(method)});
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<Method> other_methods(const Registry& registry, Equation equation, Impact impact,
+                                  const base::Values& simulation) {
+  std::vector<Method> all;
+  std::set<std::string> families;  // that have a kind; of each the usual ones come first
+  for (const auto& kind : kinds(registry, Role::closure)) {
+    const Identity& identity = kind.identity();
+    const bool stands_for_it = kind.usual && equation == Equation::kf && impact != Impact::delta;
+    if (!stands_for_it && !solves(identity, equation, impact)) continue;
+    if (!kind.usual && families.contains(identity.family)) continue;
+    families.insert(identity.family);
+    if (!identity.order) all.push_back(kind.first);
+    const int highest = !identity.order ? 0 : identity.impact == Impact::delta ? 6 : 12;
+    for (int n = 2; n <= highest; n += 2) {
+      if (auto method = offered(registry, fmt::format("{}-n{}", kind.stem, n))) {
+        all.push_back(std::move(*method));
+      }
+    }
+  }
+  for (const auto& kind : kinds(registry, Role::simulation)) {
+    if (!solves(kind.identity(), equation, impact)) continue;
+    all.push_back(*registry.by_id(kind.stem, simulation));
+  }
+  std::ranges::stable_sort(all, methods::less_trusted, &Method::identity);
+  return all;
+}
+
+}  // namespace fpkcheck::study

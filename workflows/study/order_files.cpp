@@ -1,0 +1,47 @@
+#include "workflows/study/order.hpp"
+
+namespace fpkcheck::study {
+
+using base::Value;
+
+Record record(const OrderRow& row) {
+  const auto& [identity, equation, impact] =
+      std::tie(row.solution.identity, row.solution.identity.equation, row.solution.identity.impact);
+  const auto number = [&](double of_density) {
+    return row.solution.has_density() ? Value(of_density) : Value();
+  };
+  Record record{{"id", identity.id},
+                {"formulation", row.formulation},
+                {"order", transform::counted(row.order)},
+                {"equation", equation ? Value(std::string(name(*equation))) : Value()},
+                {"impact", impact ? Value(std::string(name(*impact))) : Value()},
+                {"mass", number(row.solution.mass)},
+                {"min_density", number(row.solution.min_density)},
+                {"energy_residual", number(row.solution.energy_residual)}};
+  add_outcome(row.solution, row.l1, record);
+  record.push_back({"tail_y", transform::value_of(row.tail_y)});
+  record.push_back({"tail_ydot", transform::value_of(row.tail_ydot)});
+  for (const auto& observation : row.solution.observations) {
+    if (observation.path == "formulation" || observation.path == "order") continue;  // above
+    record.push_back({observation.path, observation.value});
+  }
+  return record;
+}
+
+std::string json(const OrderStudy& study, const std::string& command) {
+  const auto& reference = study.reference;
+  return json_of(OrderStudy::kName, study.problem, command,
+                 {{"reference.id", reference.id()},
+                  {"reference.status", std::string(name(reference.status))},
+                  {"reference.reason", reference.reason},
+                  {"reference.seconds", reference.seconds}},
+                 {{"rows", records(study.rows)}});
+}
+
+std::string csv(const OrderStudy& study) {
+  return csv_of(
+      records(study.rows),
+      "formulation order status iterations residual condition l1_y l1_ydot tail_y tail_ydot seconds");
+}
+
+}  // namespace fpkcheck::study

@@ -1,0 +1,95 @@
+#include "workflows/study/record.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <variant>
+
+#include "report/text/wrapped.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using base::Value;
+
+Value value_at(const Record& record, const std::string& path) {
+  const auto found = std::ranges::find(record, path, &base::NamedValue::name);
+  return found == record.end() ? Value() : found->value;
+}
+
+// Words as they are, numbers in the format; nothing for what is absent.
+std::string text(const Value& value, const char* format) {
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr && std::isfinite(*number) ? fmt::format(fmt::runtime(format), *number)
+                                                     : std::string();
+}
+
+}  // namespace
+
+void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1>& l1,
+                 Record& record) {
+  record.push_back({"status", std::string(name(solution.status))});
+  record.push_back({"reason", solution.reason});
+  record.push_back({"seconds", solution.seconds});
+  record.push_back({"l1_y", value(l1, &MarginalL1::y)});
+  record.push_back({"l1_ydot", value(l1, &MarginalL1::ydot)});
+}
+
+std::string table_of(const std::vector<Record>& rows, const std::vector<Shown>& columns,
+                     const report::TextFormat& format) {
+  std::vector<report::Column> filled;
+  for (const auto& shown : columns) {
+    filled.push_back(shown.path == "status" ? report::status_column()
+                                            : report::Column{shown.group, shown.header,
+                                                             shown.left_aligned, shown.importance});
+    for (const auto& row : rows) {
+      const std::string cell = text(value_at(row, shown.path), shown.format);
+      filled.back().cells.push_back(cell.empty() ? report::kAbsent : cell);
+    }
+  }
+  return report::rows(std::move(filled), format);
+}
+
+std::string csv_of(const std::vector<Record>& rows, const std::string& columns) {
+  std::vector<std::string> headers, paths;
+  std::istringstream words(columns);
+  for (std::string word; words >> word;) {
+    headers.push_back(word.substr(0, word.find('=')));
+    paths.push_back(word.substr(word.find('=') + 1));  // all of it where there is no '='
+  }
+  std::string lines = fmt::format("{}\n", fmt::join(headers, ","));
+  for (const auto& row : rows) {
+    std::vector<std::string> cells;
+    for (const auto& path : paths) cells.push_back(text(value_at(row, path), "{}"));
+    lines += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return lines;
+}
+
+std::string number_text(const std::optional<double>& number, const char* format) {
+  const std::string found = text(transform::value_of(number), format);
+  return found.empty() ? report::kAbsent : found;
+}
+
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (k > 0) text += k + 1 == items.size() ? " and " : ", ";
+    text += items[k];
+  }
+  return text;
+}
+
+std::string reason_text(const std::string& name, const transform::Solution& solution,
+                        std::size_t width) {
+  if (solution.is_ok()) return "";
+  const auto status = transform::name(solution.status);
+  return report::wrapped(fmt::format("  {} {}: {}", name, status, solution.reason), width, 4);
+}
+
+}  // namespace fpkcheck::study

@@ -1,0 +1,142 @@
+#include "workflows/study/reference/reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/axes.hpp"
+#include "fd_fpk/solve.hpp"
+#include "mcs/simulation/plan.hpp"
+#include "mcs/solve.hpp"
+#include "problem/scales.hpp"
+#include "transform/richardson.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using transform::Moments;
+using transform::Solution;
+using transform::Variable;
+
+fd_fpk::Options grids(int order, double refinement) {
+  return {.equation = problem::Equation::kf,
+          .stepper = fd_fpk::Stepper::direct,
+          .order = order,
+          .refinement = refinement,
+          .origin_refinement = 16,
+          .wall_density = 1e-9,
+          .error_estimate = true,
+          .residual_tolerance = 1e-9};
+}
+
+fd_fpk::Options of_seventh_order(const ReferenceOptions& options) {
+  return grids(7, options.refinement);
+}
+
+fd_fpk::Options of_fifth_order(const ReferenceOptions& options) {
+  return grids(5, options.refinement * std::sqrt(2.0));
+}
+
+mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOptions& options) {
+  constexpr double kTime = 1e7;  // decay times
+  const auto axes = compare::comparison_axes(problem);
+  mcs::Options simulation;
+  simulation.time =
+      options.simulation_time.value_or(kTime / problem::scales(problem).slowest_decay);
+  simulation.seed = options.seed;
+  simulation.y_edges = axes.y_edges;
+  simulation.v_edges = axes.v_edges;
+  return simulation;
+}
+
+// p at x: the average over a bin so narrow that its curvature counts for less than 1e-6.
+double density_at(const Solution& solution, Variable variable, double x, double deviation) {
+  const double half = 1e-3 * deviation;
+  const double edges[] = {x - half, x + half};
+  return transform::marginal(*solution.density, variable, edges).density.front();
+}
+
+// x with two significant digits.
+double rounded(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::round(x / unit) * unit;
+}
+
+std::vector<ReferencePoint> points(const Solution& seventh, const Solution& fifth,
+                                   Variable variable) {
+  const bool of_y = variable == Variable::y;
+  const double deviation = std::sqrt(of_y ? seventh.moments.y2 : seventh.moments.v2);
+  const double step = rounded(deviation * (of_y ? 0.15 : 0.3));
+  std::vector<ReferencePoint> result;
+  for (int k = of_y ? 1 : -10; k <= (of_y ? 20 : 10); ++k) {
+    if (k == 0) continue;
+    const double x = k * step;
+    result.push_back(
+        {x,
+         {density_at(seventh, variable, x, deviation), density_at(fifth, variable, x, deviation)}});
+  }
+  return result;
+}
+
+double share_within(const Solution& exact, const transform::Marginal& simulated,
+                    Variable variable) {
+  const auto reference = transform::marginal(*exact.density, variable, simulated.edges);
+  int within = 0, counted = 0;
+  for (std::size_t b = 0; b < simulated.size(); ++b) {
+    if (!(simulated.upper[b] > simulated.lower[b])) continue;  // an empty bin
+    ++counted;
+    within +=
+        reference.density[b] >= simulated.lower[b] && reference.density[b] <= simulated.upper[b];
+  }
+  return counted == 0 ? 0 : static_cast<double>(within) / counted;
+}
+
+}  // namespace
+
+int ReferenceValue::agreed_digits(int most) const {
+  const double difference = std::abs(seventh - fifth) / std::abs(seventh);
+  // Half a unit of the last digit.
+  const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
+  // A double as long as it may be infinite or, of 0/0, no number.
+  return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
+}
+
+void validate(const problem::Problem& problem, const ReferenceOptions& options) {
+  fd_fpk::validate(of_seventh_order(options));
+  fd_fpk::validate(of_fifth_order(options));
+  mcs::make_plan(problem, long_simulation(problem, options));
+}
+
+Reference reference(const problem::Problem& problem, const ReferenceOptions& options) {
+  Reference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
+  const auto seventh = fd_fpk::solve(problem, of_seventh_order(options));
+  const auto fifth = fd_fpk::solve(problem, of_fifth_order(options));
+  for (const auto* run : {&seventh, &fifth}) {
+    if (run->solution.is_ok() && run->summary.error) continue;
+    result.failure = run->solution.reason.empty() ? "no error estimate" : run->solution.reason;
+    return result;
+  }
+  const auto simulated = mcs::solve(problem, long_simulation(problem, options));
+
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    if (moment == &Moments::v1) continue;  // 0 whatever the density
+    result.moments.push_back(
+        {name,
+         symbol,
+         {seventh.summary.error->extrapolated.*moment, fifth.summary.error->extrapolated.*moment},
+         simulated.solution.moments.*moment,
+         simulated.solution.standard_errors->moments.*moment});
+  }
+  result.y = points(seventh.solution, fifth.solution, Variable::y);
+  result.ydot = points(seventh.solution, fifth.solution, Variable::ydot);
+  result.energy_residual = seventh.solution.energy_residual;
+  result.simulated_time = simulated.summary.time;
+  for (const auto& [variable, marginal] : simulated.solution.estimated_marginals) {
+    (variable == Variable::y ? result.y_bins_within : result.ydot_bins_within) =
+        share_within(seventh.solution, marginal, variable);
+  }
+  return result;
+}
+
+}  // namespace fpkcheck::study

@@ -1,0 +1,36 @@
+#include "workflows/study/regularisation.hpp"
+
+namespace fpkcheck::study {
+
+RegularisationStudy study_regularisation(const problem::Problem& problem,
+                                         const methods::ProgressListener& listener) {
+  const auto progress = [&](int row, int rows) {
+    if (!listener) return;
+    listener({.done = static_cast<std::size_t>(row),
+              .total = static_cast<std::size_t>(rows),
+              .case_name = problem.name,
+              .method = "regularisation",
+              .fraction = 0});
+  };
+  return with_growth(problem, fd_fpk::study_regularisation(problem, {}, progress));
+}
+
+RegularisationStudy with_growth(const problem::Problem& problem,
+                                const fd_fpk::RegularisationStudy& found) {
+  RegularisationStudy study{problem, found.default_length, found.shortest_length, {}};
+  for (const auto& row : found.rows) {
+    const bool symbol_grows = row.symbol && grows(*row.symbol, problem.impulses);
+    study.rows.push_back({row, symbol_grows, row.growth(problem)});
+  }
+  return study;
+}
+
+bool reached(const RegularisationStudy& study) {
+  const RegularisationRow* finest = nullptr;
+  for (const auto& row : study.rows) {
+    if (row.scheme == "regularised") finest = &row;
+  }
+  return finest != nullptr && !finest->growth_rate && finest->l1_y;
+}
+
+}  // namespace fpkcheck::study

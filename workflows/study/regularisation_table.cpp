@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "report/table.hpp"
+#include "report/text/wrapped.hpp"
+#include "workflows/study/regularisation.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using report::wrapped;
+
+// The symbol's rate tends to 0 for long waves when none grows.
+std::string symbol_text(const RegularisationRow& row, double fd_fpk::Growth::*of) {
+  if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
+  return row.symbol && of == &fd_fpk::Growth::rate ? "0" : "";
+}
+
+std::string eigenvalue_text(const std::optional<std::complex<double>>& value) {
+  if (!value) return "";
+  const double re = value->real(), im = value->imag();
+  const std::string real =
+      std::abs(re) < 1e-7 ? fmt::format("{:.0e}", re) : fmt::format("{:.4g}", re);
+  return std::abs(im) > 1e-7 ? fmt::format("{}+-{:.3g}i", real, im) : real;
+}
+
+std::string fate_text(const RegularisationRow& row) {
+  if (row.growth_rate) return fmt::format("x10 in {:.2g}", std::numbers::ln10 / *row.growth_rate);
+  if (row.rightmost) return "settles";
+  return row.symbol ? "no growth" : "";
+}
+
+std::string l1_text(const std::optional<double>& l1) {
+  return number_text(l1, l1.value_or(0) < 10 ? "{:.5f}" : "{:.1e}");
+}
+
+std::string step_text(const RegularisationRow& row) { return fmt::format("{:.3g}", row.step); }
+
+std::string rows(const RegularisationStudy& study, const report::TextFormat& format) {
+  std::vector<Record> rows;
+  for (const auto& row : study.rows) {
+    rows.push_back({{"scheme", row.scheme},
+                    {"h", row.step},
+                    {"l", row.length > 0 ? base::Value(row.length) : base::Value()},
+                    {"cells", fmt::format("{}x{}", row.nx, row.nv)},
+                    {"rate", symbol_text(row, &fd_fpk::Growth::rate)},
+                    {"q", symbol_text(row, &fd_fpk::Growth::wavenumber)},
+                    {"rightmost", eigenvalue_text(row.rightmost)},
+                    {"next", eigenvalue_text(row.next)},
+                    {"in time", fate_text(row)},
+                    {"l1_y", l1_text(row.l1_y)},
+                    {"l1_ydot", l1_text(row.l1_ydot)},
+                    {"least", transform::value_of(row.min_density)}});
+  }
+  constexpr int kAlways = report::kAlwaysShown;
+  return table_of(rows,
+                  {{"", "scheme", "scheme", "", kAlways, true},
+                   {"", "h", "h", "{:.3g}"},
+                   {"", "l", "l", "{:.3g}", 4},
+                   {"", "cells", "cells", "", 1},
+                   {"symbol", "rate", "rate", ""},
+                   {"symbol", "q", "q", ""},
+                   {"matrix", "rightmost", "rightmost", ""},
+                   {"matrix", "next", "next", "", 2},
+                   {"", "in time", "in time", "", kAlways, true},
+                   {"null vector", "L1 p(y)", "l1_y", "", 3},
+                   {"null vector", "L1 p(y')", "l1_ydot", ""},
+                   {"null vector", "least", "least", "{:.0e}"}},
+                  format);
+}
+
+// "h = 0.158, 0.0791 and 0.0395"
+std::string list_of_steps(const std::vector<RegularisationRow>& rows) {
+  std::vector<std::string> steps;
+  for (const auto& row : rows) steps.push_back(step_text(row));
+  return "h = " + listed(steps);
+}
+
+std::vector<RegularisationRow> of_scheme(const RegularisationStudy& study,
+                                         const std::string& scheme, bool growing) {
+  std::vector<RegularisationRow> chosen;
+  for (const auto& row : study.rows) {
+    const bool known = row.symbol.has_value();
+    if (row.scheme == scheme && known && row.growth_rate.has_value() == growing) {
+      chosen.push_back(row);
+    }
+  }
+  return chosen;
+}
+
+// The exponent of h in the growth between the two finest steps that grow.
+std::string literal_sentence(const RegularisationStudy& study) {
+  const auto growing = of_scheme(study, "literal", true);
+  if (growing.empty()) return "The literal scheme grows on none of these steps.";
+  std::string text = fmt::format("The literal scheme, l = h, grows at {}", list_of_steps(growing));
+  if (growing.size() > 1) {
+    const auto &fine = growing.back(), &coarse = growing[growing.size() - 2];
+    const double exponent =
+        std::log(*fine.growth_rate / *coarse.growth_rate) / std::log(fine.step / coarse.step);
+    text += fmt::format(", in the end as h^{:.2f} (h^-4 in the limit)", exponent);
+  }
+  double farthest = 0;
+  std::optional<double> lowest;
+  for (const auto& row : growing) {
+    farthest = std::max(farthest, row.l1_ydot.value_or(0));
+    if (const auto least = row.min_density) lowest = std::min(lowest.value_or(*least), *least);
+  }
+  text += ": no refinement can converge.";
+  if (lowest) {
+    text += fmt::format(
+        " Its null vector is then up to L1 {:.2g} from kf and falls to {:.2g} of its peak.",
+        farthest, *lowest);
+  }
+  return text;
+}
+
+std::string regularised_sentence(const RegularisationStudy& study) {
+  const auto growing = of_scheme(study, "regularised", true);
+  const auto settled = of_scheme(study, "regularised", false);
+  std::string text =
+      fmt::format("The fourth difference over the default length l = {:.3g}", study.default_length);
+  if (settled.empty()) return text + " grows on every step.";
+  text += growing.empty() ? " grows on no step"
+                          : fmt::format(" grows at {} and not at {}", list_of_steps(growing),
+                                        list_of_steps(settled));
+  const RegularisationRow& finest = settled.back();
+  if (finest.l1_y && finest.l1_ydot) {
+    text += fmt::format(
+        "; on the finest of them its density is L1 {:.2g} in p(y) and {:.2g} in p(y') from kf",
+        *finest.l1_y, *finest.l1_ydot);
+  }
+  return text + '.';
+}
+
+std::string threshold_sentence(const RegularisationStudy& study) {
+  const auto below = of_scheme(study, "0.9 l*", true), above = of_scheme(study, "1.1 l*", true);
+  std::string text = fmt::format("The threshold is l* = {:.3g}: ", study.shortest_length);
+  text += below.empty() ? "10 % below it no matrix grows"
+                        : fmt::format("10 % below it grow {}", list_of_steps(below));
+  if (below.size() > 1) {
+    text += fmt::format(", at a rate that no longer depends on the step ({:.3g} by the symbol)",
+                        below.back().symbol->rate);
+  }
+  text += above.empty() ? "; 10 % above it none grows."
+                        : fmt::format("; 10 % above it grow {}.", list_of_steps(above));
+  return text;
+}
+
+// Each remark once, with the rows that it is of.
+std::string remarks(const RegularisationStudy& study, std::size_t width) {
+  std::map<std::string, std::vector<std::string>> rows_with;
+  std::vector<std::string> order;
+  for (const auto& row : study.rows) {
+    if (row.remark.empty()) continue;
+    if (!rows_with.contains(row.remark)) order.push_back(row.remark);
+    rows_with[row.remark].push_back(fmt::format("{} at h = {}", row.scheme, step_text(row)));
+  }
+  std::string text;
+  for (const auto& remark : order) {
+    text += wrapped(fmt::format("  {}: {}", listed(rows_with[remark]), remark), width, 4);
+  }
+  return text;
+}
+
+constexpr const char* kRegularisationLegend =
+    "h: velocity step; l: step of the fourth difference (pade has none). symbol: largest growth rate "
+    "of a wave exp(i q y') under the excitation alone. matrix: eigenvalues of the whole operator with "
+    "the largest real parts; the stationary density's is 0, the next is the slowest decay. in time: "
+    "what becomes of any disturbance. null vector: distance to the jump equation kf on the same grid, and the "
+    "least value relative to the peak.";
+
+}  // namespace
+
+std::string table(const RegularisationStudy& study, const report::TextFormat& format) {
+  std::string text = wrapped(report::case_title(study.problem), format.width, 2) +
+                     rows(study, format) + remarks(study, format.width);
+  for (const auto& sentence :
+       {literal_sentence(study), regularised_sentence(study), threshold_sentence(study)}) {
+    text += wrapped("  " + sentence, format.width, 2);
+  }
+  return text + '\n' + wrapped(kRegularisationLegend, format.width);
+}
+
+}  // namespace fpkcheck::study

@@ -1,0 +1,107 @@
+#include "workflows/sweep/execution/cost_model.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fpkcheck::sweep {
+namespace {
+
+constexpr double kLeastSeconds = 1e-6;  // has a logarithm
+
+/// The terms of the polynomial at a point.
+class Terms {
+ public:
+  explicit Terms(const Plan& plan) : plan_(plan) {
+    for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+      Range range{std::numeric_limits<double>::infinity(),
+                  -std::numeric_limits<double>::infinity()};
+      for (const auto& point : plan.points) {
+        if (const auto* number = std::get_if<double>(&point[a])) {
+          const double at = scaled(a, *number);
+          range = {std::min(range.least, at), std::max(range.greatest, at)};
+        }
+      }
+      ranges_.push_back(range);
+    }
+  }
+
+  Eigen::VectorXd at(std::size_t point) const {
+    std::vector<double> linear;
+    std::vector<double> terms{1};
+    for (std::size_t a = 0; a < plan_.axes.size(); ++a) {
+      const auto& value = plan_.points[point][a];
+      if (const auto* number = std::get_if<double>(&value)) {
+        const auto [least, greatest] = ranges_[a];
+        linear.push_back(
+            greatest > least ? 2 * (scaled(a, *number) - least) / (greatest - least) - 1 : 0.0);
+      } else {
+        // Of a word a term each.
+        for (const auto& word : plan_.axes[a].values) terms.push_back(word == value ? 1 : 0);
+      }
+    }
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+      terms.push_back(linear[i]);
+      for (std::size_t j = i; j < linear.size(); ++j) terms.push_back(linear[i] * linear[j]);
+    }
+    return Eigen::Map<Eigen::VectorXd>(terms.data(), static_cast<Eigen::Index>(terms.size()));
+  }
+
+ private:
+  struct Range {
+    double least, greatest;
+  };
+
+  double scaled(std::size_t axis, double value) const {
+    return plan_.axes[axis].spacing == Spacing::logarithmic ? std::log(value) : value;
+  }
+
+  const Plan& plan_;
+  std::vector<Range> ranges_;
+};
+
+}  // namespace
+
+CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
+    : expected_(plan.points.size(), 1.0) {
+  if (measured.empty()) return;
+  const Terms terms(plan);
+  const Eigen::Index unknowns = terms.at(0).size();
+  // A little is asked of the coefficients too, so that few points do not leave any of them free.
+  constexpr double kRidge = 0.03;
+  Eigen::MatrixXd normal = kRidge * Eigen::MatrixXd::Identity(unknowns, unknowns);
+  normal(0, 0) = 0;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+  for (const auto& [point, seconds] : measured) {
+    const Eigen::VectorXd row = terms.at(point);
+    normal += row * row.transpose();
+    right += row * std::log(std::max(seconds, kLeastSeconds));
+  }
+  const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
+  // The mean of a power is more than the power of the mean: what was measured is to sum up.
+  double sum = 0, fitted = 0;
+  for (const auto& [point, seconds] : measured) {
+    sum += seconds;
+    fitted += std::exp(coefficients.dot(terms.at(point)));
+  }
+  for (std::size_t p = 0; p < expected_.size(); ++p) {
+    expected_[p] = sum / fitted * std::exp(coefficients.dot(terms.at(p)));
+  }
+  for (const auto& [point, seconds] : measured) expected_[point] = seconds;
+}
+
+std::vector<std::size_t> spread(const std::vector<std::size_t>& among, std::size_t count) {
+  // Steps by the golden section meet no rhythm of a product of axes.
+  constexpr double kGolden = 0.6180339887498949;
+  std::vector<std::size_t> chosen;
+  const std::size_t most = std::min(count, among.size());
+  for (std::size_t k = 0; chosen.size() < most && k < 4 * among.size(); ++k) {
+    const double part = std::fmod(0.5 + static_cast<double>(k) * kGolden, 1.0);
+    const auto at = among[static_cast<std::size_t>(part * static_cast<double>(among.size()))];
+    if (std::ranges::find(chosen, at) == chosen.end()) chosen.push_back(at);
+  }
+  return chosen;
+}
+
+}  // namespace fpkcheck::sweep

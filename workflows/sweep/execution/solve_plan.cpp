@@ -1,0 +1,81 @@
+#include "workflows/sweep/execution/solve_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <utility>
+
+#include "base/files/pending_files.hpp"
+#include "base/process/files_in_hand.hpp"
+#include "base/process/stop.hpp"
+#include "base/text/shown.hpp"
+#include "methods/side_by_side.hpp"
+#include "results/marginals_csv.hpp"
+
+namespace fpkcheck::sweep {
+void keep_marginals(const Plan& plan, const std::filesystem::path& directory,
+                    const SolvedPoint& solved) {
+  if (solved.curves.empty()) return;
+  const base::FilesInHand in_hand;
+  std::filesystem::create_directories(directory / "marginals");
+  const std::vector<results::Case> cases{{.problem = plan.problem_at(solved.result.point),
+                                          .solutions = {},
+                                          .pairs = {},
+                                          .budget = {},
+                                          .limits = {},
+                                          .curves = solved.curves,
+                                          .joints = {}}};
+  std::ostringstream text;
+  results::write_marginals_csv(text, cases);
+  base::write_file(directory / "marginals" / fmt::format("{:06}.csv", solved.result.point),
+                   text.str());
+}
+
+Progress::Progress(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
+                   StandingListener listener)
+    : plan_(plan),
+      directory_(directory),
+      journal_name_(shard.journal_name()),
+      journal_(directory / journal_name_, plan),
+      queue_(plan, shard.points(plan.points.size()), journal_.found().points),
+      listener_(std::move(listener)),
+      points_(journal_.found().points) {}
+
+std::string Progress::resumed_text() const {
+  const auto& [plan, points, damaged] = journal_.found();
+  if (points.empty() && damaged == 0) return "";
+  const auto [done, total, left] = queue_.standing();
+  std::string text =
+      fmt::format("resumed from {}: {} of {} points kept, {} to solve",
+                  base::shown((directory_ / journal_name_).string()), done, total, total - done);
+  // A damaged line names no point.
+  if (damaged == 1) text += ", among them that of 1 damaged line";
+  if (damaged > 1) text += fmt::format(", among them those of {} damaged lines", damaged);
+  return text;
+}
+
+std::optional<std::size_t> Progress::next() {
+  if (base::stop_requested()) return std::nullopt;
+  return queue_.next();
+}
+
+void Progress::keep(SolvedPoint&& solved) {
+  queue_.finished(solved.result.point, solved.result.seconds);
+  const std::lock_guard lock(mutex_);
+  // Before the journal says that the point is solved.
+  keep_marginals(plan_, directory_, solved);
+  journal_.append(solved.result);
+  points_.push_back(std::move(solved.result));
+  if (listener_) listener_(queue_.standing());
+}
+
+void solve_left(const Plan& plan, Progress& progress, int threads) {
+  const int wanted = methods::number_of_threads(threads);
+  methods::side_by_side(static_cast<std::size_t>(wanted), wanted, [&](std::size_t) {
+    for (auto point = progress.next(); point; point = progress.next()) {
+      progress.keep(solve_point(plan, *point));
+    }
+  });
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,139 @@
+#include "workflows/sweep/execution/solve_point.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "compare/comparison.hpp"
+#include "compare/reference.hpp"
+#include "methods/error_by_reference.hpp"
+#include "methods/problem_residuals.hpp"
+#include "methods/run_cases.hpp"
+#include "results/curve_of.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using transform::Solution;
+using transform::Status;
+using transform::Variable;
+
+Solution failed(const methods::Method& method, const std::string& reason) {
+  Solution solution{.identity = method.identity, .options = method.options};
+  solution.status = Status::failed;
+  solution.reason = reason;
+  return solution;
+}
+
+Solution solved(const methods::Method& method, const problem::Problem& problem,
+                const methods::Setting& setting) {
+  try {
+    if (method.check) method.check(problem);
+    return methods::solve_by(method, problem, setting);
+  } catch (const InputError& error) {
+    return failed(method, error.what());
+  }
+}
+
+std::optional<MarginalPair> own_error_of(const Solution& solution) {
+  if (!solution.has_density()) return std::nullopt;
+  const MarginalPair error{compare::own_error(solution, Variable::y),
+                           compare::own_error(solution, Variable::ydot)};
+  if (!std::isfinite(error.y) || !std::isfinite(error.ydot)) return std::nullopt;
+  return error;
+}
+
+std::vector<BudgetShare> budget_of(const Solution& solution,
+                                   const std::vector<compare::BudgetRow>& budget) {
+  std::vector<BudgetShare> shares;
+  for (const auto& closure : compare::closure_budgets(budget, {&solution, 1})) {
+    if (closure.solution != solution.id() || closure.y == nullptr || closure.ydot == nullptr) {
+      continue;
+    }
+    for (const auto& part : closure.y->parts) {
+      const auto* same = closure.ydot->find(part.name());
+      if (same != nullptr) shares.push_back({part.name(), {part.l1, same->l1}});
+    }
+  }
+  return shares;
+}
+
+MethodResult kept_of(const Solution& solution) {
+  MethodResult result{.status = solution.status,
+                      .reason = solution.reason,
+                      .seconds = solution.seconds,
+                      .error = own_error_of(solution)};
+  if (solution.has_density()) result.moments = solution.moments;
+  return result;
+}
+
+// Of both marginals, where there are both.
+std::optional<MarginalPair> distance(const compare::Comparison& comparison,
+                                     const Solution& solution, const Solution& reference) {
+  const auto l1 = [&](Variable variable) {
+    return compare::l1_between(comparison.pairs, solution.id(), reference.id(), variable);
+  };
+  const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
+  if (!y || !ydot) return std::nullopt;
+  return MarginalPair{*y, *ydot};
+}
+
+SolvedPoint solved(const Plan& plan, std::size_t point) {
+  SolvedPoint solved_point{{.point = point}, {}};
+  PointResult& result = solved_point.result;
+  std::optional<problem::Problem> problem;
+  try {
+    problem = plan.problem_at(point);
+  } catch (const InputError& error) {
+    for (const auto& method : plan.methods) {
+      result.methods.push_back(kept_of(failed(method, error.what())));
+    }
+    return solved_point;
+  }
+  const auto axes = compare::comparison_axes(*problem);
+  const methods::ProblemResiduals residuals(*problem);
+  const bool by_reference =
+      plan.closure_errors == ClosureErrors::reference || !residuals.refused().empty();
+  std::vector<Solution> solutions;
+  for (const auto& method : plan.methods) {
+    solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
+  }
+
+  const Solution* reference = compare::reference(solutions);
+  compare::Comparison comparison;
+  if (reference != nullptr || plan.marginals) {
+    comparison = compare::compare_solutions(axes, solutions);
+  }
+  if (plan.marginals) {
+    for (auto& found : comparison.marginals) {
+      solved_point.curves.push_back(results::curve_of(std::move(found)));
+    }
+  }
+  if (reference != nullptr) result.reference = reference->id();
+  methods::complete_errors(plan.methods, axes, residuals, solutions,
+                           reference != nullptr || plan.marginals ? &comparison : nullptr);
+  for (const Solution& solution : solutions) {
+    const auto l1 =
+        reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
+    result.methods.push_back(kept_of(solution));
+    result.methods.back().l1 = l1;
+    if (reference != nullptr) result.methods.back().budget = budget_of(solution, comparison.budget);
+  }
+  return solved_point;
+}
+
+}  // namespace
+
+SolvedPoint solve_point(const Plan& plan, std::size_t point) {
+  const auto begin = std::chrono::steady_clock::now();
+  SolvedPoint solved_point = solved(plan, point);
+  solved_point.result.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return solved_point;
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,145 @@
+#include "workflows/sweep/plan/axis.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+#include "problem/case_file.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using base::Value;
+
+constexpr std::size_t kMostValues = 1'000'000;
+constexpr std::string_view kLogarithmic = "log:";
+
+// A twelfth digit is none that a solver sees, and 0.57 is read more easily than 0.5700000000000001.
+double to_twelve_digits(double number) {
+  double rounded = number;
+  const std::string text = fmt::format("{:.12g}", number);
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
+}
+
+std::vector<std::string> parts_of(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  boost::algorithm::split(parts, text, [separator](char c) { return c == separator; });
+  for (auto& part : parts) boost::algorithm::trim(part);
+  return parts;
+}
+
+/// What is being read, for messages.
+struct Reading {
+  const base::Parameter& parameter;
+  std::string label;  ///< "--vary system.restitution"
+
+  Value value(const std::string& text) const {
+    const Value found = base::value_from(parameter, text, label);
+    if (!parameter.in_range(found)) {
+      throw InputError(
+          fmt::format("{} {} (must be {})", label, base::shown(text), parameter.allowed()));
+    }
+    return found;
+  }
+  double number(const std::string& text) const {
+    const Value found = value(text);
+    if (const auto* number = std::get_if<double>(&found)) return *number;
+    throw InputError(fmt::format("{}: a word has no range (list its values: {})", label,
+                                 fmt::join(parameter.choices, ",")));
+  }
+};
+
+std::size_t count_in(const std::string& text, const Reading& reading) {
+  std::size_t count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error == std::errc() && end == text.data() + text.size() && count >= 2 &&
+      count <= kMostValues) {
+    return count;
+  }
+  throw InputError(fmt::format("{}: {} is no number of points (must be an integer, 2 .. {})",
+                               reading.label, base::in_quotes(text), kMostValues));
+}
+
+Axis range_from(std::string_view text, Axis axis, const Reading& reading) {
+  axis.spacing = text.starts_with(kLogarithmic) ? Spacing::logarithmic : Spacing::linear;
+  if (axis.spacing == Spacing::logarithmic) text.remove_prefix(kLogarithmic.size());
+  const auto parts = parts_of(text, ':');
+  if (parts.size() < 2 || parts.size() > 3) {
+    throw InputError(fmt::format("{} {} (write FROM:TO:N, log:FROM:TO:N or A,B,..)", reading.label,
+                                 base::shown(text)));
+  }
+  axis.from = reading.number(parts[0]);
+  axis.to = reading.number(parts[1]);
+  if (axis.from == axis.to) {
+    throw InputError(fmt::format("{} {} (a range needs two ends that differ)", reading.label,
+                                 base::shown(text)));
+  }
+  if (axis.spacing == Spacing::logarithmic && std::min(axis.from, axis.to) <= 0) {
+    throw InputError(fmt::format("{} log:{} (the ends of a logarithmic range must be positive)",
+                                 reading.label, base::shown(text)));
+  }
+  if (parts.size() == 2) return axis;
+  const std::size_t count = count_in(parts[2], reading);
+  axis.values.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    axis.values.emplace_back(axis.at(static_cast<double>(k) / static_cast<double>(count - 1)));
+  }
+  return axis;
+}
+
+}  // namespace
+
+double Axis::at(double part) const {
+  if (part <= 0) return from;
+  if (part >= 1) return to;
+  return to_twelve_digits(spacing == Spacing::logarithmic ? from * std::pow(to / from, part)
+                                                          : std::lerp(from, to, part));
+}
+
+std::string Axis::text() const {
+  if (spacing == Spacing::listed) {
+    std::vector<std::string> list;
+    for (const auto& value : values) {
+      const auto* word = std::get_if<std::string>(&value);
+      list.push_back(word != nullptr ? *word : base::text_of(value));
+    }
+    return fmt::format("{} = {}", key, fmt::join(list, ","));
+  }
+  return fmt::format("{} = {}{:g}:{:g}{}", key, spacing == Spacing::logarithmic ? kLogarithmic : "",
+                     from, to, values.empty() ? "" : fmt::format(":{}", values.size()));
+}
+
+Axis axis_from(std::string_view key, std::string_view values, const std::string& where) {
+  const Reading reading{problem::case_parameter(key, where), fmt::format("{} {} =", where, key)};
+  Axis axis{.key = std::string(key)};
+  if (values.find(':') != std::string_view::npos) {
+    axis = range_from(values, std::move(axis), reading);
+  } else {
+    for (const auto& item : parts_of(values, ',')) axis.values.push_back(reading.value(item));
+  }
+  const auto require_distinct = [&reading](const std::vector<Value>& sorted) {
+    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
+      throw InputError(
+          fmt::format("{} {} is there twice (keep one)", reading.label, base::text_of(*twice)));
+    }
+  };
+  if (axis.spacing != Spacing::listed) {
+    require_distinct(axis.values);  // a range is sorted, and a copy of a million values is 40 MB
+  } else {
+    auto sorted = axis.values;
+    std::ranges::sort(sorted);
+    require_distinct(sorted);
+  }
+  return axis;
+}
+
+}  // namespace fpkcheck::sweep

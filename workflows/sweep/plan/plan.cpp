@@ -1,0 +1,25 @@
+#include "workflows/sweep/plan/plan.hpp"
+
+#include <algorithm>
+
+namespace fpkcheck::sweep {
+
+problem::Problem Plan::problem_at(std::size_t point) const {
+  auto sections = problem::sections(base);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const std::string& key = axes[a].key;
+    const auto dot = key.find('.');
+    auto section = std::ranges::find(sections, key.substr(0, dot), &problem::Section::name);
+    if (section == sections.end()) {
+      section = sections.insert(section, {.name = key.substr(0, dot), .values = {}});
+    }
+    auto value = std::ranges::find(section->values, key.substr(dot + 1), &base::NamedValue::name);
+    if (value == section->values.end()) {  // the base has it as it is where nobody names it
+      value = section->values.insert(value, {.name = key.substr(dot + 1), .value = {}});
+    }
+    value->value = points[point][a];
+  }
+  return problem::problem_from(base.name, sections);
+}
+
+}  // namespace fpkcheck::sweep

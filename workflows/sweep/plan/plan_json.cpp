@@ -1,0 +1,142 @@
+#include "workflows/sweep/plan/plan_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using results::Json;
+
+Json axis_json(const Axis& axis) {
+  Json json{{"key", axis.key}, {"spacing", name(axis.spacing)}};
+  if (axis.spacing != Spacing::listed) {
+    json["from"] = axis.from;
+    json["to"] = axis.to;
+  }
+  json["values"] = Json::array();
+  for (const auto& value : axis.values) json["values"].push_back(results::value_json(value));
+  return json;
+}
+
+template <class Enum>
+Enum named_in(const Json& json) {
+  const auto text = json.get<std::string>();
+  const auto value = base::value_named<Enum>(text);
+  if (!value) throw InputError(fmt::format("{} is unknown", base::in_quotes(text)));
+  return *value;
+}
+
+// JSON does not tell 1 from 1.0: a number is what the key takes.
+base::Value as_number(base::Value value) {
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  return whole == nullptr ? value : static_cast<double>(*whole);
+}
+
+Axis axis_in(const Json& json) {
+  Axis axis{.key = json.at("key"), .spacing = named_in<Spacing>(json.at("spacing"))};
+  if (axis.spacing != Spacing::listed) {
+    axis.from = json.at("from");
+    axis.to = json.at("to");
+  }
+  for (const auto& value : json.at("values")) {
+    axis.values.push_back(as_number(results::value_in(value)));
+  }
+  return axis;
+}
+
+methods::Method method_in(const Json& json, const methods::Registry& registry) {
+  const auto solver = json.at("method").get<std::string>();
+  const auto* found = registry.find(solver);
+  if (found == nullptr) {
+    throw InputError(fmt::format("no solver {} here", base::in_quotes(solver)));
+  }
+  return registry.method(*found, results::values_in(json.at("options")));
+}
+
+// What an element of a list is called.
+std::string title_of(const Json& json) {
+  for (const char* field : {"id", "key"}) {
+    if (json.is_object() && json.contains(field)) return results::text_of(json.at(field));
+  }
+  return json.is_structured() ? "" : results::text_of(json);
+}
+
+std::string titles_of(const Json& list) {
+  std::string text;
+  for (const auto& element : list) text += (text.empty() ? "" : ", ") + title_of(element);
+  return base::shown(text);
+}
+
+// "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty where there is none.
+std::string first_difference(const std::string& where, const Json& was, const Json& is) {
+  if (was == is) return "";
+  if (was.is_object() && is.is_object()) {
+    for (const auto& [key, value] : is.items()) {
+      const auto difference =
+          first_difference(where + ' ' + key, was.contains(key) ? was.at(key) : Json(), value);
+      if (!difference.empty()) return difference;
+    }
+  }
+  if (was.is_array() && is.is_array()) {
+    const std::string titles_then = titles_of(was), titles_now = titles_of(is);
+    if (titles_then != titles_now || was.size() != is.size()) {
+      return fmt::format("{}: {} then, {} now", where, titles_then, titles_now);
+    }
+    for (std::size_t k = 0; k < is.size(); ++k) {
+      const auto difference = first_difference(where + ' ' + title_of(is[k]), was[k], is[k]);
+      if (!difference.empty()) return difference;
+    }
+  }
+  return fmt::format("{}: {} then, {} now", where, base::shown(was.dump()), base::shown(is.dump()));
+}
+
+}  // namespace
+
+Json plan_json(const Plan& plan) {
+  Json json{{"case", results::problem_json(plan.base)},
+            {"vary", Json::array()},
+            {"design", name(plan.design)},
+            {"points", plan.sobol_points},
+            {"marginals", plan.marginals},
+            {"closure_errors", name(plan.closure_errors)},
+            {"methods", Json::array()}};
+  for (const auto& axis : plan.axes) json["vary"].push_back(axis_json(axis));
+  for (const auto& method : plan.methods) {
+    json["methods"].push_back({{"id", method.id()},
+                               {"method", method.identity.method},
+                               {"options", results::values_json(method.options)}});
+  }
+  return json;
+}
+
+Plan plan_in(const Json& json, const methods::Registry& registry) {
+  Plan plan{.base = results::problem_in(json.at("case")),
+            .axes = {},
+            .design = named_in<Design>(json.at("design")),
+            .sobol_points = json.at("points"),
+            .marginals = json.at("marginals"),
+            .closure_errors = named_in<ClosureErrors>(json.at("closure_errors"))};
+  for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_in(axis));
+  for (const auto& method : json.at("methods")) {
+    plan.methods.push_back(method_in(method, registry));
+  }
+  plan.points = points_of(plan.axes, plan.design, plan.sobol_points);
+  return plan;
+}
+
+std::string difference_of(const Json& before, const Json& now) {
+  for (const char* part :
+       {"methods", "vary", "design", "points", "marginals", "closure_errors", "case"}) {
+    const Json was = before.contains(part) ? before.at(part) : Json();
+    const std::string difference = first_difference(part, was, now.at(part));
+    if (!difference.empty()) return difference;
+  }
+  return "";
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,125 @@
+#include "workflows/sweep/report/figure/curve_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fpkcheck::sweep {
+namespace {
+
+using transform::Variable;
+
+double of(const MarginalPair& pair, Variable variable) {
+  return variable == Variable::y ? pair.y : pair.ydot;
+}
+
+std::vector<report::SeriesLook> looks_of(const Plan& plan) {
+  std::vector<transform::Identity> who;
+  for (const auto& method : plan.methods) who.push_back(method.identity);
+  return report::series_looks(who);
+}
+
+}  // namespace
+
+std::string data_cell(const std::optional<double>& number) {
+  return number && std::isfinite(*number) ? fmt::format("{:.6g}", *number) : "NaN";
+}
+
+CurveData::CurveData(const SweepView& view, const CurvesLayout& layout)
+    : view_(view), layout_(layout), looks_(looks_of(view.plan())) {}
+
+double CurveData::mark_size() const {
+  std::size_t most = 0;
+  for (const auto& slice : layout_.slices) most = std::max(most, slice.points.size());
+  return most <= 30 ? 1.1 : most <= 80 ? 0.7 : 0.4;
+}
+
+void CurveData::for_each(const std::function<void(std::size_t, std::size_t)>& call) const {
+  for (const auto& slice : layout_.slices) {
+    for (const std::size_t point : slice.points) {
+      for (std::size_t m = 0; m < methods(); ++m) call(point, m);
+    }
+  }
+}
+
+std::optional<double> CurveData::l1(std::size_t point, std::size_t m, Variable variable) const {
+  const auto* one = view_.method(point, m);
+  if (one == nullptr || !one->l1 || view_.is_reference(point, m)) return std::nullopt;
+  return of(*one->l1, variable);
+}
+
+std::optional<double> CurveData::own_error(std::size_t point, std::size_t m,
+                                           Variable variable) const {
+  const auto* one = view_.method(point, m);
+  if (one == nullptr || !one->error || !l1(point, m, variable)) return std::nullopt;
+  return of(*one->error, variable);
+}
+
+std::optional<double> CurveData::floor(std::size_t point, Variable variable) const {
+  const auto error = view_.error_of_reference(point);
+  if (!error) return std::nullopt;
+  return of(*error, variable);
+}
+
+bool CurveData::has_no_density(std::size_t point, std::size_t m) const {
+  const auto* one = view_.method(point, m);
+  return one != nullptr && !one->l1 && !view_.is_reference(point, m) &&
+         one->status != transform::Status::ok && !view_.point(point)->reference.empty();
+}
+
+double CurveData::abscissa_of(std::size_t point) const {
+  return layout_.along.at(view_.plan().points[point][layout_.place]);
+}
+
+double CurveData::abscissa_of(std::size_t point, std::size_t m) const {
+  constexpr double kRoom = 0.7;  // of a word's, over which its methods are spread
+  const auto count = static_cast<double>(methods());
+  const double beside = (static_cast<double>(m) - (count - 1) / 2) * kRoom / count;
+  return abscissa_of(point) + (is_words() ? beside : 0);
+}
+
+std::string CurveData::blocks() const {
+  std::string text;
+  for (std::size_t s = 0; s < layout_.slices.size(); ++s) {
+    for (std::size_t m = 0; m < methods(); ++m) {
+      std::string rows;
+      for (const std::size_t point : layout_.slices[s].points) {
+        const auto* one = view_.method(point, m);
+        const bool is_ok = one != nullptr && one->status == transform::Status::ok;
+        std::optional<double> y2, v2;
+        if (one != nullptr && one->moments) {
+          y2 = one->moments->y2;
+          v2 = one->moments->v2;
+        }
+        rows += fmt::format(
+            "{:.6g} {} {} {} {} {} {} {}\n", abscissa_of(point, m),
+            data_cell(l1(point, m, Variable::y)), data_cell(l1(point, m, Variable::ydot)),
+            is_ok ? marks(m).filled : marks(m).open, data_cell(own_error(point, m, Variable::y)),
+            data_cell(own_error(point, m, Variable::ydot)), data_cell(y2), data_cell(v2));
+      }
+      text += report::data_block(fmt::format("curve_{}_{}", s, m), rows);
+    }
+  }
+  return text;
+}
+
+std::string CurveData::floor_blocks() const {
+  std::string text;
+  for (std::size_t s = 0; s < layout_.slices.size(); ++s) {
+    std::string rows;
+    for (const std::size_t point : layout_.slices[s].points) {
+      const auto y = floor(point, Variable::y), ydot = floor(point, Variable::ydot);
+      const auto row = [&](double x) {
+        return y ? fmt::format("{:.6g} {:.6g} {:.6g}\n", x, *y, *ydot) : "\n";
+      };
+      constexpr double kHalf = 0.48;  // of a word's bar
+      const double x = abscissa_of(point);
+      rows += is_words() ? row(x - kHalf) + row(x + kHalf) + '\n' : row(x);
+    }
+    text += report::data_block(fmt::format("floor_{}", s), rows);
+  }
+  return text;
+}
+
+}  // namespace fpkcheck::sweep

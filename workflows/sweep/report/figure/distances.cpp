@@ -1,0 +1,181 @@
+#include "workflows/sweep/report/figure/distances.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/text.hpp"
+#include "workflows/sweep/report/figure/curve_script.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using transform::Variable;
+
+constexpr const char* kFloorColour = "#DEDEDE";
+constexpr const char* kFloorEdge = "#AAAAAA";
+// An error that has no neighbours is a dot.
+constexpr const char* kDotted = "lw 1.5 dt (2,4)";
+constexpr const char* kDots = "pt 7 ps 0.25";
+constexpr double kRow = 0.045;  // of a panel's height, for the crosses of a method
+
+/// The picture on its way into a script.
+class Distances {
+ public:
+  Distances(const SweepView& view, const CurvesLayout& layout) : data_(view, layout) {
+    look_at_points();
+  }
+  std::string script(const std::string& file_stem) const;
+
+ private:
+  void look_at_points();
+  double row_at_top(std::size_t row) const;
+  std::string absent_blocks() const;
+  std::string own_error_plot(std::size_t slice, std::size_t m, int distance, int own) const;
+  std::string panel(std::size_t slice, Variable variable) const;
+  report::Legend legend() const;
+
+  CurveData data_;
+  double low_ = 0, high_ = 0;                 // of the axis
+  std::vector<std::size_t> without_density_;  // methods, at some point
+  bool any_open_ = false, any_own_ = false, any_floor_ = false;
+};
+
+void Distances::look_at_points() {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  const auto add = [&](const std::optional<double>& number) {
+    if (!number || !std::isfinite(*number) || *number <= 0) return;
+    low = std::min(low, *number);
+    high = std::max(high, *number);
+  };
+  data_.for_each([&](std::size_t point, std::size_t m) {
+    for (const Variable variable : transform::kVariables) {
+      const auto l1 = data_.l1(point, m, variable), own = data_.own_error(point, m, variable),
+                 floor = data_.floor(point, variable);
+      for (const auto& each : {l1, own, floor}) add(each);
+      const auto* one = data_.view().method(point, m);
+      any_open_ = any_open_ || (l1 && one->status != transform::Status::ok);
+      any_own_ = any_own_ || own;
+      any_floor_ = any_floor_ || floor;
+    }
+    if (data_.has_no_density(point, m) && std::ranges::count(without_density_, m) == 0) {
+      without_density_.push_back(m);
+    }
+  });
+  if (high == 0) low = 1e-3, high = 1;
+  constexpr double kLargest = 20, kDecades = 1e8;  // of densities, 2 is the most
+  high = 1.5 * std::min(high, kLargest);
+  low_ = std::max(low / 1.5, high / kDecades);
+  const double rows = kRow * static_cast<double>(without_density_.size());
+  high_ = high * std::pow(high / low_, rows / (1 - rows));
+}
+
+double Distances::row_at_top(std::size_t row) const {
+  return low_ * std::pow(high_ / low_, 1 - kRow * (static_cast<double>(row) + 0.5));
+}
+
+std::string Distances::absent_blocks() const {
+  std::string text;
+  for (std::size_t s = 0; s < data_.layout().slices.size(); ++s) {
+    for (std::size_t row = 0; row < without_density_.size(); ++row) {
+      const std::size_t m = without_density_[row];
+      std::string rows;
+      for (const std::size_t point : data_.layout().slices[s].points) {
+        rows += fmt::format("{:.6g} {}\n", data_.abscissa_of(point, m),
+                            data_.has_no_density(point, m) ? data_cell(row_at_top(row)) : "NaN");
+      }
+      text += report::data_block(fmt::format("absent_{}_{}", s, m), rows);
+    }
+  }
+  return text;
+}
+
+// Along words it leads from the distance to the error.
+std::string Distances::own_error_plot(std::size_t slice, std::size_t m, int distance,
+                                      int own) const {
+  const std::string_view colour = data_.look(m).colour;
+  if (data_.is_words()) {
+    return fmt::format(
+        "$curve_{}_{} using {}:{}:(0):(${}-${}) with vectors nohead lc rgb '{}' {} notitle", slice,
+        m, static_cast<int>(abscissa), distance, own, distance, colour, kDotted);
+  }
+  return fmt::format("$curve_{}_{} using {}:{} with linespoints lc rgb '{}' {} {} notitle", slice,
+                     m, static_cast<int>(abscissa), own, colour, kDotted, kDots);
+}
+
+std::string Distances::panel(std::size_t slice, Variable variable) const {
+  const bool is_y = variable == Variable::y;
+  std::vector<std::string> plots;
+  if (any_floor_) {
+    plots.push_back(
+        fmt::format("$floor_{0} using 1:({1:.4g}):{2} with filledcurves fc rgb '{3}' notitle, "
+                    "$floor_{0} using 1:{2} with lines lc rgb '{4}' lw 1 notitle",
+                    slice, low_, is_y ? 2 : 3, kFloorColour, kFloorEdge));
+  }
+  for (const std::size_t m : data_.view().compared_methods()) {
+    const int distance = is_y ? distance_y : distance_ydot;
+    if (any_own_) plots.push_back(own_error_plot(slice, m, distance, is_y ? own_y : own_ydot));
+    plots.push_back(curve_plot(data_, slice, m, distance));
+  }
+  for (const std::size_t m : without_density_) {
+    plots.push_back(
+        fmt::format("$absent_{}_{} using 1:2 with points lc rgb '{}' lw 2 pt 2 ps 0.8 notitle",
+                    slice, m, data_.look(m).colour));
+  }
+  const std::string reference = data_.view().only_reference();
+  return fmt::format("set ylabel {}\nplot {}\n\n",
+                     report::gnuplot_text(fmt::format(
+                         "{{/:Italic L}}_1 distance of {} to {}", report::density_of(variable),
+                         reference.empty() ? "the reference" : report::without_marks(reference))),
+                     fmt::join(plots, ", \\\n     "));
+}
+
+report::Legend Distances::legend() const {
+  report::Legend legend = curves_legend(data_, data_.view().compared_methods(), any_open_);
+  if (any_own_) {
+    legend.entries.push_back(
+        {data_.is_words()
+             ? fmt::format("NaN with lines lc rgb '#444444' {}", kDotted)
+             : fmt::format("NaN with linespoints lc rgb '#444444' {} {}", kDotted, kDots),
+         "own stated error"});
+  }
+  if (any_floor_) {
+    legend.entries.push_back({fmt::format("NaN with boxes fs solid border rgb '{}' fc rgb '{}'",
+                                          kFloorEdge, kFloorColour),
+                              "error of the reference"});
+  }
+  if (!without_density_.empty()) {
+    legend.entries.push_back({"NaN with points lc rgb '#444444' lw 2 pt 2 ps 0.8", "no density"});
+  }
+  return legend;
+}
+
+std::string Distances::script(const std::string& file_stem) const {
+  const report::Legend strip = legend();
+  const report::PanelGrid grid = curves_grid(data_, strip);
+  std::string text = curves_begin(data_, grid, file_stem) +
+                     (any_floor_ ? data_.floor_blocks() : "") + absent_blocks() +
+                     fmt::format(
+                         "set logscale y\nset format y {}\n"
+                         "set yrange [{:.4g}:{:.4g}]\n\n",
+                         report::kPowersOfTen, low_, high_);
+  for (std::size_t s = 0; s < data_.layout().slices.size(); ++s) {
+    for (const Variable variable : transform::kVariables) {
+      text += curves_panel(data_, grid, s, variable) + panel(s, variable);
+    }
+  }
+  return text + report::legend_strip(strip, grid.size()) + "unset multiplot\nunset output\n";
+}
+
+}  // namespace
+
+std::string distances_script(const SweepView& view, const CurvesLayout& layout,
+                             const std::string& file_stem) {
+  return Distances(view, layout).script(file_stem);
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,161 @@
+#include "workflows/sweep/report/figure/key_axis.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/case_file.hpp"
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/text.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using base::Value;
+
+constexpr std::size_t kMostTics = 6;
+
+struct Tic {
+  std::string text;
+  double place;
+};
+
+std::string tics_of(const std::vector<Tic>& tics) {
+  std::vector<std::string> list;
+  for (const auto& tic : tics) {
+    list.push_back(fmt::format("{} {:.6g}", report::gnuplot_literal(tic.text), tic.place));
+  }
+  return fmt::format("({})", fmt::join(list, ", "));
+}
+
+// 1, 2 or 5 times a power of ten, at least kMostTics / 2 of them.
+std::vector<double> round_numbers(double low, double high) {
+  const double rough = (high - low) / static_cast<double>(kMostTics);
+  const double power = std::pow(10, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (const double digit : {5.0, 2.0, 1.0}) {
+    if (digit * power >= rough) step = digit * power;
+  }
+  std::vector<double> numbers;
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
+    numbers.push_back(k == 0 ? 0 : k * step);
+  }
+  return numbers;
+}
+
+std::vector<double> round_numbers_by_decades(double low, double high) {
+  std::vector<double> numbers;
+  for (const auto& digits : {std::vector{1.0, 2.0, 5.0}, {1.0, 3.0}, {1.0}}) {
+    numbers.clear();
+    for (double power = std::floor(std::log10(low)); power <= std::log10(high); ++power) {
+      for (const double digit : digits) {
+        const double number = digit * std::pow(10, power);
+        if (number >= low * (1 - 1e-9) && number <= high * (1 + 1e-9)) numbers.push_back(number);
+      }
+    }
+    if (numbers.size() <= kMostTics) break;
+  }
+  return numbers.size() < 2 ? round_numbers(low, high) : numbers;
+}
+
+// A list from 0.1 to 10 is as good as told to be logarithmic.
+bool spans_decades(const std::vector<Value>& sorted) {
+  constexpr double kMuch = 20;
+  const double low = std::get<double>(sorted.front()), high = std::get<double>(sorted.back());
+  return low > 0 && high > kMuch * low;
+}
+
+}  // namespace
+
+KeyAxis::KeyAxis(const Plan& plan, std::size_t place) : key_(plan.axes[place].key) {
+  const Axis& axis = plan.axes[place];
+  const auto& parameter = problem::case_parameter(key_, "a picture");
+  label_ = report::without_marks(key_);
+  if (!parameter.typeset.empty()) {
+    label_ += fmt::format(", {{/:Italic {}}}", report::without_marks(parameter.typeset));
+  }
+  values_ = axis.values;
+  if (values_.empty()) {
+    for (const auto& point : plan.points) values_.push_back(point[place]);
+  }
+  is_words_ = !values_.empty() && !std::holds_alternative<double>(values_.front());
+  if (is_words_) return;
+  std::ranges::sort(values_);
+  values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+  is_even_ = axis.spacing != Spacing::listed && values_.size() > 1;
+  is_logarithmic_ = axis.spacing == Spacing::logarithmic ||
+                    (axis.spacing == Spacing::listed && spans_decades(values_));
+}
+
+std::string KeyAxis::text_of(const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);
+}
+
+double KeyAxis::at(const Value& value) const {
+  return is_words_ ? static_cast<double>(cell_of(value)) : std::get<double>(value);
+}
+
+double KeyAxis::part(const Value& value) const {
+  const double from = at(values_.front()), to = at(values_.back()), here = at(value);
+  if (from == to) return 0;
+  return is_logarithmic_ ? std::log(here / from) / std::log(to / from)
+                         : (here - from) / (to - from);
+}
+
+std::string KeyAxis::commands(char letter) const {
+  const std::string label = label_command(letter);
+  if (is_words_) {
+    std::vector<Tic> tics;
+    for (const auto& value : values_) tics.push_back({text_of(value), at(value)});
+    return label + fmt::format("set {0}range [-0.5:{1}]\nset {0}tics {2}\n", letter,
+                               static_cast<double>(values_.size()) - 0.5, tics_of(tics));
+  }
+  double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
+  constexpr double kRoom = 0.03;  // for the marks at the ends
+  if (is_logarithmic_) {
+    std::vector<Tic> tics;
+    for (const double number : round_numbers_by_decades(low, high)) {
+      tics.push_back({fmt::format("{:g}", number), number});
+    }
+    const double room = low == high ? 2 : std::pow(high / low, kRoom);
+    return label +
+           fmt::format("set logscale {0}\nset {0}range [{1:.6g}:{2:.6g}]\nset {0}tics {3}\n",
+                       letter, low / room, high * room, tics_of(tics));
+  }
+  const double room = low == high ? std::max(std::abs(low), 1.0) : kRoom * (high - low);
+  return label + fmt::format("set {0}range [{1:.6g}:{2:.6g}]\nset {0}tics autofreq\n", letter,
+                             low - room, high + room);
+}
+
+std::string KeyAxis::label_command(char letter) const {
+  return fmt::format("set {}label {}\n", letter, report::gnuplot_text(label_));
+}
+
+std::size_t KeyAxis::cell_of(const Value& value) const {
+  return static_cast<std::size_t>(std::ranges::find(values_, value) - values_.begin());
+}
+
+std::string KeyAxis::cell_commands(char letter) const {
+  const double last = static_cast<double>(values_.size()) - 1;
+  std::vector<Tic> tics;
+  if (is_even_) {
+    const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
+    const auto numbers =
+        is_logarithmic_ ? round_numbers_by_decades(low, high) : round_numbers(low, high);
+    for (const double number : numbers) {
+      tics.push_back({fmt::format("{:g}", number), part(number) * last});
+    }
+  } else {
+    const std::size_t step = is_words_ ? 1 : (values_.size() + kMostTics - 1) / kMostTics;
+    for (std::size_t k = 0; k < values_.size(); k += step) {
+      tics.push_back({text_of(values_[k]), static_cast<double>(k)});
+    }
+  }
+  return label_command(letter) + fmt::format("set {0}range [-0.5:{1}]\nset {0}tics {2}\n", letter,
+                                             last + 0.5, tics_of(tics));
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,141 @@
+#include "workflows/sweep/report/figure/map_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "report/figure/script_parts.hpp"
+#include "workflows/sweep/report/figure/status_mark.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using transform::Status;
+
+constexpr std::size_t kFewPoints = 300;
+
+// A distance of 0 has no logarithm.
+double with_logarithm(double l1) { return std::max(l1, kLeastColour / 10); }
+
+/// Where something is marked: a status, or the reference.
+struct Marked {
+  int type;
+  std::size_t point;
+};
+
+std::vector<Marked> marked_points(const SweepView& view, std::size_t m) {
+  std::vector<Marked> marked;
+  for (const auto& point : view.results().points) {
+    const Status status = point.methods[m].status;
+    if (status != Status::ok) marked.push_back({point_type(status), point.point});
+    if (view.is_reference(point.point, m)) marked.push_back({kReferenceMark, point.point});
+  }
+  return marked;
+}
+
+// Which of so many parts of the axis a value is in.
+std::size_t tile(const KeyAxis& axis, const base::Value& value, std::size_t tiles) {
+  const auto count = static_cast<double>(tiles);
+  return static_cast<std::size_t>(std::min(axis.part(value) * count, count - 1));
+}
+
+}  // namespace
+
+MapData::MapData(const SweepView& view) : view_(view), x_(view.plan(), 0), y_(view.plan(), 1) {
+  if (!in_cells()) return;
+  cells_.assign(columns(), std::vector<std::size_t>(rows()));
+  for (std::size_t point = 0; point < view.plan().points.size(); ++point) {
+    const auto& values = view.plan().points[point];
+    cells_[x_.cell_of(values[0])][y_.cell_of(values[1])] = point;
+  }
+}
+
+std::array<double, 2> MapData::place(std::size_t point) const {
+  const auto& values = view_.plan().points[point];
+  if (!in_cells()) return {x_.at(values[0]), y_.at(values[1])};
+  return {static_cast<double>(x_.cell_of(values[0])), static_cast<double>(y_.cell_of(values[1]))};
+}
+
+std::string MapData::blocks(std::size_t m) const {
+  std::string text;
+  for (std::size_t j = 0; in_cells() && j < rows(); ++j) {
+    for (std::size_t i = 0; i < columns(); ++i) {
+      const auto l1 = view_.larger_l1(cells_[i][j], m);
+      text += l1 ? fmt::format("{} {} {:.4g}\n", i, j, with_logarithm(*l1))
+                 : fmt::format("{} {} NaN\n", i, j);
+    }
+    text += '\n';
+  }
+  for (std::size_t point = 0; !in_cells() && point < view_.plan().points.size(); ++point) {
+    const auto l1 = view_.larger_l1(point, m);
+    if (!l1) continue;
+    const auto [x, y] = place(point);
+    text += fmt::format("{:.6g} {:.6g} {:.4g}\n", x, y, with_logarithm(*l1));
+  }
+  return report::data_block(fmt::format("map_{}", m), text.empty() ? "NaN NaN NaN\n" : text);
+}
+
+std::string MapData::mark_blocks(std::size_t m, std::size_t across, std::size_t up,
+                                 std::set<int>& types) const {
+  std::set<std::tuple<int, std::size_t, std::size_t>> taken;
+  std::map<int, std::string> marks;
+  const bool is_few = !in_cells() && view_.plan().points.size() <= kFewPoints;
+  for (const auto& [type, point] : marked_points(view_, m)) {
+    const auto [x, y] = place(point);
+    const auto& values = view_.plan().points[point];
+    if (!is_few &&
+        !taken.insert({type, tile(x_, values[0], across), tile(y_, values[1], up)}).second) {
+      continue;
+    }
+    marks[type] += fmt::format("{:.6g} {:.6g}\n", x, y);
+  }
+  std::string text;
+  for (const auto& [type, points] : marks) {
+    types.insert(type);
+    text += report::data_block(fmt::format("mark_{}_{}", m, type), points);
+  }
+  return text;
+}
+
+std::string MapData::outline_block(std::size_t m) const {
+  if (!in_cells()) return "";
+  const auto not_ok = [&](std::size_t i, std::size_t j) {
+    const auto* one = view_.method(cells_[i][j], m);
+    return one != nullptr && one->status != Status::ok;
+  };
+  std::string borders;
+  for (std::size_t i = 0; i < columns(); ++i) {
+    for (std::size_t j = 0; j < rows(); ++j) {
+      const double x = static_cast<double>(i), y = static_cast<double>(j);
+      if (i + 1 < columns() && not_ok(i, j) != not_ok(i + 1, j)) {
+        borders += fmt::format("{0} {1}\n{0} {2}\n\n", x + 0.5, y - 0.5, y + 0.5);
+      }
+      if (j + 1 < rows() && not_ok(i, j) != not_ok(i, j + 1)) {
+        borders += fmt::format("{0} {2}\n{1} {2}\n\n", x - 0.5, x + 0.5, y + 0.5);
+      }
+    }
+  }
+  return borders.empty() ? "" : report::data_block(fmt::format("outline_{}", m), borders);
+}
+
+bool MapData::crosses(std::size_t m, double l1) const {
+  if (!in_cells() || x_.is_words() || y_.is_words()) return false;
+  const auto side = [&](std::size_t i, std::size_t j) {
+    const auto found = view_.larger_l1(cells_[i][j], m);
+    return !found ? 0 : *found < l1 ? -1 : 1;
+  };
+  // A contour needs a square of four cells around it.
+  for (std::size_t i = 1; i < columns(); ++i) {
+    for (std::size_t j = 1; j < rows(); ++j) {
+      const int corner = side(i - 1, j - 1), right = side(i, j - 1), above = side(i - 1, j),
+                far = side(i, j);
+      const bool complete = corner * right * above * far != 0;
+      if (complete && (corner != right || corner != above || corner != far)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace fpkcheck::sweep

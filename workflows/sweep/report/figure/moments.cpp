@@ -1,0 +1,72 @@
+#include "workflows/sweep/report/figure/moments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "report/figure/text.hpp"
+#include "workflows/sweep/report/figure/curve_script.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using transform::Moments;
+using transform::Variable;
+
+// By what may be trusted, if anything: a wild answer would press all others together.
+std::string moment_range(const CurveData& data, double Moments::*moment) {
+  std::vector<double> ok, all;
+  data.for_each([&](std::size_t point, std::size_t m) {
+    const auto* one = data.view().method(point, m);
+    if (one == nullptr || !one->moments) return;
+    const double value = (*one->moments).*moment;
+    if (!std::isfinite(value)) return;
+    all.push_back(value);
+    if (one->status == transform::Status::ok) ok.push_back(value);
+  });
+  const auto& held = ok.empty() ? all : ok;
+  if (held.empty()) return "set yrange [0:1]\n";
+  const auto [low, high] = std::ranges::minmax(held);
+  const double room = std::max(0.06 * (high - low), 2e-4 * std::abs(high) + 1e-12);
+  return fmt::format("set yrange [{:.6g}:{:.6g}]\n", low - room, high + room);
+}
+
+std::string moment_panel(const CurveData& data, std::size_t slice, Variable variable) {
+  const bool is_y = variable == Variable::y;
+  std::vector<std::string> plots;  // what is trusted least comes last, on top of what it misses
+  for (std::size_t m = data.methods(); m-- > 0;) {
+    plots.push_back(curve_plot(data, slice, m, is_y ? moment_y : moment_ydot));
+  }
+  return fmt::format("set ylabel {}\n{}plot {}\n\n",
+                     report::gnuplot_text(is_y ? "E[{/:Italic y}^2]" : "E[{/:Italic y}'^2]"),
+                     moment_range(data, is_y ? &Moments::y2 : &Moments::v2),
+                     fmt::join(plots, ", \\\n     "));
+}
+
+}  // namespace
+
+std::string moments_script(const SweepView& view, const CurvesLayout& layout,
+                           const std::string& file_stem) {
+  const CurveData data(view, layout);
+  bool any_open = false;
+  data.for_each([&](std::size_t point, std::size_t m) {
+    const auto* one = view.method(point, m);
+    any_open = any_open || (one != nullptr && one->moments && one->status != transform::Status::ok);
+  });
+  std::vector<std::size_t> all(data.methods());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const report::Legend legend = curves_legend(data, all, any_open);
+  const report::PanelGrid grid = curves_grid(data, legend);
+  std::string text = curves_begin(data, grid, file_stem) + "set format y '%g'\n\n";
+  for (std::size_t s = 0; s < layout.slices.size(); ++s) {
+    for (const Variable variable : transform::kVariables) {
+      text += curves_panel(data, grid, s, variable) + moment_panel(data, s, variable);
+    }
+  }
+  return text + report::legend_strip(legend, grid.size()) + "unset multiplot\nunset output\n";
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,94 @@
+#include "workflows/sweep/report/figure/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include "base/files/pending_files.hpp"
+#include "base/process/stop.hpp"
+#include "report/figure/drawing.hpp"
+#include "workflows/sweep/report/figure/distances.hpp"
+#include "workflows/sweep/report/figure/map.hpp"
+#include "workflows/sweep/report/figure/moments.hpp"
+#include "workflows/sweep/report/figure/scatter.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+constexpr const char* kDistances = "sweep-distances";
+constexpr const char* kMoments = "sweep-moments";
+constexpr const char* kMap = "sweep-map";
+constexpr const char* kScatter = "sweep-keys";
+
+std::vector<SweepPicture> curves(const SweepView& view) {
+  const CurvesLayout layout = curves_layout(view.plan());
+  std::vector<SweepPicture> pictures;
+  if (view.has_distances()) {
+    pictures.push_back(
+        {kDistances,
+         "L1 distances of p(y) and p(y') to the reference of each point. Marks are open where the "
+         "answer is not ok; dotted is what a method states of its own error (a discretised "
+         "equation: of that equation, which need not be the problem's); within the grey the "
+         "reference's own error hides what there is to tell; crosses at the top are answers "
+         "without a density.",
+         distances_script(view, layout, kDistances)});
+  }
+  pictures.push_back({kMoments,
+                      "E[y\u00b2] and E[y\u2032\u00b2]. Marks are open where the answer is not ok; "
+                      "the axes hold those that are.",
+                      moments_script(view, layout, kMoments)});
+  return pictures;
+}
+
+SweepPicture map(const SweepView& view) {
+  std::string caption =
+      "The larger one of the L1 distances of p(y) and p(y') to the reference of each point, by "
+      "method, from 1e-4 (light) to 1. Marks tell what is not ok, and how.";
+  if (const auto reference = view.only_reference(); !reference.empty()) {
+    caption += fmt::format(" The reference is {} throughout.", reference);
+  }
+  return {kMap, caption, map_script(view, kMap)};
+}
+
+}  // namespace
+
+std::vector<SweepPicture> sweep_pictures(const SweepResults& results, report::FigureWidth width) {
+  const Plan& plan = results.plan;
+  if (results.points.empty()) return {};
+  const SweepView view(results, width);
+  const bool one_is_words = plan.axes.size() == 2 && plan.design == Design::product &&
+                            KeyAxis(plan, 0).is_words() != KeyAxis(plan, 1).is_words();
+  if (plan.axes.size() == 1 || one_is_words) return curves(view);
+  if (!view.has_distances()) return {};
+  if (plan.axes.size() == 2) return {map(view)};
+  return {{kScatter,
+           "The larger one of the L1 distances of p(y) and p(y') to the reference of each point, "
+           "against each key, and the median of those that are ok.",
+           scatter_script(view, kScatter)}};
+}
+
+std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
+                                    const std::vector<SweepPicture>& pictures,
+                                    const report::FigureOptions& options,
+                                    const std::string& gnuplot) {
+  std::filesystem::create_directories(figures);
+  for (const char* stem : {kDistances, kMoments, kMap, kScatter}) {
+    report::remove_pictures_of(figures, stem);
+  }
+  for (const auto& picture : pictures) {
+    base::write_file(figures / (picture.stem + ".gp"), picture.script);
+  }
+  std::vector<std::string> warnings;
+  try {
+    for (const auto& picture : pictures) {
+      if (base::stop_requested()) return {};
+      const auto own = report::draw_all(gnuplot, figures, picture.stem, options);
+      warnings.insert(warnings.end(), own.begin(), own.end());
+    }
+  } catch (const report::GnuplotMissing& missing) {
+    warnings.push_back(fmt::format(
+        "no pictures: {} (install gnuplot, then the same command draws them)", missing.what()));
+  }
+  // What did not become of the last one is no news then.
+  return base::stop_requested() ? std::vector<std::string>() : warnings;
+}
+
+}  // namespace fpkcheck::sweep

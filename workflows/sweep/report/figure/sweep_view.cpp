@@ -1,0 +1,109 @@
+#include "workflows/sweep/report/figure/sweep_view.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "workflows/sweep/report/figure/key_axis.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+// "c = 0.1", "k = 1", ..
+std::vector<std::string> fixed_list(const Plan& plan) {
+  std::vector<std::string> list;
+  for (const auto& parameter : problem::shown_parameters(plan.base)) {
+    const std::string key = parameter.section + '.' + parameter.name;
+    if (parameter.usual || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
+    const bool is_number = std::holds_alternative<double>(parameter.value);
+    list.push_back(
+        is_number ? fmt::format("{} = {}", parameter.typeset, KeyAxis::text_of(parameter.value))
+                  : KeyAxis::text_of(parameter.value) + " impulses");
+  }
+  return list;
+}
+
+}  // namespace
+
+SweepView::SweepView(const SweepResults& results, report::FigureWidth width)
+    : results_(results), medium_(width), by_number_(results.plan.points.size(), nullptr) {
+  for (const auto& point : results.points) by_number_[point.point] = &point;
+}
+
+const MethodResult* SweepView::method(std::size_t number, std::size_t m) const {
+  const PointResult* found = point(number);
+  return found == nullptr ? nullptr : &found->methods[m];
+}
+
+bool SweepView::is_reference(std::size_t number, std::size_t m) const {
+  const PointResult* found = point(number);
+  return found != nullptr && found->reference == plan().methods[m].id();
+}
+
+std::optional<MarginalPair> SweepView::error_of_reference(std::size_t number) const {
+  for (std::size_t m = 0; m < plan().methods.size(); ++m) {
+    if (is_reference(number, m)) return method(number, m)->error;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> SweepView::larger_l1(std::size_t number, std::size_t m) const {
+  const MethodResult* found = method(number, m);
+  if (found == nullptr || !found->l1 || is_reference(number, m)) return std::nullopt;
+  const double l1 = std::max(found->l1->y, found->l1->ydot);
+  if (!std::isfinite(l1)) return std::nullopt;
+  return l1;
+}
+
+bool SweepView::has_distances() const {
+  for (const auto& point : results_.points) {
+    for (std::size_t m = 0; m < point.methods.size(); ++m) {
+      if (larger_l1(point.point, m)) return true;
+    }
+  }
+  return false;
+}
+
+std::string SweepView::only_reference() const {
+  std::string only;
+  for (const auto& point : results_.points) {
+    if (point.reference.empty()) continue;
+    if (!only.empty() && only != point.reference) return "";
+    only = point.reference;
+  }
+  return only;
+}
+
+bool SweepView::is_always_reference(std::size_t m) const {
+  return only_reference() == plan().methods[m].id();
+}
+
+std::vector<std::size_t> SweepView::compared_methods() const {
+  std::vector<std::size_t> compared;
+  for (std::size_t m = 0; m < plan().methods.size(); ++m) {
+    if (!is_always_reference(m)) compared.push_back(m);
+  }
+  return compared;
+}
+
+int SweepView::width() const {
+  constexpr int kOnScreen = 1100;
+  return report::figure_width(medium_, kOnScreen);
+}
+
+report::FigureTitle SweepView::title() const {
+  std::vector<std::string> parts{plan().base.name + ": "};
+  for (const auto& parameter : fixed_list(plan())) {
+    if (parts.size() > 1) parts.back() += ", ";
+    parts.push_back(parameter);
+  }
+  return report::figure_title(parts, {.width = width(), .height = 0, .medium = medium_});
+}
+
+std::string fixed_parameters(const Plan& plan) {
+  return fmt::format("{}", fmt::join(fixed_list(plan), ", "));
+}
+
+}  // namespace fpkcheck::sweep

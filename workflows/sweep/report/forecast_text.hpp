@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "report/text/format.hpp"
+#include "workflows/sweep/execution/forecast.hpp"
+#include "workflows/sweep/plan/plan.hpp"
+
+namespace fpkcheck::sweep {
+
+/// "40 s", "12 min", "3.5 h"
+std::string time_text(double seconds);
+
+/// What --dry-run says.
+/// @param threads of this machine
+/// @param ranks numbers of processes of one thread for which it is told too
+std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
+                          const std::vector<int>& ranks, const report::TextFormat& format);
+
+}  // namespace fpkcheck::sweep

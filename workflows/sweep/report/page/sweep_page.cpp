@@ -1,0 +1,151 @@
+#include "workflows/sweep/report/page/sweep_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <span>
+
+#include "report/page/base64.hpp"
+#include "report/page/html.hpp"
+#include "report/page/parts.hpp"
+#include "workflows/sweep/report/figure/key_axis.hpp"
+#include "workflows/sweep/report/figure/sweep_view.hpp"
+#include "workflows/sweep/report/method_columns.hpp"
+#include "workflows/sweep/report/page/reasons.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using report::element;
+using report::escaped;
+
+// Beside that of a run's page. Where a screen is narrow a picture scrolls rather than shrinks.
+constexpr const char* kPictureStyle =
+    "figure { margin: 1.2rem 0; }\n"
+    ".picture { overflow-x: auto; }\n"
+    ".picture img { display: block; width: 100%; min-width: 46rem; max-width: 1100px; "
+    "height: auto; }\n"
+    "figcaption { font-weight: 400; max-width: 60rem; }\n"
+    "@media print { .picture img { min-width: 0; } figure { break-inside: avoid; } }\n";
+
+std::string plural(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string axis_sentence(const Axis& axis) {
+  if (axis.spacing == Spacing::listed) return axis.text();
+  const char* how = axis.spacing == Spacing::logarithmic ? " by their logarithms" : "";
+  return axis.values.empty()
+             ? fmt::format("{} in {:g} .. {:g}{}", axis.key, axis.from, axis.to, how)
+             : fmt::format("{} from {:g} to {:g} ({} values, evenly spaced{})", axis.key, axis.from,
+                           axis.to, axis.values.size(), how);
+}
+
+const char* how_points_lie(Design design) {
+  switch (design) {
+    case Design::product:
+      return "every value with every other";
+    case Design::list:
+      return "the k-th values of all together";
+    case Design::sobol:
+      return "points of a Sobol sequence";
+  }
+  return "";
+}
+
+std::string introduction(const SweepResults& results) {
+  const Plan& plan = results.plan;
+  std::vector<std::string> varied;
+  for (const auto& axis : plan.axes) varied.push_back(axis_sentence(axis));
+  std::string text =
+      fmt::format("Of {} what varies is {}", plan.base.name, fmt::join(varied, "; "));
+  if (plan.axes.size() > 1 || plan.design == Design::sobol) {
+    text += fmt::format(": {}", how_points_lie(plan.design));
+  }
+  text += fmt::format(". {}, each solved by {}.", plural(plan.points.size(), "point"),
+                      plural(plan.methods.size(), "method"));
+  if (!results.is_whole()) {
+    text += fmt::format(" {} solved so far.", plural(results.points.size(), "point"));
+  }
+  if (!results.points.empty() &&
+      std::ranges::all_of(results.points, &std::string::empty, &PointResult::reference)) {
+    text += " No method solves the problem itself, so that there is no reference.";
+  }
+  return text;
+}
+
+// The columns of the terminal's table.
+std::string methods_table(const SweepResults& results) {
+  std::vector<report::HtmlColumn> columns;
+  for (auto& column : method_columns(results)) {
+    const std::string header =
+        column.group.empty() ? column.header : fmt::format("{}, {}", column.group, column.header);
+    std::ranges::replace(column.cells, std::string(report::kAbsent), std::string(report::kNoValue));
+    columns.push_back({header, column.left_aligned ? report::Align::left : report::Align::right,
+                       std::move(column.cells)});
+  }
+  return report::table_html("Methods", std::move(columns)) + element("p", method_columns_legend());
+}
+
+std::string pictures_html(const std::vector<PagePicture>& pictures) {
+  std::string html;
+  for (const auto& picture : pictures) {
+    html += fmt::format(
+        "<figure>\n<div class=\"picture\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><img "
+        "alt=\"{0}\" src=\"data:{1};base64,{2}\"></div>\n<figcaption>{0}</figcaption>\n</figure>\n",
+        escaped(picture.caption), picture.media_type,
+        report::base64(std::as_bytes(std::span(picture.bytes))));
+  }
+  return html.empty() ? html : element("h2", "Pictures") + html;
+}
+
+std::string example_of(const Plan& plan, std::size_t point) {
+  std::vector<std::string> values;
+  for (std::size_t k = 0; k < plan.axes.size(); ++k) {
+    values.push_back(
+        fmt::format("{} = {}", plan.axes[k].key, KeyAxis::text_of(plan.points[point][k])));
+  }
+  return fmt::format("{}", fmt::join(values, ", "));
+}
+
+std::string reasons_html(const SweepResults& results) {
+  constexpr std::size_t kMost = 40;
+  const auto groups = reason_groups(results);
+  if (groups.empty()) return "";
+  std::string html = element("h2", "Why answers are not ok") + "<ul class=\"reasons\">\n";
+  for (std::size_t k = 0; k < std::min(kMost, groups.size()); ++k) {
+    const ReasonGroup& group = groups[k];
+    html += fmt::format("<li><strong>{} {}</strong>, {}, first at {}: {}.</li>\n",
+                        escaped(results.plan.methods[group.method].id()), name(group.status),
+                        plural(group.count, "point"),
+                        escaped(example_of(results.plan, group.point)), escaped(group.reason));
+  }
+  if (groups.size() > kMost) {
+    html += fmt::format("<li>and {} more kinds, in sweep.csv</li>\n", groups.size() - kMost);
+  }
+  return html + "</ul>\n";
+}
+
+}  // namespace
+
+std::string sweep_page(const SweepResults& results, const std::vector<PagePicture>& pictures,
+                       const std::string& command) {
+  const std::string title = "fpkcheck: a sweep of " + results.plan.base.name;
+  const std::string fixed = fixed_parameters(results.plan);
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<!-- The page holds all it needs, and may ask for nothing else. -->\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+      "style-src 'unsafe-inline'; img-src data:\">\n"
+      "{}<style>\n{}{}</style>\n</head>\n<body>\n<main>\n{}{}{}{}{}{}"
+      "<h2>How to repeat this</h2>\n<pre><code>{}</code></pre>\n"
+      "<p>All numbers: sweep.csv, sweep.nc.</p>\n</main>\n</body>\n</html>\n",
+      element("title", title), report::page_style(), kPictureStyle, element("h1", title),
+      element("p", introduction(results)),
+      fixed.empty() ? "" : element("p", fmt::format("The same at all points: {}.", fixed)),
+      methods_table(results), pictures_html(pictures), reasons_html(results), escaped(command));
+}
+
+}  // namespace fpkcheck::sweep

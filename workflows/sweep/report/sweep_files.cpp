@@ -1,0 +1,66 @@
+#include "workflows/sweep/report/sweep_files.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "base/files/pending_files.hpp"
+#include "base/process/stop.hpp"
+#include "workflows/sweep/report/figure/pictures.hpp"
+#include "workflows/sweep/report/page/sweep_page.hpp"
+
+namespace fpkcheck::sweep {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kPage = "report.html";
+
+// As an SVG, which is sharp at any size; where it has very many points, as a PNG.
+std::vector<PagePicture> drawn_pictures(const fs::path& figures,
+                                        const std::vector<SweepPicture>& pictures) {
+  constexpr std::uintmax_t kLargestSvg = 1'000'000;
+  std::vector<PagePicture> drawn;
+  for (const auto& picture : pictures) {
+    fs::path file = figures / (picture.stem + ".svg");
+    std::error_code error;
+    const auto size = fs::file_size(file, error);
+    const bool as_png = error || size > kLargestSvg;
+    if (as_png) file.replace_extension(".png");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) continue;
+    drawn.push_back({picture.caption,
+                     as_png ? "image/png" : "image/svg+xml",
+                     {std::istreambuf_iterator<char>(stream), {}}});
+  }
+  return drawn;
+}
+
+}  // namespace
+
+void write_tables(const fs::path& directory, const SweepResults& results,
+                  const std::string& command) {
+  base::PendingFiles files;
+  files.add(directory / "sweep.csv", csv(results));
+  files.add(directory / "sweep.nc", netcdf(results, command));
+  files.remove(directory / kPage);
+  files.commit();
+}
+
+std::vector<std::string> write_report(const fs::path& directory, const SweepResults& results,
+                                      const std::string& command,
+                                      const report::FigureOptions& options,
+                                      const std::string& gnuplot) {
+  const auto pictures = sweep_pictures(results, options.width);
+  const fs::path figures = directory / "figures";
+  report::FigureOptions drawn = options;
+  for (const auto format : {report::FigureFormat::png, report::FigureFormat::svg}) {  // of the page
+    if (std::ranges::count(drawn.formats, format) == 0) drawn.formats.push_back(format);
+  }
+  auto warnings = draw_sweep(figures, pictures, drawn, gnuplot);
+  if (base::stop_requested()) return warnings;
+  base::write_file(directory / kPage,
+                   sweep_page(results, drawn_pictures(figures, pictures), command));
+  return warnings;
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,19 @@
+#include "workflows/sweep/report/table.hpp"
+
+#include <fmt/format.h>
+
+#include "report/text/wrapped.hpp"
+#include "workflows/sweep/report/method_columns.hpp"
+
+namespace fpkcheck::sweep {
+
+std::string table(const SweepResults& results, const report::TextFormat& format) {
+  const Plan& plan = results.plan;
+  std::string text = fmt::format("{} points of {}", results.points.size(), plan.base.name);
+  for (const auto& axis : plan.axes) text += ", " + axis.text();
+  text = report::wrapped(text, format.width, 2) + '\n';
+  text += report::rows(method_columns(results), format);
+  return text + '\n' + report::wrapped(method_columns_legend(), format.width);
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "results/netcdf/problem_attributes.hpp"
+#include "results/netcdf/writer.hpp"
+#include "results/run.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+/// A file with the dimensions of a plan.
+class SweepFile {
+ public:
+  SweepFile(results::NetCdfWriter& file, const SweepResults& results)
+      : file_(file), results_(results) {
+    const Plan& plan = results.plan;
+    if (plan.design == Design::product) {
+      for (const auto& axis : plan.axes) {
+        dimensions_.push_back(file_.dimension(axis.key, axis.values.size()));
+        coordinate(axis.key, dimensions_.back(), axis.values);
+      }
+    } else {
+      dimensions_.push_back(file_.dimension("point", plan.points.size()));
+      for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+        std::vector<base::Value> values;
+        for (const auto& point : plan.points) values.push_back(point[a]);
+        coordinate(plan.axes[a].key, dimensions_.back(), values);
+      }
+    }
+    std::vector<std::string> ids;
+    for (const auto& method : plan.methods) ids.push_back(method.id());
+    solution_ = file_.dimension("solution", ids.size());
+    file_.labels("solution", solution_, ids);
+  }
+
+  /// @param number of a method at a point; nothing where there is none
+  /// @return the variable
+  int put(const std::string& name, const std::string& meaning,
+          const std::function<std::optional<double>(const MethodResult&)>& number,
+          double nothing = kNothing) {
+    const std::size_t methods = results_.plan.methods.size();
+    std::vector<double> values(results_.plan.points.size() * methods, nothing);
+    for (const auto& point : results_.points) {
+      for (std::size_t m = 0; m < methods; ++m) {
+        values[point.point * methods + m] = number(point.methods[m]).value_or(nothing);
+      }
+    }
+    auto dimensions = dimensions_;
+    dimensions.push_back(solution_);
+    return file_.packed(name, dimensions, meaning, values);
+  }
+
+  void put_references() {
+    std::vector<double> values(results_.plan.points.size(), -1);
+    for (const auto& point : results_.points) {
+      const auto& methods = results_.plan.methods;
+      const auto found = std::ranges::find_if(
+          methods, [&](const methods::Method& method) { return method.id() == point.reference; });
+      if (found != methods.end()) {
+        values[point.point] = static_cast<double>(found - methods.begin());
+      }
+    }
+    file_.packed("reference", dimensions_,
+                 "index of the solution that the others are measured against, or -1", values);
+  }
+
+ private:
+  void coordinate(const std::string& key, int dimension, const std::vector<base::Value>& values) {
+    if (std::holds_alternative<std::string>(values.front())) {
+      std::vector<std::string> words;
+      for (const auto& value : values) words.push_back(std::get<std::string>(value));
+      file_.labels(key, dimension, words);
+      return;
+    }
+    std::vector<double> numbers;
+    for (const auto& value : values) numbers.push_back(std::get<double>(value));
+    file_.variable(key, {dimension}, key, numbers);
+  }
+
+  results::NetCdfWriter& file_;
+  const SweepResults& results_;
+  std::vector<int> dimensions_;  // of the points
+  int solution_ = 0;
+};
+
+}  // namespace
+
+std::string netcdf(const SweepResults& results, const std::string& command) {
+  results::NetCdfWriter file;
+  const auto program = results::this_program(command);
+  file.attribute("Conventions", "CF-1.8");
+  file.attribute("title", "solutions over the parameters of an oscillator");
+  file.attribute("source", fmt::format("{} {}", program.name, program.version));
+  file.attribute("command", program.command);
+  file.attribute("case", results.plan.base.name);
+  results::write_parameters(file, results.plan.base);
+
+  SweepFile sweep(file, results);
+  const int status = sweep.put(
+      "status", "how the solver ended",
+      [](const MethodResult& one) { return static_cast<double>(one.status); }, -1);
+  std::vector<std::string> meanings;
+  std::string values;
+  for (const auto& entry : transform::kStatusNames) {
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", static_cast<int>(entry.value),
+                          entry.name);
+  }
+  file.attribute("flags", values + ", -1 not solved", status);
+  for (const auto& moment : transform::kMoments) {
+    sweep.put(moment.name, moment.symbol, [&](const MethodResult& one) {
+      return one.moments ? std::optional((*one.moments).*moment.moment) : std::nullopt;
+    });
+  }
+  using Pair = std::optional<MarginalPair>;
+  const auto put_pair = [&](const std::string& name, const std::string& meaning,
+                            const std::function<Pair(const MethodResult&)>& pair) {
+    for (const auto& [suffix, symbol, member] :
+         {std::tuple{"_y", "p(y)", &MarginalPair::y},
+          std::tuple{"_ydot", "p(y')", &MarginalPair::ydot}}) {
+      sweep.put(name + suffix, fmt::format("{} of {}", meaning, symbol),
+                [&pair, of = member](const MethodResult& one) {  // Clang 14 captures no binding
+                  const Pair found = pair(one);
+                  return found ? std::optional((*found).*of) : std::nullopt;
+                });
+    }
+  };
+  put_pair("l1", "L1 distance to the reference", [](const MethodResult& one) { return one.l1; });
+  put_pair("error", "L1 error by its own account",
+           [](const MethodResult& one) { return one.error; });
+  for (const auto& part : results.budget_parts()) {
+    std::string name = "budget_" + part;
+    std::ranges::replace(name, ' ', '_');
+    std::ranges::replace(name, '+', '_');
+    put_pair(name, fmt::format("what \"{}\" adds to the L1 distance", part),
+             [&](const MethodResult& one) -> Pair {
+               const auto share = std::ranges::find(one.budget, part, &BudgetShare::part);
+               return share == one.budget.end() ? Pair() : Pair(share->l1);
+             });
+  }
+  sweep.put("seconds", "wall-clock time", [](const MethodResult& one) { return one.seconds; });
+  sweep.put_references();
+  return file.bytes();
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,93 @@
+#include "workflows/sweep/result/point_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+#include "base/text/shown.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using results::Json;
+using transform::Moments;
+
+Json pair_of(const MarginalPair& pair) { return {pair.y, pair.ydot}; }
+
+MarginalPair pair_in(const Json& json) {
+  const auto number = [&](std::size_t k) {
+    const Json& value = json.at(k);
+    return value.is_null() ? results::kNotANumber : value.get<double>();
+  };
+  return {number(0), number(1)};
+}
+
+Json method_json(const MethodResult& result) {
+  Json json{{"status", name(result.status)}, {"seconds", result.seconds}};
+  if (!result.reason.empty()) json["reason"] = result.reason;
+  if (result.moments) {
+    json["moments"] = Json::array();
+    for (const auto& moment : transform::kMoments) {
+      json["moments"].push_back((*result.moments).*moment.moment);
+    }
+  }
+  if (result.l1) json["l1"] = pair_of(*result.l1);
+  if (result.error) json["error"] = pair_of(*result.error);
+  for (const auto& share : result.budget) json["budget"][share.part] = pair_of(share.l1);
+  return json;
+}
+
+MethodResult method_in(const Json& json) {
+  const auto text = json.at("status").get<std::string>();
+  const auto status = base::value_named<transform::Status>(text);
+  if (!status) throw InputError(fmt::format("status {}", base::in_quotes(text)));
+  MethodResult result{.status = *status, .seconds = json.at("seconds")};
+  if (json.contains("reason")) result.reason = json.at("reason");
+  if (json.contains("moments")) {
+    result.moments.emplace();
+    std::size_t k = 0;
+    for (const auto& moment : transform::kMoments) {
+      const Json& value = json.at("moments").at(k++);
+      (*result.moments).*moment.moment =
+          value.is_null() ? results::kNotANumber : value.get<double>();
+    }
+  }
+  if (json.contains("l1")) result.l1 = pair_in(json.at("l1"));
+  if (json.contains("error")) result.error = pair_in(json.at("error"));
+  if (json.contains("budget")) {
+    for (const auto& [part, l1] : json.at("budget").items()) {
+      result.budget.push_back({part, pair_in(l1)});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Json point_json(const PointResult& result) {
+  Json json{{"point", result.point},
+            {"seconds", result.seconds},
+            {"reference", result.reference},
+            {"methods", Json::array()}};
+  for (const auto& method : result.methods) json["methods"].push_back(method_json(method));
+  return json;
+}
+
+std::string journal_text(const PointResult& result) {
+  return results::with_null_for_non_finite(point_json(result))
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+PointResult point_in(const Json& json) {
+  PointResult result{.point = json.at("point").get<std::size_t>(),
+                     .seconds = json.value("seconds", 0.0),
+                     .reference = json.at("reference")};
+  for (const auto& method : json.at("methods")) {
+    result.methods.push_back(method_in(method));
+    if (!json.contains("seconds")) result.seconds += result.methods.back().seconds;
+  }
+  return result;
+}
+
+}  // namespace fpkcheck::sweep
