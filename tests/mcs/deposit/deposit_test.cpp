@@ -104,7 +104,7 @@ struct Setting {
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
   DepositPlan plan{grid(), kRate, kInterval};
 
-  Stream advanced(std::uint32_t s, const LaneSet& lanes) const {
+  Stream advanced(std::uint32_t s, const simd::LaneSet& lanes) const {
     ImpulseSource source(problem.impulses, 21, s);
     const Impulse first = source.next();
     Stream stream{.branch = {.y = 0.3,
@@ -134,7 +134,7 @@ TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   const Setting setting;
   const double variance = setting.problem.impulses.law().moment(2);
   for (std::uint32_t s = 0; s < 3; ++s) {
-    const Stream stream = setting.advanced(s, available_lanes().back());
+    const Stream stream = setting.advanced(s, simd::available_lanes().back());
     for (const auto& [p, q] :
          {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
       Trajectory trajectory(setting.oscillator, ImpulseSource(setting.problem.impulses, 21, s),
@@ -155,9 +155,9 @@ TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
   // Two points: the same moments of the generator on all polynomials of the third degree.
   Setting setting;
   const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
-  const Deposit lattice = setting.advanced(0, available_lanes().back()).record.deposit;
+  const Deposit lattice = setting.advanced(0, simd::available_lanes().back()).record.deposit;
   setting.plan.grid.shifts = {{-d, 0.5}, {d, 0.5}};
-  const Deposit shifted = setting.advanced(0, available_lanes().back()).record.deposit;
+  const Deposit shifted = setting.advanced(0, simd::available_lanes().back()).record.deposit;
   EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
   for (const auto& [p, q] : {std::pair{0, 2}, {1, 1}, {2, 2}, {0, 3}}) {
     const auto after = [&, power = q](double v) {
@@ -170,8 +170,8 @@ TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
 
 TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
   const Setting setting;
-  const Deposit reference = setting.advanced(1, {InstructionSet::baseline, 1}).record.deposit;
-  for (const LaneSet& lanes : available_lanes()) {
+  const Deposit reference = setting.advanced(1, {simd::InstructionSet::baseline, 1}).record.deposit;
+  for (const simd::LaneSet& lanes : simd::available_lanes()) {
     SCOPED_TRACE(lanes.width);
     const Deposit deposit = setting.advanced(1, lanes).record.deposit;
     EXPECT_EQ(deposit.flow, reference.flow);
@@ -186,7 +186,7 @@ TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
 
 TEST(Deposit, CountsEverySampleInTheSmoothBins) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, available_lanes().back());
+  const Stream stream = setting.advanced(0, simd::available_lanes().back());
   const Deposit& deposit = stream.record.deposit;
   const auto sum = [](const std::vector<double>& x) {
     return std::accumulate(x.begin(), x.end(), 0.0);
@@ -203,7 +203,7 @@ TEST(Deposit, CountsEverySampleInTheSmoothBins) {
 
 TEST(Deposit, SeesImpactsAndImpulsesAsTheyWere) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, available_lanes().back());
+  const Stream stream = setting.advanced(0, simd::available_lanes().back());
   const auto [before, after, beyond] = stream.record.deposit.impacts;
   EXPECT_GT(stream.record.impacts, 3);
   EXPECT_NEAR(after / before, 0.6, 1e-14);

@@ -18,9 +18,9 @@ TEST(Block, HasTheSameBitsForAnyInstructions) {
          {poisson_excitation(problem.impulses), white_excitation(problem.impulses, 0.05)}) {
       const Uniforms u = uniforms(1, 2, Purpose::impulses, 32);
       const Block expected = baseline::make_block(excitation, u);
-      for (const LaneSet& lanes : available_lanes()) {
-        const auto make = compiled_for(lanes.instructions, baseline::make_block, avx2::make_block,
-                                       avx512::make_block);
+      for (const simd::LaneSet& lanes : simd::available_lanes()) {
+        const auto make = simd::compiled_for(lanes.instructions, baseline::make_block,
+                                             avx2::make_block, avx512::make_block);
         const Block block = make(excitation, u);
         EXPECT_EQ(block.waiting, expected.waiting) << law;
         EXPECT_EQ(block.amplitude, expected.amplitude) << law;

@@ -52,7 +52,7 @@ struct FreeStreams {
     }
   }
 
-  void advance(double time, const LaneSet& lanes = available_lanes().back()) {
+  void advance(double time, const simd::LaneSet& lanes = simd::available_lanes().back()) {
     motion.y_bins = &y;
     motion.v_bins = &v;
     std::vector<Stream*> pointers;
@@ -235,8 +235,8 @@ TEST(GeneralMotion, GivesTheSameBitsForAnyWidthAndInstructions) {
       .diffusion = 0.1, .damping = 0.2, .longest = 0.2, .shortest = 1e-5, .graded = true};
   for (const auto& kicks : {GeneralKicks{}, noise}) {
     FreeStreams reference(walls, starts, kicks);
-    reference.advance(100, {InstructionSet::baseline, 1});
-    for (const LaneSet& lanes : available_lanes()) {
+    reference.advance(100, {simd::InstructionSet::baseline, 1});
+    for (const simd::LaneSet& lanes : simd::available_lanes()) {
       SCOPED_TRACE(lanes.width);
       FreeStreams group(walls, starts, kicks);
       group.advance(100, lanes);
