@@ -22,11 +22,11 @@ struct ScanOfRates {
     for (const double rate : rates) {
       for (const auto& law : laws) {
         for (const double r : restitutions) {
-          all.emplace_back(
-              fmt::format("rate {:g}, {}, r = {:g}", rate, law, r),
-              problem::System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = r}),
-              problem::ImpulseTrain(
-                  {.arrival_rate = rate, .law = law, .intensity = 0.1, .mean = 0}));
+          all.push_back({.name = fmt::format("rate {:g}, {}, r = {:g}", rate, law, r),
+                         .system = problem::System(
+                             {.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = r}),
+                         .impulses = problem::ImpulseTrain(
+                             {.arrival_rate = rate, .law = law, .intensity = 0.1, .mean = 0})});
         }
       }
     }

@@ -69,8 +69,9 @@ TEST(CaseFileOfTheFamily, WhatFilesKeepOfItIsReadBack) {
 }
 
 TEST(CaseFileOfTheFamily, OldFilesKeepTheirFields) {
-  const Problem p =
-      read("[system]\ndamping = 0.1\nstiffness = 1\ncubic = 0\nrestitution = 1\n" + kImpulses);
+  std::istringstream ini("[system]\ndamping = 0.1\nstiffness = 1\ncubic = 0\nrestitution = 1\n" +
+                         kImpulses);
+  const Problem p = read_case(ini, "a", "a.ini");
   const auto all = sections(p);
   ASSERT_EQ(all.size(), 2u);
   std::vector<std::string> names;

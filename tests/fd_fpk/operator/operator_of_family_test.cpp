@@ -163,10 +163,12 @@ TEST(OperatorOfFamily, AnnihilatesExactDensitiesToItsOrder) {
            System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}),
            0.8),
        -2.9, 2.9, 2.9}};
-  for (const auto& [name, p, left, right, v_max] : cases) {
+  for (const Case& one : cases) {
+    const Problem& p = one.problem;
     const exact::EnergyLaw law(p);
     const auto residual = [&](int cells, int order) {
-      const Grid grid = grid_of(p.system, left, right, v_max, cells, 2 * (7 * cells / 8));
+      const Grid grid =
+          grid_of(p.system, one.left, one.right, one.v_max, cells, 2 * (7 * cells / 8));
       Excitation noise{.diffusion = p.noise.diffusion(), .exchange = {}};
       const auto op = fokker_planck_operator(p.system, noise, Impact::map, grid, order);
       return grid.areas().dot((op * three_point_averages(grid, law)).cwiseAbs());
@@ -176,8 +178,10 @@ TEST(OperatorOfFamily, AnnihilatesExactDensitiesToItsOrder) {
                    fine = residual(80, order);
       for (const double observed : {std::log(coarse / middle) / std::log(1.4),
                                     std::log(middle / fine) / std::log(10 / 7.)}) {
-        EXPECT_GT(observed, order - 0.6) << name << ": " << coarse << " " << middle << " " << fine;
-        EXPECT_LT(observed, order + 1.2) << name << ": " << coarse << " " << middle << " " << fine;
+        EXPECT_GT(observed, order - 0.6)
+            << one.name << ": " << coarse << " " << middle << " " << fine;
+        EXPECT_LT(observed, order + 1.2)
+            << one.name << ": " << coarse << " " << middle << " " << fine;
       }
     }
   }

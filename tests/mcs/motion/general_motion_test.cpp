@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "mcs/motion/taylor_polynomial.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::mcs {
