@@ -8,7 +8,7 @@
 
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "parameters/input_error.hpp"
+#include "base/input_error.hpp"
 #include "statistics.hpp"
 
 namespace fpkcheck::mcs {

@@ -38,7 +38,7 @@ TEST(CaseFileOfTheFamily, ReadsEveryKey) {
   EXPECT_EQ(p.system.damping(), -1);
   EXPECT_EQ(p.system.damping_polynomial().coefficient(2), 2);
   EXPECT_EQ(p.system.rayleigh(), 3);
-  const Polynomial::Coefficients force{4, 5, 6, 7, 0, 8};
+  const numerics::Polynomial::Coefficients force{4, 5, 6, 7, 0, 8};
   EXPECT_EQ(p.system.force().coefficients(), force);
   EXPECT_EQ(p.system.left(), (Wall{-2, 0.7}));
   EXPECT_EQ(p.system.right(), (Wall{3, 0.8}));

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fpkcheck::backward {
+namespace fpkcheck::numerics {
 namespace {
 
 // 1 - 3 t + 2 t^2 + 5 t^3 at t.
@@ -61,4 +61,4 @@ TEST(Bernstein, BinomialCoefficientsAreExact) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::backward
+}  // namespace fpkcheck::numerics

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace fpkcheck::backward {
+namespace fpkcheck::numerics {
 namespace {
 
 using Exact = boost::multiprecision::cpp_rational;
@@ -122,4 +122,4 @@ TEST(Interval, RoundingIsUpwardInsideAndAsBeforeOutside) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::backward
+}  // namespace fpkcheck::numerics

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fpkcheck::backward {
+namespace fpkcheck::numerics {
 namespace {
 
 // A banded positive definite matrix of blocks of sizes 2, 4, 4, 3, 4, 4 and its dense form.
@@ -60,4 +60,4 @@ TEST(BlockBandedMatrix, SaysWhenItIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::backward
+}  // namespace fpkcheck::numerics

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace fpkcheck::backward {
+namespace fpkcheck::numerics {
 namespace {
 
 std::vector<SubtractProduct*> all_kinds() {
@@ -37,4 +37,4 @@ TEST(SubtractProduct, IsTheProductForAnyShapeAndOrder) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::backward
+}  // namespace fpkcheck::numerics

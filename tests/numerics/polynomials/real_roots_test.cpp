@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fpkcheck::problem {
+namespace fpkcheck::numerics {
 namespace {
 
 TEST(RealRoots, AreFoundBetweenThoseOfTheDerivative) {
@@ -26,4 +26,4 @@ TEST(RealRoots, LieWithinTheBound) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::problem
+}  // namespace fpkcheck::numerics

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace fpkcheck::mcs {
+namespace fpkcheck::simd {
 namespace {
 
 using Wide = simd::LanesOf<8>::Real;
@@ -39,4 +39,4 @@ TEST(Elementary, OneNumberHasTheBitsOfALane) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::mcs
+}  // namespace fpkcheck::simd

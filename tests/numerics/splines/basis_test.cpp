@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fpkcheck::backward {
+namespace fpkcheck::numerics {
 namespace {
 
 SplineBasis graded() { return SplineBasis(graded_breaks(3, 9, 0.02, 0.4)); }
@@ -79,4 +79,4 @@ TEST(GradedBreaks, WidenInProportionNearTheOriginAndAreEvenBeyond) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::backward
+}  // namespace fpkcheck::numerics

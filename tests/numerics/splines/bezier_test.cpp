@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fpkcheck::backward {
+namespace fpkcheck::numerics {
 namespace {
 
 double bernstein(int n, int j, double t) {
@@ -49,4 +49,4 @@ TEST(BezierRows, ContinueThePolynomialBeyondTheSpan) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::backward
+}  // namespace fpkcheck::numerics

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fpkcheck::backward {
+namespace fpkcheck::numerics {
 namespace {
 
 const KnotSplines& splines() {
@@ -108,4 +108,4 @@ TEST(WideningKnots, ShrinkTowardsZeroWhereAsked) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::backward
+}  // namespace fpkcheck::numerics
