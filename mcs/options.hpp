@@ -45,8 +45,8 @@ struct Options {
   Equation equation = Equation::kf;
   /// Simulated time, summed over all streams, rounded up to whole rounds. Default: 1.6e6 decay
   /// times of the slowest mode of equivalent linearisation (2/c_eq below critical damping). `tails`
-  /// takes 1/32 of this time and `controlled` 1/8; with `samples` or `target_error` the limit is 1e4
-  /// times as long. A default time that needs more than some seconds is shortened, yet reaches
+  /// takes 1/32 of this time and `controlled` 1/8; `samples` or `target_error` takes 1e4 times this
+  /// time as a limit. A default time that needs more than some seconds is shortened, yet reaches
   /// `accuracy` if about a minute suffices (simulation/durations.hpp).
   std::optional<double> time{};
   /// Required effective samples of y'^2 (Summary::effective_samples).
