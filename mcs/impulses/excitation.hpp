@@ -28,8 +28,8 @@ struct Excitation {
   /// by terms of first order in the interval.
   double power;
   /// `work` is the expected work sum of (Y - shift) v + Y^2/2 per unit time, for any motion.
-  /// Poisson impulses act on the stationary v, whose mean is 0: shift = 0. Even kicks do not: shift
-  /// = E[Y].
+  /// Poisson impulses act on the stationary v, whose mean is 0: shift = 0. Even kicks do not:
+  /// shift = E[Y].
   double shift, work;
   /// Quantile function for mean 0 and width 1, for laws with DrawnFromPieces; else null.
   std::shared_ptr<const AmplitudePieces> pieces = {};
