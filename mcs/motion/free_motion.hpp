@@ -88,8 +88,8 @@ FPKCHECK_INLINE void continue_series(const Oscillator& oscillator, Series<Real>&
 }
 
 /// Upper bound of the frequency: root of the largest slope of the spring at the energy
-/// E = y'^2/2 + U(y), plus c. The energy does not grow. The bound keeps the step below the pole that limits the
-/// convergence of the series of a hardening spring.
+/// E = y'^2/2 + U(y), plus c. The energy does not grow. The bound keeps the step below the
+/// pole that limits the convergence of the series of a hardening spring.
 template <class Real>
 FPKCHECK_INLINE Real frequency_bound(const Oscillator& o, const Real& y, const Real& v) {
   if (o.is_duffing) {
