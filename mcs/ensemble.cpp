@@ -18,14 +18,14 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Fixed chunks of trajectories are summed first, then the chunks in their order. The floating-point
-// result is therefore independent of the number of threads.
+// Fixed shares of the trajectories are summed first, then the shares in their order. The
+// floating-point result is therefore independent of the number of threads.
 constexpr std::uint32_t kShares = 64;
 
 // The bins of a variable; empty where no edges are set.
 using Bins = std::optional<BinFinder>;
 
-/// Sums over one chunk of the ensemble at one time.
+/// Sums over one share of the trajectories at one time.
 struct Sums {
   transform::Moments first{}, second{};  // sums of the powers, and of their squares
   std::vector<std::uint64_t> y{}, v{};   // counts, with one outer bin on either side

@@ -37,11 +37,11 @@ Errors current_errors(const Simulation& simulation) {
   return now;
 }
 
-/// Progress of a simulation towards its goal.
+/// Progress of a simulation towards the requested precision or time.
 struct Reached {
   double fraction;               ///< of the required work; may exceed 1
   std::optional<Errors> errors;  ///< only where an option or the caller needs them
-  bool goal;                     ///< Options::samples and Options::target_error are reached
+  bool goal;                     ///< Options::samples and Options::target_error are satisfied
 };
 
 Reached reached(const Simulation& simulation, const Options& options) {

@@ -165,7 +165,7 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
   summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
-/// Fraction of the samples outside the bins.
+/// Fraction of the samples beyond the bins.
 double outside(const Simulation& simulation, const StreamWeights& weights) {
   const Plan& plan = simulation.plan();
   const auto beyond = each(simulation.streams(), [&](const StreamRecord& record) {

@@ -40,7 +40,7 @@ struct Summary {
   /// errors indicates impulses that do not follow their law.
   double excess_power = 0;
   double excess_power_error = 0;
-  double outside = 0;  ///< fraction of the samples outside the histogram
+  double outside = 0;  ///< fraction of the samples beyond the histogram
   std::uint64_t seed = 0;
   int threads = 0;
   int streams = 0;

@@ -151,7 +151,7 @@ struct Lanes {
     }
   }
 
-  // Lanes without a sample take part with the weight 0.
+  // A lane without a sample takes part with the weight 0.
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Real& counted) {
     add_powers(at, counted, powers);
     samples = samples + counted;

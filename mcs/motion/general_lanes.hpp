@@ -137,7 +137,7 @@ struct GeneralLanes {
     until_sample = until_sample - span;
   }
 
-  // Lanes without a sample take part with the weight 0.
+  // A lane without a sample takes part with the weight 0.
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Mask& due, const Mask& at_rest,
                              bool rests) {
     const Real counted = simd::where(due, weight);

@@ -36,7 +36,7 @@ class CheckpointWriter {
   std::string path_;
   std::function<void(const std::string&)> warn_;
   Clock::time_point written_{};
-  std::string failure_{};  ///< of the last attempt; empty after success
+  std::string failure_{};  ///< of the last write; empty after success
 };
 
 /// Sets a simulation to the state in a checkpoint of the same fingerprint. The simulation continues

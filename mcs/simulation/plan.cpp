@@ -75,8 +75,8 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
   validate_of_any_domain(options);
   GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
-  // The frequency belongs to the mean energy. If the mass mostly rests in contact, this is the
-  // frequency of tiny bounces, and the sampling interval is limited by the rate of impulses.
+  // The frequency belongs to the mean energy. If the mass is mostly at rest in contact, this is
+  // the frequency of tiny bounces, and the sampling interval is limited by the rate of impulses.
   constexpr double kSamplesPerRest = 50;
   const double least = general.rests ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
   const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::tests {
 
-/// A problem with coarse control functions, prepared once.
+/// A problem with coarse control functions, which several tests share.
 struct PreparedCase {
   problem::Problem problem;
   control_variates::Prepared prepared;
