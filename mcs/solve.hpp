@@ -22,8 +22,8 @@ struct Result {
 
 /// Simulates `options.streams` independent realisations and averages them with the weights of
 /// StreamWeights. In the paper's class a realisation starts from the Gaussian of equivalent
-/// linearisation, folded to y >= 0, and passes a burn-in of 20 decay times of the slowest mode.
-/// Outside that class the initial states follow the energy-averaged law, with the mass of each well
+/// linearisation, folded to y >= 0. Its burn-in is 20 decay times of the slowest mode. Outside that
+/// class the initial states follow the energy-averaged law, with the mass of each well
 /// (InitialStateSampler).
 ///
 /// Problems are in wall coordinates (problem/frame.hpp), and so are densities, marginals and atoms.

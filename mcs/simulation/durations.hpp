@@ -30,12 +30,12 @@ struct Durations {
   BurnInLimit burn_in_limit;
 };
 
-/// Chooses the simulated time and the burn-in. The default time is 1.6e6 decay times (L1 sampling
-/// errors of p(y) and p(y') about 6e-4), reduced as in Options::time, if this takes at most a
-/// minute in the paper's class, or some seconds outside that class. Otherwise the default time
-/// takes these seconds, or up to a minute where Options::accuracy needs more. With several wells
-/// and rare transitions it takes the seconds only, since a minute would not determine the masses of
-/// the wells.
+/// Chooses the simulated time and the burn-in. The full time is 1.6e6 decay times, reduced as in
+/// Options::time; the L1 sampling errors of p(y) and p(y') are then about 6e-4. It is the default
+/// if it takes at most a minute in the paper's class, or some seconds outside that class. Otherwise
+/// the default time takes these seconds, or up to a minute where Options::accuracy needs more. With
+/// several wells and rare transitions it takes the seconds only, since a minute would not determine
+/// the masses of the wells.
 Durations durations_of(const Options& options, const Pace& pace);
 
 }  // namespace fpkcheck::mcs

@@ -74,8 +74,8 @@ class Splitting {
 /// @pre the stream has one
 void follow_next(Stream& stream);
 
-/// Energies with a probability ratio of about 1/kCopies from one to the next, up to the energy that
-/// less than a fraction `rarest` of the states after impulses exceed.
+/// Energies with a probability ratio of about 1/kCopies from one to the next. The last one is
+/// exceeded by about a fraction `rarest` of the states after impulses.
 /// @param energies weights by energy bins, over all streams
 std::vector<double> thresholds_from(const BinFinder& bins, const std::vector<double>& energies,
                                     double fewest_visits, double rarest);
