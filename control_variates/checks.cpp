@@ -10,11 +10,12 @@ namespace fpkcheck::control_variates {
 namespace {
 
 constexpr double kOdds = 1e-4;
-constexpr double kDeviations = 3.9;  // of a normal number: odds of 1e-4
-constexpr double kFlights = 1e-5;    // of the damping; the flights' truncation leaves less
+constexpr double kDeviations = 3.9;  // quantile of the normal law at the two-sided level 1e-4
+constexpr double kFlights =
+    1e-5;  // relative to the damping; the truncation error of the flights is smaller
 constexpr double kRounding = 1e-12;
 
-/// Sums over all streams of what a check needs.
+/// Sums over all streams that the checks use.
 struct Sums {
   double samples = 0, time = 0, impacts = 0;
   std::array<double, mcs::kPowers.size()> powers{};
@@ -60,7 +61,7 @@ void judge_impulses(const problem::ImpulseTrain& train, const Sums& sums, Checks
   checks.rate = (n - expected) / std::sqrt(expected);
   if (n == 0) return;
   checks.mean = (sums.impulses[1] / n - law.mean()) / (law.deviation() / std::sqrt(n));
-  // Two values of one size have no spread of their squares: rounding is their scale.
+  // For atoms at +-Y the square has no variance: rounding is its scale.
   const double square = law.moment(2), spread = law.moment(4) - square * square;
   const double scale = std::max(std::sqrt(std::max(spread, 0.0) / n), kRounding * square);
   checks.mean_square = (sums.impulses[2] / n - square) / scale;
@@ -87,7 +88,7 @@ Eigen::MatrixXd polynomial_coefficients(const Places& places) {
 Hotelling hotelling(const Eigen::MatrixXd& all) {
   const Eigen::MatrixXd values = all.topRows(std::min(all.rows(), all.cols() / 2));
   const auto n = static_cast<double>(values.cols()), p = static_cast<double>(values.rows());
-  // In units of each variable's deviation, for the rounding.
+  // In units of the standard deviation of each variable, against rounding errors.
   const Eigen::VectorXd mean = values.rowwise().mean();
   Eigen::MatrixXd centred = values.colwise() - mean;
   const Eigen::VectorXd unit =

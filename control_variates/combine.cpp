@@ -21,7 +21,7 @@ mcs::Estimate scaled(const mcs::Estimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
 
-/// What each stream added to the errors of the means: SE^2 is the sum of the squares over streams.
+/// Error contribution of each stream to the means; the sum of squares over streams is SE^2.
 Eigen::MatrixXd errors_of(const Eigen::MatrixXd& values) {
   const auto n = static_cast<double>(values.cols());
   return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
@@ -33,7 +33,7 @@ mcs::SamplingL1 sampling_of(const Eigen::MatrixXd& errors) {
   return mcs::sampling_l1(bins);
 }
 
-/// @param controlled means of the bins in each stream, shape (bins, streams); plain likewise
+/// @param controlled means of the bins in each stream, shape (bins, streams); `plain` likewise
 BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::MatrixXd& controlled,
                            const Eigen::MatrixXd& plain) {
   const Eigen::MatrixXd errors = errors_of(controlled);

@@ -11,12 +11,12 @@
 
 namespace fpkcheck::control_variates {
 
-/// An expectation with the noise taken out, and as the samples have it.
+/// Estimate of an expectation with control variates, and the plain estimate.
 struct Estimated {
   mcs::Estimate controlled, plain;
 };
 
-/// A density in smooth bins.
+/// Estimates of a density in smooth bins.
 struct BinEstimates {
   transform::SmoothBins bins;
   std::vector<Estimated> averages;
@@ -27,17 +27,17 @@ struct BinEstimates {
 struct Estimates {
   std::vector<Estimated> moments;  ///< in the order of kMoments
   BinEstimates y, v;
-  /// Half the width of a 95 % interval in standard errors (Student's).
+  /// Half-width of a 95 % interval in standard errors (Student's t).
   double interval_factor = 0;
 };
 
-/// The means of L A_i B_j of each stream, impacts included, shape (functions, streams), a function
+/// Mean of L A_i B_j in each stream, impacts included, shape (functions, streams); the function is
 /// in row i * v.size() + j.
 Eigen::MatrixXd mean_generator(const Prepared& prepared,
                                std::span<const mcs::StreamDeposit> streams);
 
-/// E[f] = mean of (f + L h), for every functional. Unbiased whatever h is; standard errors from the
-/// differences between streams.
+/// Estimates E[f] = mean of (f + L h) for every functional. The estimate is unbiased for any h. The
+/// standard errors come from the differences between streams.
 Estimates combine(const Prepared& prepared, const Eigen::MatrixXd& generator,
                   std::span<const mcs::StreamDeposit> streams);
 

@@ -12,8 +12,8 @@ namespace fpkcheck::control_variates {
 namespace {
 
 constexpr double kYBin = 0.15, kVBin = 0.3, kBinExtent = 7;  // deviations
-constexpr double kPerDeviation = 8;                          // points of the lattice
-constexpr double kBeyondBox = 4;  // deviations of the impulses that the lattice goes on
+constexpr double kPerDeviation = 8;                          // lattice points per deviation
+constexpr double kBeyondBox = 4;  // extension of the lattice, in deviations of the impulses
 
 std::vector<double> lattice(const mcs::DepositGrid& grid) {
   std::vector<double> v;
@@ -32,7 +32,7 @@ Places places(const problem::Problem& problem, const Cells& cells) {
   auto splines = backward::usual_splines(problem, {.y = cells.y, .v = cells.v});
   Places p{.y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
   const double y_bin = kYBin * s1, v_bin = kVBin * s2;
-  // The outermost reach no further than the extent.
+  // Half-width of a smooth bin in spacings: the outermost bins end at the extent.
   constexpr int kReach = 2;
   const int v_half = static_cast<int>(kBinExtent / kVBin) - kReach;
   p.functionals.y_bins = {.first = -y_bin,
@@ -52,7 +52,7 @@ Places places(const problem::Problem& problem, const Cells& cells) {
   for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
     p.grid.shifts.push_back({amplitude, probability});
   }
-  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;  // not used
+  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;  // unused
   return p;
 }
 

@@ -9,15 +9,15 @@
 
 namespace fpkcheck::control_variates {
 
-/// A simulation with its control functions, and what they tell together.
+/// A simulation, its estimates with control variates and its checks.
 struct Result {
   Estimates estimates;
   Checks checks;
-  mcs::Result simulation;  ///< with the deposits taken out
+  mcs::Result simulation;  ///< without the deposits
   std::vector<double> backward_means;
 };
 
-/// Estimates and checks from what a simulation has deposited on prepared.places.grid.
+/// Computes estimates and checks from the deposits of a simulation on setup.deposit_layout.grid.
 Result combined(const Prepared& prepared, mcs::Result simulation);
 
 }  // namespace fpkcheck::control_variates

@@ -13,9 +13,9 @@ namespace {
 using transform::Solution;
 using transform::Variable;
 
-static_assert(std::size(transform::kMoments) == kMoments.size());  // and in the same order
+static_assert(std::size(transform::kMoments) == kMoments.size());  // in the same order
 
-/// What was estimated without control functions: it alone sees a wrong law of the impulses.
+/// Adds the plain estimates. They alone depend on the law of the drawn impulses.
 void observe_plain(const Estimates& estimates, transform::Observer& observer) {
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
     const auto& plain = estimates.moments[k].plain;
@@ -42,11 +42,11 @@ void observe_checks(const Checks& checks, transform::Observer& observer) {
 
 std::string note_of(const Checks& checks) {
   const auto failed = checks.failed();
-  const std::string verdict =
-      failed.empty() ? "no check of motion, impacts and impulses sees a difference from the problem"
-                     : fmt::format("checks that see something wrong: {}", fmt::join(failed, ", "));
+  const std::string verdict = failed.empty()
+                                  ? "all checks of motion, impacts and impulses passed"
+                                  : fmt::format("failed checks: {}", fmt::join(failed, ", "));
   return fmt::format(
-      "{}; Hotelling's test that the generator's mean is 0 on {} polynomials: p = {:.2g}", verdict,
+      "{}; Hotelling's test of zero mean of the generator on {} polynomials: p = {:.2g}", verdict,
       checks.generator.dimensions, checks.generator.p_value);
 }
 
@@ -55,7 +55,7 @@ void judge(const Checks& checks, Solution& solution) {
   if (wrong.empty() || !solution.is_ok()) return;
   solution.status = transform::Status::failed;
   solution.reason = fmt::format(
-      "its own checks of {} see another problem than the one asked for (report this as a defect)",
+      "failed checks of {}: the simulation deviates from the problem; report this as a defect",
       fmt::join(wrong, ", "));
 }
 
@@ -103,7 +103,7 @@ Solution solution_of(Result&& result) {
 
 Solution without_control(Solution&& plain, const std::string& why) {
   transform::Observer observer;
-  observer.text("notes[0]", fmt::format("the noise is not taken out ({})", why));
+  observer.text("notes[0]", fmt::format("plain simulation without control variates: {}", why));
   for (auto& observation : observer.take()) plain.observations.push_back(std::move(observation));
   return std::move(plain);
 }

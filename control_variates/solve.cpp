@@ -12,11 +12,11 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-// Radians of the longest flights. At 0.9 their error is 1e-8 of the damping, which is
-// 6e-9 of E[y^2] in case 1: more than is left of the noise. At 0.5 it is a hundredth of that.
+// Longest flight in radians. At 0.9 the error of the flights is 1e-8 of the damping, that is 6e-9
+// of E[y^2] in case 1, above the remaining sampling error. At 0.5 it is a hundredth of this.
 constexpr double kStep = 0.5;
 
-constexpr double kMostBytes = 256e6;  // of the lattices of all streams
+constexpr double kMostBytes = 256e6;  // limit of the lattices of all streams
 
 constexpr double kFewSamples = 2e5;
 constexpr Cells kCoarse{.y = 40, .v = 88};
@@ -43,33 +43,33 @@ transform::Solution plainly(const problem::Problem& problem, const Options& opti
 
 transform::Solution solve(const problem::Problem& problem, const Options& options) {
   if (options.simulation.equation != mcs::Equation::kf || options.simulation.tails) {
-    return plainly(problem, options, "control functions are those of the impulses, unsplit");
+    return plainly(problem, options, "control functions exist for impulses without splitting only");
   }
   if (!problem::of_the_paper(problem) || !problem.frame.is_identity()) {
     return plainly(
         problem, options,
-        "control functions are those of one wall at y = 0 on the left, at the equilibrium, constant damping and "
-        "impulses alone");
+        "control functions exist only for one left wall at the equilibrium, constant damping and "
+        "impulses");
   }
   const auto begin = std::chrono::steady_clock::now();
   const Places where = places(problem, cells_of(problem, options));
   if (bytes_of(where.grid) * options.simulation.streams > kMostBytes) {
-    return plainly(problem, options,
-                   "the impulses are so small that it would take too much memory");
+    return plainly(problem, options, "impulses this small need too much memory");
   }
   mcs::Options simulation = options.simulation;
-  simulation.controlled = true;  // its errors are judged in the end
+  simulation.controlled = true;  // require_accuracy() follows below
   simulation.deposit = where.grid;
   simulation.step = simulation.step.value_or(kStep);
   const double interval = mcs::make_plan(problem, simulation).sampling_interval;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
   auto prepared = std::async(policy, [&] { return prepare(problem, where, interval); });
-  // In its only thread the fit comes first, so that the simulation can be ended soon after a round.
+  // With one thread the fit comes first: the simulation can then end soon after a round.
   if (policy == std::launch::deferred) prepared.wait();
   if (simulation.progress) {
     simulation.progress = [&](const mcs::Progress& at) {
       const bool fitted = prepared.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      // What is left of the errors is known in the end alone; the plain ones are a thousand times it.
+      // The controlled errors are available at the end only; plain errors are a thousand times
+      // larger.
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }
@@ -79,7 +79,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     solution = std::move(simulated.solution);
   } else {
     try {
-      const Prepared fitted = prepared.get();  // before anything is moved: it may throw
+      const Prepared fitted = prepared.get();  // may throw, so it comes before any move
       solution = solution_of(combined(fitted, std::move(simulated)));
     } catch (const backward::FitBrokeDown& why) {
       solution = without_control(std::move(simulated.solution), why.what());

@@ -18,17 +18,17 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Sums are made within shares of the ensemble and then over the shares in their order, so that
-// nothing depends on the number of threads.
+// Fixed shares of the trajectories are summed first, then the shares in their order. The
+// floating-point result is therefore independent of the number of threads.
 constexpr std::uint32_t kShares = 64;
 
-// The bins of a variable; none where it has no edges.
+// The bins of a variable; empty where no edges are set.
 using Bins = std::optional<BinFinder>;
 
-/// What a share of the ensemble saw at one time.
+/// Sums over one share of the trajectories at one time.
 struct Sums {
   transform::Moments first{}, second{};  // sums of the powers, and of their squares
-  std::vector<std::uint64_t> y{}, v{};   // counts, with one bin more on either side
+  std::vector<std::uint64_t> y{}, v{};   // counts, with one outer bin on either side
 
   Sums(const Bins& y_bins, const Bins& v_bins)
       : y(y_bins ? y_bins->bins() + 2 : 0), v(v_bins ? v_bins->bins() + 2 : 0) {}
@@ -111,17 +111,18 @@ void validate(const EnsembleOptions& options) {
   constexpr std::uint32_t kFewest = 100;
   for (const double deviation : {options.start_displacement, options.start_velocity}) {
     require(std::isfinite(deviation) && deviation >= 0,
-            fmt::format("deviation {} of the start (must be 0 or a positive number)", deviation));
+            fmt::format("initial standard deviation {}: out of range; use 0 or a positive number",
+                        deviation));
   }
   require(
       !options.times.empty() && options.times.front() >= 0 && std::isfinite(options.times.back()) &&
           std::ranges::adjacent_find(options.times, std::greater_equal<>{}) == options.times.end(),
-      fmt::format("{} times of an ensemble (must be increasing, from 0 or later)",
+      fmt::format("{} ensemble times: not increasing from 0 or later; sort the times",
                   options.times.size()));
   require(options.trajectories >= kFewest,
-          fmt::format("{} trajectories (standard errors need at least {})", options.trajectories,
-                      kFewest));
-  // What both fronts have is described once.
+          fmt::format("{} trajectories: too few for standard errors; use at least {}",
+                      options.trajectories, kFewest));
+  // Simulation and ensemble share these options, their ranges and their messages.
   mcs::validate({.seed = options.seed, .threads = options.threads});
   if (!options.y_edges.empty()) require_edges("y_edges", options.y_edges);
   if (!options.v_edges.empty()) require_edges("v_edges", options.v_edges);
@@ -136,8 +137,8 @@ std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
   require(system.left() && system.left()->position == 0 && !system.right() &&
               system.damping_is_constant() && problem.impulses.present() &&
               !problem.noise.present(),
-          "ensembles have one wall at y = 0 on the left, damping c y' and impulses alone (simulate "
-          "the stationary law, or leave out what else there is)");
+          "unsupported ensemble: needs one left wall at y = 0, damping c y' and impulses only; "
+          "simulate the stationary law");
   const auto bins = [](const std::vector<double>& edges) {
     return edges.empty() ? Bins() : Bins(edges);
   };

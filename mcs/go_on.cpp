@@ -15,10 +15,10 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// The errors of the present estimates.
+/// Sampling errors of the current estimates.
 struct Errors {
-  double y_l1, ydot_l1;  ///< expected, by chance
-  double target;         ///< Options::target_error, as far as it has come
+  double y_l1, ydot_l1;  ///< expected L1 sampling errors
+  double target;         ///< the error that Options::target_error limits
 };
 
 Errors current_errors(const Simulation& simulation) {
@@ -37,11 +37,11 @@ Errors current_errors(const Simulation& simulation) {
   return now;
 }
 
-/// How far a simulation has come.
+/// Progress of a simulation towards the requested precision or time.
 struct Reached {
-  double fraction;               ///< of the way; may be more than 1
-  std::optional<Errors> errors;  ///< where anyone asks
-  bool goal;                     ///< the samples and the error that were asked for
+  double fraction;               ///< of the required work; may exceed 1
+  std::optional<Errors> errors;  ///< only where an option or the caller needs them
+  bool goal;                     ///< Options::samples and Options::target_error are satisfied
 };
 
 Reached reached(const Simulation& simulation, const Options& options) {
@@ -51,7 +51,8 @@ Reached reached(const Simulation& simulation, const Options& options) {
               .goal = false};
   if (simulation.rounds() == 0) return now;
   now.goal = options.target_error || options.samples;
-  // What is known here alone tells no error.
+  // One process holds a part of the streams only, from which the error of the whole is not
+  // computable.
   if (options.team.parts > 1) return now;
   if (options.target_error || options.progress) now.errors = current_errors(simulation);
   if (options.target_error) {
@@ -66,18 +67,20 @@ Reached reached(const Simulation& simulation, const Options& options) {
   return now;
 }
 
-/// The ending that the simulation has come to; nothing as long as it goes on.
+/// The outcome where the simulation has to end; empty while it continues.
 std::optional<Ending> ending(const Simulation& simulation, const Options& options,
                              const Reached& now) {
   if (now.goal) return Ending{};
   if (simulation.rounds() >= simulation.plan().rounds) {
     if (!options.target_error && !options.samples) return Ending{};
-    return Ending{
-        .unreached = "the time ended before the samples or the error asked for (give more --time)"};
+    return Ending{.unreached =
+                      "simulated time too short: samples or target error not reached; increase "
+                      "--time"};
   }
-  // The parts of a team are of one length: told to stop, the process is ended.
+  // All parts of a team simulate the same time: a stop request ends the whole process instead.
   if (simulation.rounds() > 0 && options.team.parts == 1 && options.stop && options.stop()) {
-    return Ending{.unreached = fmt::format("interrupted after {:.1f} % of what was asked for",
+    return Ending{.unreached = fmt::format("interrupted: only {:.1f} % of the simulation is "
+                                           "complete",
                                            100 * std::min(now.fraction, 1.0)),
                   .interrupted = true};
   }

@@ -8,14 +8,14 @@
 
 namespace fpkcheck::mcs {
 
-/// How a simulation came to its end.
+/// How a simulation ended.
 struct Ending {
-  std::string unreached{};   ///< why not at what was asked for, in one sentence; empty when there
+  std::string unreached{};   ///< why the goal was not reached, in one sentence; empty where it was
   bool interrupted = false;  ///< by Options::stop
 };
 
-/// Goes on, round by round, until the time, the samples or the error that was asked for is reached
-/// or Options::stop says so. Writes checkpoints and tells the progress on the way.
+/// Simulates round by round until the requested time, samples or error are reached, or until
+/// Options::stop returns true. Writes checkpoints and reports progress between rounds.
 /// @param fingerprint of the checkpoints
 Ending go_on(Simulation& simulation, const Options& options, CheckpointWriter& checkpoints,
              const std::string& fingerprint);

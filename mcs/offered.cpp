@@ -17,12 +17,12 @@ std::string objection(const problem::Problem& problem, const Options& options) {
 std::string splitting_objection(const problem::Problem& problem, const Options& options) {
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses || options.equation == Equation::white) {
-    return "splitting for the tails takes the energy to rise at impulses only, and noise raises it "
-           "at all times";
+    return "tail splitting needs an energy that rises at impulses only, and noise raises it at "
+           "all times";
   }
   if (features.negative_damping) {
-    return "splitting for the tails takes the energy to rise at impulses only, and this damping "
-           "gives energy to the motion";
+    return "tail splitting needs an energy that rises at impulses only, and this damping adds "
+           "energy to the motion";
   }
   return "";
 }

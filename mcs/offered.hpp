@@ -7,11 +7,11 @@
 
 namespace fpkcheck::mcs {
 
-/// Why this solver does not treat a problem, in one phrase; empty where it does.
+/// Why this solver does not support a problem, in one phrase; empty where it does.
 std::string objection(const problem::Problem& problem, const Options& options);
 
-/// Why there are no tails of an oscillator that is not the paper's: its energy rises elsewhere than
-/// at impulses. Empty where it does not.
+/// Why splitting does not resolve the tails of an oscillator outside the paper's class: its energy
+/// rises between impulses too. Empty where the energy rises at impulses only.
 std::string splitting_objection(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::mcs

@@ -11,14 +11,14 @@ using transform::counted;
 using transform::Kind;
 using transform::Observer;
 
-/// A value and, beside it, its standard error.
+/// Adds a value and its standard error.
 void observe(Observer& observer, const std::string& path, const Estimate& estimate,
              const std::string& error_path) {
   observer.add({.path = path, .value = estimate.mean, .error_at = error_path});
   observer.error(error_path, estimate.standard_error);
 }
 
-/// The items of a list, each by `put(path of the item, item, place)`.
+/// Adds the items of a list, each by `put(path of the item, item, index)`.
 template <class Item, class Put>
 void observe_list(Observer& observer, const std::string& path, const std::vector<Item>& items,
                   Kind kind, Put put) {
@@ -50,7 +50,7 @@ void observe_quantiles(Observer& observer, const std::string& path,
 
 void observe_rates(Observer& observer, const std::string& path,
                    const std::vector<LevelRate>& rates) {
-  // Of a hundred events and fewer the standard error is itself an estimate from a handful.
+  // Below about a hundred events the standard error itself is poorly known.
   constexpr double kRare = 0.1;
   observe_list(observer, path, rates, Kind::result,
                [&](const std::string& at, const LevelRate& r, std::size_t) {

@@ -5,15 +5,15 @@
 #include "mcs/deposit/deposit.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Included by the files that are compiled for different instructions, and inlined there: see
-// mcs/motion/advance_lanes.hpp. Here the lanes are the functions of one sample, not samples.
+// Inlined into files that are compiled for several instruction sets (mcs/motion/advance_simd.hpp).
+// A SIMD lane holds one spline of one sample, not one sample of several.
 
 namespace fpkcheck::mcs {
 namespace {
 
 using Eight = simd::LanesOf<8>::Real;
 
-/// Horner's rule for eight polynomials.
+/// Evaluates eight polynomials by Horner's rule.
 template <int kDegree>
 FPKCHECK_INLINE Eight polynomials(const double* coefficients, double t) {
   Eight sum = simd::load<Eight>(coefficients);
@@ -26,24 +26,24 @@ FPKCHECK_INLINE void add(double* to, const Eight& what) {
   simd::store(simd::load<Eight>(to) + what, to);
 }
 
-/// The functions that do not vanish at a point.
+/// Values and slopes of the splines that do not vanish at a point.
 struct Functions {
   Eight value, slope;
   int first;
 };
 
 FPKCHECK_INLINE Functions functions_at(const SplinePieces& pieces, double x) {
-  // What is no number is at the beginning: it has no cell.
+  // NaN has no cell: it is evaluated at the beginning.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
   const int last = pieces.cells() - 1;
-  // At most one break lies in a cell. (Within rounding of one either polynomial will do.)
+  // At most one break is in a cell. Within rounding of a break both polynomials agree.
   int span = pieces.span_of_cell()[place > last ? last : place];
   span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.place()[span];
   const double t = (inside - pieces.breaks()[span]) * pieces.per_length()[span];
   Functions f{polynomials<5>(c, t), Eight{}, pieces.first()[span]};
-  // Constants beyond the ends.
+  // Beyond the ends the splines are constant, with slope 0.
   if (inside == x) f.slope = polynomials<4>(c + 6 * 8, t);
   return f;
 }
@@ -56,7 +56,7 @@ FPKCHECK_INLINE void put_in_bins(const SmoothBins& bins, const double* cubics, d
   add(sums + cell - 1 + Deposit::kFrame, weight * polynomials<3>(cubics, cells - cell));
 }
 
-/// lambda B_i on the lattice, by Lagrange's polynomials on the eight points around.
+/// Deposits lambda B_i on the lattice by Lagrange interpolation with eight points.
 FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposit, int first,
                                         const Eight& rates, double v) {
   const DepositGrid& grid = plan.grid;
@@ -74,7 +74,7 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposi
   }
 }
 
-/// One sample.
+/// Deposits one sample.
 /// @param a second derivative of the flight's polynomial
 FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, double y, double v,
                                     double a, double weight) {
@@ -111,7 +111,7 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
   deposit.acceleration[2] += acceleration * v;
 }
 
-/// One impact: h(0, v+) - h(y-, v-), to first order in y-, which is 0 but for rounding.
+/// Deposits one impact, h(0, v+) - h(y-, v-), to first order in y-, which is 0 but for rounding.
 FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, double y_before,
                                     double v_before, double v_after, double weight) {
   const double per_sample = weight / plan.sampling_interval;
@@ -120,7 +120,7 @@ FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, d
   double* row = deposit.flow.data();
   add(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
-  for (int i = 0; i < 2; ++i) {  // no others have a slope at the wall
+  for (int i = 0; i < 2; ++i) {  // only these two have a slope at the wall
     const double at = simd::lane(wall.value, i) + y_before * simd::lane(wall.slope, i);
     add(row + before.first, (-per_sample * at) * before.value);
     row += deposit.flow_pitch;

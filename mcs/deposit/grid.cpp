@@ -35,28 +35,29 @@ double shortest(const std::vector<double>& breaks) {
 
 void require_knots(const std::string& name, const std::vector<double>& knots) {
   const auto repeated = [&](double x) { return std::ranges::count(knots, x); };
-  require(
-      knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
-          std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
-          knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
-          repeated(knots.back()) == kDegree + 1,
-      fmt::format("{} with {} knots (must not decrease, with six-fold ends)", name, knots.size()));
+  require(knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
+              std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
+              knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
+              repeated(knots.back()) == kDegree + 1,
+          fmt::format("{1} knots of {0}: must be sorted, with ends of multiplicity six", name,
+                      knots.size()));
   const std::vector<double> breaks = breaks_of(knots);
   for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
     require(repeated(breaks[k]) <= kDegree,
-            fmt::format("{}: an inner knot is repeated more than five times", name));
+            fmt::format("knots of {}: an inner knot has a multiplicity above five", name));
   }
   require(shortest(breaks) * kMostCells > breaks.back() - breaks.front(),
-          fmt::format("{}: knots that lie too close together", name));
+          fmt::format("knots of {}: too close together", name));
 }
 
 void require_bins(const std::string& name, const SmoothBins& bins) {
   require(bins.count >= 1 && bins.spacing > 0 && std::isfinite(bins.first) &&
               std::isfinite(bins.spacing),
-          fmt::format("{} smooth bins of {} with the spacing {}", bins.count, name, bins.spacing));
+          fmt::format("{} smooth bins of {} with spacing {}: both must be positive", bins.count,
+                      name, bins.spacing));
 }
 
-using Power = std::vector<double>;  // coefficients of 1, t, ..
+using Power = std::vector<double>;  // coefficients of 1, t, t^2, ..
 
 /// a p + (b + c t) q
 Power combined(double a, const Power& p, double b, double c, const Power& q) {
@@ -69,16 +70,16 @@ Power combined(double a, const Power& p, double b, double c, const Power& q) {
   return sum;
 }
 
-/// The functions of a span, from its sixth-last knot on, by the recursion of Cox and de Boor in
-/// t = (x - begin)/width, shape (6, 6).
-/// @param last_knot of the span's beginning
+/// The six splines of a span as polynomials of t = (x - begin)/width, by the recursion of Cox and
+/// de Boor, shape (6, 6).
+/// @param last_knot index of the last knot at the beginning of the span
 std::vector<Power> functions_of(const std::vector<double>& knots, std::size_t last_knot) {
   const double begin = knots[last_knot], width = knots[last_knot + 1] - begin;
   std::vector<Power> functions{{1.0}};
   for (int p = 1; p <= kDegree; ++p) {
     std::vector<Power> next(functions.size() + 1, Power{0.0});
     for (std::size_t l = 0; l < functions.size(); ++l) {
-      // Of degree p - 1, on the knots i .. i + p.
+      // Degree p - 1, on the knots i .. i + p.
       const std::size_t i = last_knot - static_cast<std::size_t>(p - 1) + l;
       const double low = knots[i], length = knots[i + static_cast<std::size_t>(p)] - low;
       const double at = (begin - low) / length, slope = width / length;
@@ -91,7 +92,7 @@ std::vector<Power> functions_of(const std::vector<double>& knots, std::size_t la
   return functions;
 }
 
-/// Highest power first, by powers and then by functions.
+/// Appends the coefficients, highest power first, all polynomials of a power together.
 void append(std::vector<double>& table, const std::vector<Power>& functions, int highest) {
   for (int n = highest; n >= 0; --n) {
     for (int l = 0; l < kEight; ++l) {
@@ -121,7 +122,7 @@ std::vector<double> lagrange_polynomials() {
 }
 
 std::vector<double> cubic_pieces() {
-  // M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
+  // The cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
   std::vector<double> table;
   append(table,
          {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
@@ -140,8 +141,8 @@ void require_grid(const DepositGrid& grid) {
   require(grid.y_knots.front() == 0, "the knots of y must begin at 0");
   require(grid.lattice_points >= DepositGrid::kStencil && grid.lattice_spacing > 0 &&
               std::isfinite(grid.lattice_begin),
-          fmt::format("{} points of the lattice (at least {})", grid.lattice_points,
-                      DepositGrid::kStencil));
+          fmt::format("{} lattice points: use at least {}, a finite begin and a positive spacing",
+                      grid.lattice_points, DepositGrid::kStencil));
   require_bins("y", grid.y_bins);
   require_bins("v", grid.v_bins);
 }
@@ -162,7 +163,7 @@ SplinePieces::SplinePieces(const std::vector<double>& knots)
     std::vector<double> table;
     append(table, functions, kDegree);
     append(table, slopes, kDegree - 1);
-    // Alike but for rounding.
+    // Spans with the same coefficients, but for rounding, share one table.
     int place = 0;
     const auto alike = [&](int from) {
       return std::equal(table.begin(), table.end(), coefficients_.begin() + from,

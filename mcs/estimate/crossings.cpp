@@ -5,7 +5,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::size_t kEvery = 10;  // edges
+constexpr std::size_t kEvery = 10;  // bin edges per crossing level
 
 double above(const std::vector<double>& sums, std::size_t edge) {
   return std::accumulate(sums.begin() + static_cast<std::ptrdiff_t>(edge) + 1, sums.end(), 0.0);

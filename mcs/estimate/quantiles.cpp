@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kProbabilities{1e-4, 1e-3, 0.01, 0.05,  0.25,  0.5,
                                     0.75, 0.95, 0.99, 0.999, 0.9999};
 
-/// A distribution function that increases between edges.
+/// A distribution function, monotone at the edges.
 class Distribution {
  public:
   Distribution(const std::vector<double>& edges, std::vector<double> below)
@@ -24,7 +24,7 @@ class Distribution {
 
   bool reaches(double p) const { return p > below_.front() && p < below_.back(); }
 
-  /// The inverse of the cubic through four edges, kept between the two in the middle.
+  /// Inverse of the cubic through four edges, restricted to the two middle edges.
   double inverse(double p) const {
     const auto above = std::ranges::upper_bound(below_, p) - below_.begin();
     const auto count = static_cast<std::ptrdiff_t>(edges_.size());
@@ -57,7 +57,7 @@ class Distribution {
   std::vector<double> below_;
 };
 
-/// Mirrored, what is below lies above.
+/// Maps quantiles to physical coordinates. A mirrored axis exchanges lower and upper tails.
 std::vector<Quantile> on_the_physical_axis(const problem::Frame& frame,
                                            transform::Variable variable,
                                            std::vector<Quantile> quantiles) {

@@ -54,9 +54,9 @@ std::vector<double> moments(const Simulation& simulation, int p, int q) {
 }
 
 std::vector<double> excess_powers(const Simulation& simulation) {
-  // Impulses come independently of the motion before them, so that their work, Excitation::work,
-  // has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt; and E[v] = 0, since int v dt is the
-  // change of y, which impacts leave alone.
+  // Impulses are independent of the motion before them. Their work (Excitation::work) has the
+  // expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is the change of y
+  // and impacts do not change y.
   const double expected = simulation.plan().excitation.work;
   return each(simulation.streams(), [&](const StreamRecord& record) {
     return record.work / simulation.stream_time() - expected;

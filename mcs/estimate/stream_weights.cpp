@@ -18,7 +18,7 @@ double square_about(double centre, std::span<const double> values) {
   return sum;
 }
 
-// All the same but for rounding: there is nothing to control by.
+// The control variate is constant but for rounding: no regression is possible.
 bool negligible(double square_about_mean, std::span<const double> values) {
   constexpr double kRounding = 1e-12;
   return square_about_mean <= square_about(0, values) * kRounding * kRounding;
@@ -56,7 +56,7 @@ Estimate StreamWeights::estimate(std::span<const double> values) const {
   const double x_bar = mean(values);
   double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
-    // As a correction to the plain mean: no loss of digits where all values are nearly the same.
+    // A correction of the plain mean loses no digits where all values are nearly equal.
     weighted += weights_[s] * (values[s] - x_bar);
   }
   double square = 0;

@@ -5,7 +5,7 @@
 #include "mcs/impulses/block.hpp"
 #include "mcs/impulses/standard_amplitude.hpp"
 
-// Compiled for different instructions, as motion/advance_lanes.hpp.
+// Compiled for several instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 

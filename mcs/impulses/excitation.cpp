@@ -18,7 +18,7 @@ static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw:
 
 int place_of(const problem::ImpulseLaw::Kind& law) { return static_cast<int>(law.index()); }
 
-// The atoms of a law, and the pieces on which its density is linear.
+// The atoms of a law, and the intervals on which its density is linear.
 template <class Law>
 std::vector<AmplitudeRange> ranges_of(const Law& law) {
   std::vector<AmplitudeRange> ranges;
@@ -37,7 +37,7 @@ std::vector<AmplitudeRange> ranges_of(const Law& law) {
   return ranges;
 }
 
-// Of a law of problem:: whose StandardAmplitude is DrawnFromPieces.
+// Pieces of a law of problem:: whose StandardAmplitude is DrawnFromPieces; null for other laws.
 std::shared_ptr<const AmplitudePieces> pieces_of(const problem::ImpulseLaw::Kind& law) {
   return std::visit(
       []<class Law>(const Law& kind) -> std::shared_ptr<const AmplitudePieces> {

@@ -8,14 +8,14 @@
 
 namespace fpkcheck::mcs {
 
-/// A term of paper (3): how long after the one before it comes, and its amplitude Y.
+/// One term of paper (3): waiting time after the previous impulse, and amplitude Y.
 struct Impulse {
   double waiting;
   double amplitude;
 };
 
-/// The impulses of one stream: impulse n is a function of (seed, stream, n) alone. Made in blocks,
-/// in lanes.
+/// Impulses of one stream. Impulse n is a function of (seed, stream, n) alone. SIMD lanes make them
+/// in blocks.
 class ImpulseSource {
  public:
   ImpulseSource(const Excitation& excitation, std::uint64_t seed, std::uint32_t stream)
@@ -30,12 +30,12 @@ class ImpulseSource {
     return {block_.waiting[place], block_.amplitude[place]};
   }
 
-  /// How many have been given out.
+  /// Number of impulses drawn.
   std::uint64_t number() const { return number_; }
-  /// Continues as if `number` had been given out.
+  /// Sets the number of impulses drawn.
   void continue_from(std::uint64_t number);
 
-  /// Two independent standard normal numbers, for the initial state: always the same ones.
+  /// Two independent standard normal numbers for the initial state, the same at every call.
   std::array<double, 2> standard_normals() const;
 
  private:

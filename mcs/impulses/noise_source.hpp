@@ -6,8 +6,8 @@
 
 namespace fpkcheck::mcs {
 
-/// Standard normal numbers of one stream, for Gaussian noise: number n is a function of (seed, stream,
-/// n) alone. Made in blocks, in lanes.
+/// Standard normal numbers of one stream, for Gaussian noise. Number n is a function of (seed,
+/// stream, n) alone. SIMD lanes make them in blocks.
 class NoiseSource {
  public:
   NoiseSource(std::uint64_t seed, std::uint32_t stream) : seed_(seed), stream_(stream) {}
@@ -19,9 +19,9 @@ class NoiseSource {
     return block_.amplitude[place];
   }
 
-  /// How many have been given out.
+  /// Number of normal numbers drawn.
   std::uint64_t number() const { return number_; }
-  /// Continues as if `number` had been given out.
+  /// Sets the number of normal numbers drawn.
   void continue_from(std::uint64_t number);
 
  private:

@@ -6,14 +6,14 @@
 #include "mcs/motion/sample_lanes.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Included by the files that are compiled for different instructions (InstructionSet). All of
-// it is inlined or has internal linkage, so that no function compiled for instructions that a
-// processor may lack can take the place of another one.
+// Included by files that are compiled for different instruction sets (InstructionSet). Everything
+// here is inlined or has internal linkage. The linker therefore never substitutes code with
+// unsupported instructions for a common function.
 
 namespace fpkcheck::mcs {
 namespace {
 
-/// Paper (3): one impulse, and the next one drawn.
+/// Applies one impulse, paper (3), and draws the next one.
 template <bool kRecords>
 void receive_impulse(const Motion& motion, Stream& stream) {
   Branch& b = stream.branch;
@@ -40,7 +40,7 @@ void receive_impulse(const Motion& motion, Stream& stream) {
   if (kRecords && motion.splitting) motion.splitting->after_impulse(stream);
 }
 
-/// The branches of streams in lanes, and what they see.
+/// State and sums of several streams, one per SIMD lane.
 template <int W>
 struct Lanes {
   using Real = typename simd::LanesOf<W>::Real;
@@ -50,17 +50,17 @@ struct Lanes {
 
   const Motion& motion;
   Stream* const* streams;
-  double* cells[W];  // of the streams' histograms
+  double* cells[W];  // of the histogram of each stream
   Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
   Real powers[kPowers.size()]{};
   Real samples{}, impacts{}, impact_speed{}, impact_energy{}, flights{};
-  Real beyond_wall{};  // y of the flight's polynomial at the impact that comes next: rounding
+  Real beyond_wall{};  // y of the flight's polynomial at the next impact: 0 but for rounding
 
   FPKCHECK_INLINE Lanes(const Motion& m, Stream* const* s) : motion(m), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
   }
 
-  // From the streams' branches, and back.
+  // Load the state from the branches of the streams, and store it there.
   FPKCHECK_INLINE void load_branches() {
     Array<double> a[6];
     for (int i = 0; i < W; ++i) {
@@ -100,7 +100,7 @@ struct Lanes {
     }
   }
 
-  /// Paper (2), also for an impulse that pushes a resting oscillator into the wall.
+  /// Applies paper (2), also where an impulse pushes a resting oscillator into the wall.
   template <bool kRecords>
   FPKCHECK_INLINE void rebound(const Mask& active) {
     const Mask impact = active & (y <= 0.0) & (v < 0.0);
@@ -136,7 +136,7 @@ struct Lanes {
     until_sample = until_sample - span;
   }
 
-  // Lane by lane: each sample fills the lanes with the functions that do not vanish there.
+  // One sample after another: the SIMD lanes hold the splines that do not vanish at a sample.
   FPKCHECK_INLINE void deposit(const BasicState<Real>& at, const Real& acceleration,
                                const Mask& due) const {
     Array<double> ys, vs, as;
@@ -151,16 +151,16 @@ struct Lanes {
     }
   }
 
-  // A lane with nothing to count counts it with the weight 0.
+  // A lane without a sample takes part with the weight 0.
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Real& counted) {
     add_powers(at, counted, powers);
     samples = samples + counted;
-    // A sample within rounding of an impact may lie beyond the wall by as much.
+    // Rounding may put a sample at an impact slightly behind the wall.
     const Real in_front = simd::larger(at.y, Real{});
     put_into_bins(*motion.y_bins, *motion.v_bins, in_front, at.v, counted, streams, cells);
   }
 
-  // Maxima of y where the velocity turns in flight.
+  // Maxima of y where the velocity changes its sign in flight.
   FPKCHECK_INLINE void find_peaks(const BasicFlight<Real>& flight, const Real& span,
                                   const BasicState<Real>& end) {
     const Mask peak = (v > 0.0) & (end.v < 0.0);
@@ -173,7 +173,7 @@ struct Lanes {
     }
   }
 
-  /// Impulses, and the ends of branches: lane by lane.
+  /// Applies impulses and ends of branches, lane by lane.
   template <bool kRecords>
   FPKCHECK_INLINE void single_events(const Mask& active) {
     const Mask impulse_now = active & (until_impulse <= 0.0);
@@ -209,15 +209,15 @@ struct Lanes {
 
   template <bool kRecords>
   FPKCHECK_INLINE void move() {
-    // A copy: for all the compiler knows, any sum that is stored might overwrite the original.
+    // A copy, since the compiler must assume that storing a sum may change the original.
     const Oscillator oscillator = motion.oscillator;
     load_branches();
     for (;;) {
       const Mask active = remaining > 0.0;
       if (!simd::any(active)) break;
-      // Every turn of the loop either moves a lane on in time or brings it to y = 0; at y = 0 the
-      // velocity has been made >= 0, so that the turn after moves on. At rest (y = v = 0) time runs
-      // on to the next impulse.
+      // Every iteration advances the time of a lane or ends at y = 0. There the impact reverses the
+      // velocity, so the next iteration advances the time. At rest (y = v = 0) the time advances to
+      // the next impulse.
       rebound<kRecords>(active);
       const BasicFlight<Real> flight(oscillator, {y, v});
       Real span = simd::smaller(simd::smaller(flight.reach(motion.step), until_impulse), remaining);
@@ -257,7 +257,7 @@ void move_lanes(const Motion& motion, Stream* const* streams) {
   }
 }
 
-/// As many streams as `width`, which must be one of these.
+/// Calls advance_in_lanes() for `width`, which must be one of Widths.
 template <int... Widths>
 void move_any_of(const Motion& motion, Stream* const* streams, int width) {
   ((width == Widths ? move_lanes<Widths>(motion, streams) : void()), ...);

@@ -3,16 +3,16 @@
 #include "mcs/motion/general_motion.hpp"
 #include "numerics/simd/elementary.hpp"
 
-// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+// Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
-/// What the stream's branch counts.
+/// Weight of the current branch of a stream.
 inline double weight_of(const GeneralMotion& motion, const Stream& stream) {
   return motion.splitting ? motion.splitting->weight(stream.branch) : 1.0;
 }
 
-/// A change of the velocity from without: what it does to the maxima and minima of y.
+/// Adds a jump of the velocity to the maxima or minima of y, if the velocity changes its sign.
 inline void note_turn(const GeneralMotion& motion, Stream& stream, double before, double after) {
   if (!motion.records) return;
   const double y = stream.branch.y, counted = weight_of(motion, stream);
@@ -21,7 +21,7 @@ inline void note_turn(const GeneralMotion& motion, Stream& stream, double before
   if (before < 0 && after > 0 && !at_wall) stream.record.troughs[(*motion.y_bins)(y)] += counted;
 }
 
-/// Paper (3): one impulse, and the next one drawn.
+/// Applies one impulse, paper (3), and draws the next one.
 inline void receive_general_impulse(const GeneralMotion& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
@@ -39,8 +39,8 @@ inline void receive_general_impulse(const GeneralMotion& motion, Stream& stream)
   if (motion.records && motion.splitting) motion.splitting->after_impulse(stream);
 }
 
-/// The Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for the latter half of the interval before
-/// and the former half of the one after.
+/// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
+/// the kick and half of the interval after it.
 inline void receive_kick(const GeneralMotion& motion, Stream& stream) {
   Branch& b = stream.branch;
   GeneralBranch& g = stream.general;
@@ -49,7 +49,7 @@ inline void receive_kick(const GeneralMotion& motion, Stream& stream) {
   const double time = (g.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::larger(simd::smaller(-x, 300.0), -300.0));
-  // 2 D time (1 - exp(-2x)) / (2x), by the series where the difference loses digits
+  // 2 D time (1 - exp(-2x)) / (2x), by its series where the difference loses digits
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double kick =
@@ -61,7 +61,7 @@ inline void receive_kick(const GeneralMotion& motion, Stream& stream) {
   note_turn(motion, stream, before, b.v);
   if (motion.records) {
     stream.record.general->kicks += 1;
-    // Of expectation 0, whatever the motion.
+    // This work has expectation 0 for any motion.
     stream.record.work +=
         damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
   }

@@ -4,11 +4,11 @@
 #include "mcs/motion/general_flight.hpp"
 #include "mcs/motion/sample_lanes.hpp"
 
-// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+// Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
-/// The branches of streams in lanes, and what they see.
+/// State and sums of several streams, one per SIMD lane.
 template <int W, int kOrder>
 struct GeneralLanes {
   using Real = typename simd::LanesOf<W>::Real;
@@ -19,9 +19,9 @@ struct GeneralLanes {
 
   const GeneralMotion& motion;
   Stream* const* streams;
-  double* cells[W];  // of the streams' histograms
+  double* cells[W];  // of the histogram of each stream
   Real y{}, v{}, until_impulse{}, until_kick{}, until_sample{}, remaining{}, bouncing{};
-  Real weight{};  // of the splitting
+  Real weight{};  // of the branches
   Real powers[kPowers.size()]{};
   Real y5{}, y6{};
   Real samples{}, impacts{}, flights{};
@@ -87,14 +87,14 @@ struct GeneralLanes {
     }
   }
 
-  /// Paper (2) at one wall.
-  /// @param inwards 1 at the wall on the left, -1 on the right
+  /// Applies paper (2) at one wall.
+  /// @param inwards 1 at the left wall, -1 at the right wall
   FPKCHECK_INLINE void rebound(const GeneralWall& wall, double inwards, const Mask& active,
                                Real& speed_sum, Real& energy_sum) {
     const double r = wall.restitution;
     const Real speed = -inwards * v;  // towards the wall
     Mask impact = active & (inwards * (y - wall.position) <= 0.0) & (bouncing < 0.0);
-    // Pressed to the wall it comes back however slow it is, and may stay.
+    // With a positive contact force the mass returns to the wall at any speed, and may stay.
     impact = impact & (wall.pressing > 0 ? speed >= 0.0 : speed > 0.0);
     if (!simd::any(impact)) return;
     if (motion.records) {
@@ -107,7 +107,8 @@ struct GeneralLanes {
     if (wall.pressing > 0) {
       const Mask stays = impact & (speed < wall.slow);
       if (simd::any(stays)) {
-        // Bounces of r, r^2, .. times the speed, each for 2 speed / pressing; of r = 1 no end.
+        // Bounces at r, r^2, .. times the speed, each for 2 speed / contact_force; without end for
+        // r = 1.
         constexpr double kForever = 1e300;
         const double times = r < 1 ? 2 * r / ((1 - r) * wall.pressing) : 0;
         const Real time = r < 1 ? speed * times : simd::all_lanes<Real>(kForever);
@@ -136,7 +137,7 @@ struct GeneralLanes {
     until_sample = until_sample - span;
   }
 
-  // A lane with nothing to count counts it with the weight 0.
+  // A lane without a sample takes part with the weight 0.
   FPKCHECK_INLINE void count(const BasicState<Real>& at, const Mask& due, const Mask& at_rest,
                              bool rests) {
     const Real counted = simd::where(due, weight);
@@ -162,7 +163,7 @@ struct GeneralLanes {
                   cells);
   }
 
-  // A sample within rounding of an impact may lie beyond a wall by as much.
+  // Rounding may put a sample at an impact slightly behind a wall.
   FPKCHECK_INLINE Real between_walls(const Real& x) const {
     Real between = x;
     if (motion.oscillator.right.stands) {
@@ -173,7 +174,7 @@ struct GeneralLanes {
     return between;
   }
 
-  /// Adds what each lane counts to the bin of y in the lanes of the mask.
+  /// Adds the weight of each lane in `there` to the bin of y.
   FPKCHECK_INLINE void note(std::vector<double> StreamRecord::*of, const Real& at,
                             const Mask& there) {
     if (!simd::any(there)) return;
@@ -183,9 +184,10 @@ struct GeneralLanes {
     }
   }
 
-  /// Ends the flight at the first impact in [0, span], if any. Within it the velocity changes its sign
-  /// once at most, so that the ends and the extreme between them tell; the signs at the ends alone
-  /// would miss the return to a wall that a force presses to, and a dip below one across a gap.
+  /// Ends the flight at the first impact in [0, span], if any. The velocity changes its sign at
+  /// most once, so y at both ends and at the extreme determine the impacts. Signs at the ends alone
+  /// miss two cases: the return to a wall with positive contact force, and an excursion behind a
+  /// wall across a gap.
   FPKCHECK_INLINE void meet(const Flight& flight, Real& span, BasicState<Real>& end,
                             const Mask& free) {
     const GeneralOscillator& o = motion.oscillator;
@@ -217,7 +219,7 @@ struct GeneralLanes {
       const Mask after_turn = turned & (first == none);
       const Real low = simd::select(after_turn, turning, Real{});
       const Real high = simd::select(first, turning, span);
-      // From the parabola about the extreme; without one, from the chord.
+      // Initial guess from the parabola about the extreme, or from the chord without an extreme.
       const Real from_extreme = extreme - wall;
       const Real of_first =
           1.0 - simd::square_root(simd::larger(from_extreme / (extreme - y), Real{}));
@@ -240,10 +242,10 @@ struct GeneralLanes {
     }
   }
 
-  /// Impulses, kicks and the ends of branches: lane by lane.
+  /// Applies impulses, kicks and ends of branches, lane by lane.
   FPKCHECK_INLINE void single_events(const Mask& active) {
     const Mask impulse_now = active & (until_impulse <= 0.0);
-    if (motion.records && motion.splitting) {  // there are no kicks then
+    if (motion.records && motion.splitting) {  // kicks and splitting exclude each other
       if (!simd::any(impulse_now) && !simd::any(active & (remaining <= 0.0))) return;
       store_branches();
       for (int i = 0; i < W; ++i) {
@@ -291,8 +293,8 @@ struct GeneralLanes {
     for (;;) {
       const Mask active = remaining > 0.0;
       if (!simd::any(active)) break;
-      // Every turn of the loop either moves a lane on in time or brings it to a wall; there the
-      // velocity has been turned inwards, or the lane is held, so that the turn after moves on.
+      // Every iteration advances the time of a lane or ends at a wall. There the velocity points
+      // inwards or the lane is at rest, so the next iteration advances the time.
       if (o.left.stands) rebound(o.left, 1, active, left_speed, left_energy);
       if (o.right.stands) rebound(o.right, -1, active, right_speed, right_energy);
       const Mask held = bouncing >= 0.0;
@@ -312,7 +314,7 @@ struct GeneralLanes {
       until_impulse = until_impulse - span;
       until_kick = until_kick - span;
       bouncing = simd::select(held, simd::larger(bouncing - span, Real{}), bouncing);
-      // Beyond a wall by no more than a grazing turn's rounding.
+      // At a grazing turn rounding may put y slightly behind a wall.
       y = end.y;
       if (o.left.stands) y = simd::larger(y, Real{});
       if (o.right.stands) y = simd::smaller(y, simd::all_lanes<Real>(o.right.position));
@@ -324,7 +326,7 @@ struct GeneralLanes {
   }
 };
 
-/// Under noise flights are short: fewer coefficients are as exact.
+/// Between kicks flights are short: a lower order is as exact.
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
 template <int W>
@@ -336,7 +338,7 @@ void move_general_lanes(const GeneralMotion& motion, Stream* const* streams) {
   }
 }
 
-/// As many streams as `width`, which must be one of these.
+/// Calls advance_general_in_lanes() for `width`, which must be one of Widths.
 template <int... Widths>
 void move_general_any_of(const GeneralMotion& motion, Stream* const* streams, int width) {
   ((width == Widths ? move_general_lanes<Widths>(motion, streams) : void()), ...);

@@ -9,8 +9,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Speeds below which bounces are summed up, as if the force were that at the wall: what this
-// neglects is of the second order, 1e-6 of E[y'^2] and of the time.
+// Fraction of the velocity scale below which bounces are summed with the force at the wall. The
+// neglected change of the force is of second order, 1e-6 of E[y'^2] and of the time.
 constexpr double kSlow = 1e-3;
 
 double largest_damping(const problem::System& system, const problem::Scales& scales) {
@@ -32,7 +32,7 @@ GeneralOscillator general_oscillator(const problem::Problem& problem, const prob
   GeneralOscillator o;
   for (std::size_t n = 0; n < o.force.size(); ++n) o.force[n] = system.force().coefficient(n);
   o.force[0] -= mean_force;
-  // Where f = c y' it belongs to the kicks.
+  // Constant damping f = c y' is part of the kicks.
   if (!(kicked && system.damping_is_constant())) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);

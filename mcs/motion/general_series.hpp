@@ -6,11 +6,11 @@
 #include "numerics/simd/elementary.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+// Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
-/// y(s) = sum_n a_n s^n.
+/// Coefficients a_n of y(s) = sum_n a_n s^n.
 template <class Real, int kOrder>
 using GeneralSeries = std::array<Real, kOrder + 1>;
 
@@ -28,7 +28,7 @@ FPKCHECK_INLINE Real general_stiffness(const GeneralOscillator& o, const Real& y
   return sum;
 }
 
-/// [a b]_n
+/// Coefficient n of the product of two series, [a b]_n.
 template <class A, class B>
 FPKCHECK_INLINE auto cauchy(const A& a, const B& b, int n) {
   auto sum = a[0] * b[n];
@@ -37,11 +37,11 @@ FPKCHECK_INLINE auto cauchy(const A& a, const B& b, int n) {
   return sum;
 }
 
-/// Sets a_2, a_3, .. from a_0 and a_1,
+/// Computes a_2, a_3, .. from a_0 and a_1,
 ///
-///     (n+1)(n+2) a_{n+2} = -([g(y)]_n + (n+1) [C(y)]_{n+1} + c_vv [v^3]_n),    C' = c,
+///     (n+1)(n+2) a_{n+2} = -([g(y)]_n + (n+1) [C(y)]_{n+1} + c_vv [v^3]_n),    C' = c.
 ///
-/// the coefficients of powers by Cauchy products: c(y) v = dC(y)/ds.
+/// Cauchy products give the coefficients of powers; c(y) v = dC(y)/ds.
 template <GeneralOscillator::Kind kKind, int kOrder, class Real>
 FPKCHECK_INLINE void continue_general(const GeneralOscillator& o, GeneralSeries<Real, kOrder>& a) {
   using Kind = GeneralOscillator::Kind;
@@ -72,7 +72,7 @@ FPKCHECK_INLINE void continue_general(const GeneralOscillator& o, GeneralSeries<
   }
 }
 
-// Functions of their own: what the compiler would else inline three times over.
+// Not inlined: the compiler would otherwise inline three copies.
 template <GeneralOscillator::Kind kKind, int kOrder, class Real>
 __attribute__((noinline)) void continue_general_series_of(const GeneralOscillator& o,
                                                           GeneralSeries<Real, kOrder>& a) {

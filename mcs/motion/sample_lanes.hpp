@@ -4,8 +4,8 @@
 #include "mcs/streams/stream.hpp"
 #include "numerics/simd/simd.hpp"
 
-// What samples in lanes are counted into, whatever the oscillator. Included by the files that are
-// compiled for different instructions, as motion/advance_lanes.hpp.
+// Adds samples in SIMD lanes to moments and histograms, for any oscillator. Included by files that
+// are compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
@@ -14,15 +14,15 @@ struct alignas(64) LaneArray {
   Number at[W];
 };
 
-/// The bin in lanes, by arithmetic, for even edges; a number within rounding of an edge may go to
-/// either side of it.
+/// Real-valued bin index of x for evenly spaced edges. Within rounding of an edge either neighbour
+/// is possible.
 template <class Real>
 FPKCHECK_INLINE Real place(const BinFinder& bins, const Real& x) {
   return simd::smaller(simd::larger((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
                        simd::all_lanes<Real>(static_cast<double>(bins.bins() + 1)));
 }
 
-/// Adds kPowers of a state, weighted.
+/// Adds the weighted monomials kPowers of a state.
 template <class Real>
 FPKCHECK_INLINE void add_powers(const BasicState<Real>& at, const Real& counted,
                                 Real (&powers)[kPowers.size()]) {
@@ -36,16 +36,17 @@ FPKCHECK_INLINE void add_powers(const BasicState<Real>& at, const Real& counted,
   }
 }
 
-/// Adds weights to the streams' histograms.
+/// Adds weights to the histograms of the streams.
 /// @param y    between the walls
-/// @param cells of the streams' histograms
+/// @param cells of the histograms
 template <int W, class Real>
 FPKCHECK_INLINE void put_into_bins(const BinFinder& y_bins, const BinFinder& v_bins, const Real& y,
                                    const Real& v, const Real& counted, Stream* const* streams,
                                    double* const (&cells)[W]) {
   if (y_bins.even() && v_bins.even()) {
     const auto row = simd::truncated(place(y_bins, y));
-    // At rest the side of 0 counts, however close: half of a spike is there.
+    // The sign of v selects the bin next to the edge at 0, at any distance from it: near rest both
+    // bins hold half of a spike.
     const Real hair = simd::all_lanes<Real>(v_bins.hair());
     const Real off_zero = simd::select(v < 0.0, simd::smaller(v, -hair), simd::larger(v, hair));
     const auto column = simd::truncated(place(v_bins, off_zero));

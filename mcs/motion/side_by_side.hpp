@@ -7,11 +7,11 @@
 
 namespace fpkcheck::mcs {
 
-/// Moves as many streams as `width`, whose remaining time is set.
+/// Advances `width` streams by their remaining time.
 template <class Motion>
 using MoveStreams = void(const Motion& motion, Stream* const* streams, int width);
 
-/// Any number of streams: as many as there are lanes go side by side, those left over one by one.
+/// Advances any number of streams: full groups in SIMD lanes, the remaining streams one by one.
 template <class Motion>
 void move_side_by_side(const Motion& motion, std::span<Stream* const> streams,
                        const simd::LaneSet& lanes, MoveStreams<Motion>* baseline,

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::mcs {
 
-/// Where the stream of these impulses begins: independent Gaussians z, z' of mean zero, folded by
-/// paper (5): y = |z|, y' = z' sgn z.
+/// Initial state of a stream: independent Gaussians z, z' of mean zero, folded by paper (5),
+/// y = |z|, y' = z' sgn z.
 inline State folded_start(const ImpulseSource& source, double displacement_deviation,
                           double velocity_deviation) {
   const auto normals = source.standard_normals();

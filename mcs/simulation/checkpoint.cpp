@@ -23,11 +23,11 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Of any version, and of this one.
+// First line of checkpoints of any version, and of this version.
 constexpr std::string_view kEveryFirstLine = "fpkcheck mcs checkpoint ";
 constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 4\n";
 
-/// FNV-1a.
+/// FNV-1a hash.
 std::uint64_t checksum(std::string_view text) {
   std::uint64_t sum = 14695981039346656037u;
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
@@ -35,12 +35,12 @@ std::uint64_t checksum(std::string_view text) {
 }
 
 std::string unwritten(const std::string& path, const std::string& why) {
-  return fmt::format("cannot write the checkpoint {} ({})", base::shown(path), why);
+  return fmt::format("cannot write the checkpoint {}: {}", base::shown(path), why);
 }
 
-constexpr const char* kNoPlace = "is there such a directory, writable and with space?";
+constexpr const char* kNoPlace = "the directory is missing, write-protected or full; check it";
 
-/// @return why the checkpoint could not be written; empty when it is
+/// @return why the checkpoint was not written; empty after success
 std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
                              const Simulation& simulation) {
   std::ostringstream contents;
@@ -107,11 +107,11 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   namespace fs = std::filesystem;
   std::error_code ignored;
   const auto there = fs::status(path_, ignored);
-  if (fs::is_directory(there)) throw InputError(unwritten(path_, "it is a directory"));
-  // Neither a case file that was named by mistake nor a device.
+  if (fs::is_directory(there)) throw InputError(unwritten(path_, "it is a directory; name a file"));
+  // Refuse to overwrite a case file named by mistake, or a device.
   if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
     throw InputError(
-        unwritten(path_, "something else is there, which would be lost: name another file"));
+        unwritten(path_, "the file is no checkpoint and would be lost; name another file"));
   }
   try {
     const base::FilesInHand in_hand;
@@ -133,7 +133,7 @@ void CheckpointWriter::write(const std::string& fingerprint, const Simulation& s
   const bool failed_before = !failure_.empty();
   attempt(fingerprint, simulation);
   if (!failure_.empty() && !failed_before) {
-    warn_(failure_ + " the simulation goes on and tries again every half minute");
+    warn_(failure_ + ". The simulation continues and retries every half minute");
   }
 }
 
@@ -147,26 +147,27 @@ void CheckpointWriter::write_last(const std::string& fingerprint, const Simulati
   if (path_.empty()) return;
   attempt(fingerprint, simulation);
   if (!failure_.empty()) {
-    warn_(failure_ + " the result stands, but no run can go on from the end of this one");
+    warn_(failure_ + ". The result is valid, but no run can resume from its end");
   }
 }
 
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
-  // The largest have all streams, deposits on the finest grids and the finest bins.
+  // Upper limit of the size with all streams, deposits on the finest grids and the finest bins.
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
   const auto read = base::read_input_file(path, kMostBytes);
   const std::string name = base::shown(path);
   if (!read) {
     throw InputError(
-        fmt::format("cannot read the checkpoint {} (there is no such file) name one that "
-                    "--checkpoint has written",
+        fmt::format("cannot read the checkpoint {}: no such file; name a file that --checkpoint "
+                    "wrote",
                     name));
   }
   const std::string& text = *read;
   if (!text.starts_with(kFirstLine)) {
     throw InputError(fmt::format(
-        "{} is no checkpoint of this version of fpkcheck mcs (start again without --resume)",
+        "{} is no checkpoint of this version of fpkcheck mcs: its first line differs; start "
+        "without --resume",
         name));
   }
   std::uint64_t sum = 0;
@@ -174,24 +175,23 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   if (text.size() > kFirstLine.size() + sizeof sum) std::memcpy(&sum, &text[size], sizeof sum);
   const std::string_view contents(text.data(), size);
   if (sum != checksum(contents)) {
-    throw InputError(fmt::format(
-        "the checkpoint {} is damaged (its checksum is wrong): start again without --resume",
-        name));
+    throw InputError(
+        fmt::format("the checkpoint {} is damaged: wrong checksum; start without --resume", name));
   }
   const std::string_view rest = contents.substr(kFirstLine.size());
   const std::size_t end = rest.find('\n');
   if (rest.substr(0, end) != fingerprint) {
     throw InputError(
-        fmt::format("the checkpoint {} belongs to another simulation (give the case, "
-                    "seed and options that it was made with)",
+        fmt::format("the checkpoint {} belongs to another simulation: case, seed or options "
+                    "differ; use those of the checkpoint",
                     name));
   }
   std::istringstream in{std::string(rest.substr(end + 1))};
   try {
     simulation.load(in);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("the checkpoint {} is damaged ({}): start again without --resume",
-                                 name, error.what()));
+    throw InputError(fmt::format("the checkpoint {} is damaged: {}; start without --resume", name,
+                                 error.what()));
   }
 }
 

@@ -11,8 +11,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// In radians. The more a wall takes, the nearer to it decides what the noise does there, and between
-// two kicks it does nothing.
+// In radians. At strong impact losses the noise near the wall determines the motion, and the kicks
+// must resolve the noise there (docs/simulation.md has the measurements).
 constexpr double kAutomaticKickStep = 0.2, kKickStepWithStrongLosses = 0.05;
 constexpr double kStrongLosses = 0.6;
 
@@ -28,11 +28,11 @@ double automatic_kick_step(const problem::System& system) {
 
 GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options) {
   if (options.deposit) {
-    throw InputError("mcs.deposit with an oscillator that is not the paper's (leave it)");
+    throw InputError("mcs.deposit outside the paper's class: not supported; omit mcs.deposit");
   }
   if (options.tails) {
     if (const std::string why = splitting_objection(problem, options); !why.empty()) {
-      throw InputError(fmt::format("mcs.tails ({}) leave it", why));
+      throw InputError(fmt::format("mcs.tails: {}; omit mcs.tails", why));
     }
   }
   const bool white = options.equation == Equation::white;

@@ -8,19 +8,19 @@
 
 namespace fpkcheck::mcs {
 
-/// Where streams begin: independent draws of the averaged law (problem::EnergyAveraging), each well and
-/// each ring with its mass. Only of the fast motion, and of what averaging misses, is there something
-/// left for the burn-in to forget.
+/// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), with
+/// the mass of each well and each ring. The burn-in only has to remove transients of the fast
+/// motion and the error of the averaging.
 class GeneralStart {
  public:
   explicit GeneralStart(const problem::Problem& problem);
 
-  /// Always the same one of a stream.
+  /// The initial state is a function of the seed and the stream.
   State operator()(std::uint64_t seed, std::uint32_t stream) const;
 
  private:
   problem::EnergyAveraging averaging_;
-  std::vector<double> below_;  // masses of the bands up to each, itself included
+  std::vector<double> below_;  // cumulative masses of the bands
 };
 
 }  // namespace fpkcheck::mcs

@@ -5,9 +5,9 @@
 
 namespace fpkcheck::mcs {
 
-/// A splitting for the problem: its thresholds come from short simulations with random numbers of
-/// their own, each with the thresholds that the one before could see, until the highest is passed
-/// by less than 1e-10 of the states after impulses.
+/// Splitting for a problem, with thresholds from pilot runs with independent random numbers. Each
+/// run uses the thresholds of the run before and extends them. The last threshold has an exceedance
+/// probability of about 1e-10 after impulses.
 Splitting plan_splitting(const problem::Problem& problem, const Plan& plan);
 
 }  // namespace fpkcheck::mcs

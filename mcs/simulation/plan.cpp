@@ -15,17 +15,18 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr double kMostSamples = 1e15;  // of a stream
+constexpr double kMostSamples = 1e15;  // per stream
 
 constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;        // standard deviations
 constexpr double kAutomaticWhiteStep = 0.05;  // radians
-constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less noisy, and dearer
-// Progress and interruptions come by rounds: a fortieth of the automatic time, a tenth of a second
-// or so, or an eighth of what was asked for if that is less.
+// 50 samples per period reduce the noise of the bins by a seventh, at higher cost.
+constexpr double kSamplesPerPeriod = 25;
+// Progress and interruptions occur between rounds. A round takes a fortieth of the default time,
+// about a tenth of a second, or an eighth of the requested time, whichever is least.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-constexpr double kMostEvents = 2e7;  // impulses and flights of a round, in all streams
+constexpr double kMostEvents = 2e7;  // impulses and flights per round in all streams
 
 std::vector<double> evenly_spaced(double from, double to) {
   std::vector<double> edges;
@@ -49,19 +50,20 @@ Rounds rounds_of(const Options& options, const Durations& durations, double inte
   const double time = durations.time;
   const double round_time = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
-  // Of a length that does not depend on the time asked for, unless that is short: so a longer
-  // simulation can go on from the checkpoint of a shorter one.
+  // The length of a round is independent of the requested time, unless this is short. A longer
+  // simulation can therefore resume from the checkpoint of a shorter one.
   const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
   const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
   if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
     throw InputError(fmt::format(
-        "mcs.time = {} (each of {} streams would take {:.0e} samples; at most {:.0e}) use less",
+        "mcs.time = {}: each of {} streams would have {:.0e} samples, at most {:.0e} are "
+        "possible; reduce the time",
         time, options.streams, samples * rounds, kMostSamples));
   }
   return {static_cast<std::uint64_t>(samples), static_cast<std::uint64_t>(rounds)};
 }
 
-/// Edges may begin anywhere where there is no wall.
+/// Checks options where the domain is not y >= 0: edges may begin anywhere.
 void validate_of_any_domain(const Options& options) {
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   Options others = options;
@@ -73,8 +75,8 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
   validate_of_any_domain(options);
   GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
-  // The frequency is that of the motion's mean energy: where rest is the rule, of bounces that are
-  // hardly there.
+  // The frequency belongs to the mean energy. If the mass is mostly at rest in contact, this is
+  // the frequency of tiny bounces, and the sampling interval is limited by the rate of impulses.
   constexpr double kSamplesPerRest = 50;
   const double least = general.rests ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
   const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);
@@ -92,7 +94,7 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
   Excitation excitation = poisson_excitation(problem.impulses);
   if (impulses == 0) excitation.interval = std::numeric_limits<double>::infinity();
   excitation.power = general.power;
-  // What is expected of the kicks' own is 0; see receive_kick().
+  // The expected work of the kicks alone is 0; see apply_kick().
   if (impulses == 0) excitation.work = 0;
   return {.streams = options.streams,
           .threads = std::min(number_of_threads(options.threads), options.streams),

@@ -7,10 +7,10 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::uint64_t kMost = 100000;  // where nothing is known of how many there are
+constexpr std::uint64_t kMost = 100000;  // limit where the number of entries is free
 
 void require(bool holds) {
-  if (!holds) throw InputError("its numbers do not fit together");
+  if (!holds) throw InputError("wrong number of entries");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Numbers as they lie in memory: for files that are read by the machine that wrote them.
+/// Binary form of numbers, for files that the same machine reads and writes.
 template <class Number>
 requires std::is_trivially_copyable_v<Number>
 void put(std::ostream& out, const Number& number) {
@@ -19,10 +19,10 @@ void get(std::istream& in, Number& number) {
   in.read(reinterpret_cast<char*>(&number), sizeof number);
 }
 
-/// Lists that are mostly 0: runs of zeros are stored as their length.
+/// Binary form of mostly zero lists: runs of zeros are stored as their length.
 void put(std::ostream& out, const std::vector<double>& numbers);
-/// @param numbers as many as are expected; any number of them when empty
-/// @throws InputError when there are others, or what is read is no such list
+/// @param numbers of the expected size; any size where empty
+/// @throws InputError where the size or the form differs
 void get(std::istream& in, std::vector<double>& numbers);
 
 }  // namespace fpkcheck::mcs

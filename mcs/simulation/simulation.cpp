@@ -17,11 +17,11 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::size_t kGroup = 8;  // streams that a thread takes at a time
+constexpr std::size_t kGroup = 8;  // streams per task of a thread
 
-// A checksum is soon repaired: what goes on from impossible numbers may never end.
+// A forged checksum is no protection, and a simulation from impossible numbers may never end.
 void require_possible(bool holds) {
-  if (!holds) throw InputError("its numbers are impossible");
+  if (!holds) throw InputError("impossible numbers in the saved state");
 }
 
 bool is_finite(double number) { return std::isfinite(number); }
@@ -40,7 +40,7 @@ bool is_between_walls(double y, double farthest, const Plan& plan) {
 }
 
 bool is_possible(const GeneralBranch& branch, const GeneralKicks& kicks) {
-  const double longest = 1.01 * kicks.longest;  // and rounding
+  const double longest = 1.01 * kicks.longest;  // with an allowance for rounding
   const bool waits = kicks.present()
                          ? branch.until_kick >= 0 && branch.until_kick <= longest &&
                                branch.kick_interval >= 0 && branch.kick_interval <= longest
@@ -48,10 +48,11 @@ bool is_possible(const GeneralBranch& branch, const GeneralKicks& kicks) {
   return waits && branch.bouncing >= -1;
 }
 
-/// A branch between two rounds, within what chance and the motion can bring it to.
+/// Whether a branch between two rounds is within the range of the motion and of the random numbers.
 bool is_possible(const Branch& branch, const Plan& plan) {
-  constexpr double kFarthest = 1e4;     // of the deviations and of what an impulse adds
-  constexpr double kRarestDraws = 1e3;  // mean waiting times, widths of the law: once in exp(1000)
+  constexpr double kFarthest = 1e4;  // in units of the deviation plus the largest impulse
+  // In mean waiting times, or widths of the law: such a draw has the probability exp(-1000).
+  constexpr double kRarestDraws = 1e3;
   const Excitation& impulses = plan.excitation;
   const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
   const double v = kFarthest * (plan.velocity_deviation + strongest);
@@ -64,7 +65,8 @@ bool is_possible(const Branch& branch, const Plan& plan) {
          between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0);
 }
 
-/// A stream before it moves. @param source gives the impulses after the first
+/// A stream at its initial state.
+/// @param source of the impulses after the first one
 Stream stream_at(const State& start, const Impulse& first, const ImpulseSource& source,
                  const Plan& plan) {
   return {.branch = {.y = start.y,
@@ -106,7 +108,7 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
 void Simulation::begin_any(const problem::Problem& problem, const Splitting* splitting) {
   const Plan& plan = *plan_;
   const GeneralPlan& general = *plan.general;
-  // Of the flights between kicks there are fewer coefficients.
+  // Flights between kicks use a lower order, so their steps are shorter.
   constexpr double kShorter = 0.35;
   general_ = GeneralMotion{.oscillator = general.oscillator,
                            .kicks = general.kicks,
@@ -127,7 +129,8 @@ void Simulation::begin_any(const problem::Problem& problem, const Splitting* spl
     made.noise = NoiseSource(plan.seed, stream);
     made.record.general.emplace();
     if (general.kicks.present()) {
-      // At any time within the interval: samples then see all of it alike.
+      // A random phase of the kicks: on average the samples are evenly distributed over the
+      // interval.
       const double share = uniforms(plan.seed, stream, Purpose::start, kBlock).third[1];
       made.general.kick_interval = general.kicks.longest;
       made.general.until_kick = share * general.kicks.longest;
@@ -224,7 +227,7 @@ void Simulation::save(std::ostream& out) const {
 
 void Simulation::load(std::istream& in) {
   get(in, rounds_);
-  // What is simulated ends far below: only a file that was tampered with has as many.
+  // Only a manipulated file has more rounds.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
   require_possible(rounds_ <= kMostRounds);
   for (Stream& stream : streams_) load_stream(in, stream);

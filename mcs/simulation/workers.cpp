@@ -16,7 +16,7 @@ int number_of_threads(const std::optional<int>& asked) {
 
 void share_work(int threads, std::size_t shares, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
-  std::mutex mutex;  // guards the failure
+  std::mutex mutex;  // protects `failure`
   std::exception_ptr failure;
   const auto take_shares = [&] {
     for (std::size_t share = next++; share < shares; share = next++) {
@@ -25,7 +25,7 @@ void share_work(int threads, std::size_t shares, const std::function<void(std::s
       } catch (...) {
         const std::lock_guard lock(mutex);
         failure = std::current_exception();
-        next = shares;  // nobody begins another one
+        next = shares;  // no thread starts another task
       }
     }
   };

@@ -6,11 +6,11 @@
 
 namespace fpkcheck::mcs {
 
-/// As many threads as asked for, or one per processor of this process.
+/// The requested number of threads, or one per available processor.
 int number_of_threads(const std::optional<int>& asked);
 
-/// Does work(0), .., work(shares - 1), each once, by as many threads as given, and returns when all
-/// is done. After an exception no further share is begun; it leaves this function.
+/// Calls work(0), .., work(shares - 1) once each, in `threads` threads, and returns when all are
+/// done. After an exception no further call starts, and the exception leaves this function.
 void share_work(int threads, std::size_t shares, const std::function<void(std::size_t)>& work);
 
 }  // namespace fpkcheck::mcs

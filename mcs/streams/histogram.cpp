@@ -17,14 +17,14 @@ void require_edges(const std::string& name, const std::vector<double>& edges) {
   const bool increasing = std::ranges::adjacent_find(edges, std::greater_equal<>{}) == edges.end();
   if (edges.size() > 1 && finite && increasing) return;
   throw InputError(
-      fmt::format("{} with {} numbers (edges of bins are two or more finite numbers, each larger "
-                  "than the one before) give such, or none",
+      fmt::format("{} with {} numbers: bin edges must be two or more finite, increasing numbers; "
+                  "correct or omit them",
                   name, edges.size()));
 }
 
 BinFinder::BinFinder(std::vector<double> edges)
     : edges_(std::move(edges)), first_edge_(edges_.front()) {
-  // Nothing is below or above "not a number": there the search ends.
+  // Comparisons with NaN are false: NaN at both ends stops the search.
   fenced_.push_back(std::numeric_limits<double>::quiet_NaN());
   fenced_.insert(fenced_.end(), edges_.begin(), edges_.end());
   fenced_.push_back(std::numeric_limits<double>::quiet_NaN());

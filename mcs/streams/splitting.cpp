@@ -8,7 +8,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Bins each 2 % wider than the one before, over eight decades.
+/// Bins whose width grows by 2 % from one to the next, over eight decades.
 std::vector<double> energy_edges(double largest) {
   constexpr int kBins = 930;
   std::vector<double> edges;
@@ -16,7 +16,7 @@ std::vector<double> energy_edges(double largest) {
   return edges;
 }
 
-/// Branch::split with the thresholds first + 1 .. last set.
+/// Branch::split with the bits of the thresholds first + 1 .. last.
 std::uint64_t bits(int first, int last) {
   return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
 }
@@ -52,7 +52,7 @@ void Splitting::split(Stream& stream, int from, bool at_impulse) const {
   const Branch origin = stream.branch;
   const GeneralBranch general = stream.general;
   stream.waiting.push_back({.branch = origin, .general = general});
-  // Above threshold i + 1 each of the branches made so far becomes kCopies.
+  // Above threshold i + 1 each of the branches so far becomes kCopies branches.
   int branches = 1;
   for (int i = first; i < to; ++i) {
     Branch copy = origin;
@@ -72,7 +72,7 @@ void Splitting::after_impulse(Stream& stream) const {
   const int before = branch.level;
   branch.level = level(now);
   branch.split &= bits(0, branch.level);
-  // The state counts once, before it is split.
+  // Counts the state once, before the branch is split.
   stream.record.energies[energy_bins_(now)] += weight(branch);
   if (branch.level > before) {
     split(stream, before, true);
@@ -95,7 +95,7 @@ void follow_next(Stream& stream) {
   stream.general = next.general;
   if (next.copies > 0) {
     const Impulse impulse = stream.source.next();
-    // Copies made between impulses share the time of the next impulse, not its amplitude.
+    // Copies made between impulses share the time of the next impulse, but not its amplitude.
     if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
     stream.branch.amplitude = impulse.amplitude;
     --next.copies;

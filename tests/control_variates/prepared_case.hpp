@@ -6,7 +6,7 @@
 
 namespace fpkcheck::tests {
 
-/// A problem with coarse control functions, made once.
+/// A problem with coarse control functions, which several tests share.
 struct PreparedCase {
   problem::Problem problem;
   control_variates::Prepared prepared;
@@ -22,7 +22,7 @@ struct PreparedCase {
     o.deposit = prepared.places.grid;
     return o;
   }
-  /// @param simulated another problem than the one that the control functions know
+  /// @param simulated another problem than that of the control functions
   control_variates::Result run(const problem::Problem& simulated,
                                const mcs::Options& options) const {
     return control_variates::combined(prepared, mcs::solve(simulated, options));
@@ -30,7 +30,7 @@ struct PreparedCase {
   control_variates::Result run(double time, std::uint64_t seed = 1, int streams = 64) const {
     return run(problem, options(time, seed, streams));
   }
-  /// The control functions off by a factor.
+  /// A copy with all control functions multiplied by a factor.
   PreparedCase wrong_by(double factor) const {
     PreparedCase other(*this);
     other.prepared.control *= factor;
@@ -43,6 +43,6 @@ inline const PreparedCase& case_1() {
   return prepared;
 }
 
-inline constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // of case 1, to 7e-10
+inline constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // case 1, error 7e-10
 
 }  // namespace fpkcheck::tests

@@ -15,13 +15,13 @@ namespace {
 using Names = std::vector<std::string>;
 constexpr double kTime = 2e5;
 
-/// Simulated with a fault that the control functions know nothing of.
+/// Simulates another problem than that of the control functions.
 Result faulty(const tests::Parameters& parameters, double time = kTime) {
   const auto& prepared = tests::case_1();
   return prepared.run(tests::make_problem(parameters), prepared.options(time));
 }
 
-/// Distance of E[y^2] from the truth in standard errors.
+/// Distance of E[y^2] from the exact value, in standard errors.
 double distance(const Result& result) {
   const auto& e = result.estimates.moments[1].controlled;
   return std::abs(e.mean - tests::kTrueY2) / e.standard_error;
@@ -56,11 +56,11 @@ TEST(Checks, FindARestitutionThatIsOffByAThousandth) {
 }
 
 TEST(Checks, FindALawThatTheControlFunctionsAreBlindTo) {
-  // The deviation off by 0.02, as the run is short: by 0.001 in one 400 times as long.
+  // A fault of 0.02 in the deviation, for a short run; a run 400 times as long detects 0.001.
   const Result result = faulty({.intensity = 0.1 * 1.02 * 1.02});
   EXPECT_TRUE(has(result.checks.failed(), "impulses"));
   EXPECT_FALSE(has(result.checks.failed(), "flights"));
-  // By chance too: said, and no more.
+  // A statistical check gives a note, not a failure.
   const auto solution = solution_of(Result(result));
   EXPECT_TRUE(solution.is_ok());
   EXPECT_NE(transform::word(solution.observations, "notes[0]")->find("impulses"),
@@ -75,7 +75,7 @@ TEST(Checks, FindImpulsesThatComeTooOften) {
   EXPECT_GT(result.checks.rate, 4);
 }
 
-/// Flights and impacts of the simulation in a loop of its own, each impact located late.
+/// Flights and impacts in a separate loop, with every impact located late.
 mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Problem& problem,
                                 std::uint32_t s, double late, double time) {
   const mcs::Oscillator oscillator(problem.system);
@@ -156,7 +156,7 @@ TEST(Checks, FindImpactsLocatedLateByAMillionth) {
 }
 
 TEST(HotellingTest, HasItsNominalOddsAndSeesAShiftedMean) {
-  // Rows of a fixed sequence of numbers that are nearly independent.
+  // Rows of a fixed, nearly independent sequence of numbers.
   Eigen::MatrixXd values(3, 40);
   std::uint64_t state = 1;
   const auto uniform = [&] {
@@ -170,7 +170,7 @@ TEST(HotellingTest, HasItsNominalOddsAndSeesAShiftedMean) {
     rejected += hotelling(values).p_value < 0.05;
   }
   EXPECT_NEAR(rejected, 0.05 * kRuns, 4 * std::sqrt(0.05 * kRuns));
-  // Affine invariance, and a mean that is not 0.
+  // Affine invariance, and a nonzero mean.
   const double before = hotelling(values).statistic;
   Eigen::MatrixXd mixed = values;
   mixed.row(0) = 1e6 * values.row(0) + values.row(1);

@@ -33,7 +33,7 @@ const Observation& at(const Observations& all, const std::string& path) {
   return *found;
 }
 
-// Each of them: a number whose error stands where it says.
+// Each such metric is a number with its standard error under the stated path.
 TEST(Summary, WhatChanceEntersHasItsStandardError) {
   const auto all = observations(made_up());
   int with_error = 0;
@@ -49,7 +49,7 @@ TEST(Summary, WhatChanceEntersHasItsStandardError) {
   EXPECT_EQ(at(all, "impact_rate").error_at, "impact_rate_error");
   EXPECT_EQ(at(all, "joint_moments[13].mean").error_at, "joint_moments[13].standard_error");
   EXPECT_EQ(at(all, "peaks[1].rate").error_at, "peaks[1].standard_error");
-  // A 95 % interval of a normal variable is 2 * 1.96 of them wide.
+  // A 95 % interval of a normal variable is 2 * 1.96 standard errors wide.
   EXPECT_NEAR(*transform::number(all, "quantiles.y[0].standard_error"), 0.03 / (2 * 1.959964),
               1e-15);
 }

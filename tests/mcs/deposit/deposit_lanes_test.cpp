@@ -15,7 +15,7 @@ std::vector<double> even_knots(double from, double to, int cells) {
   return all;
 }
 
-// A trajectory that left the range of numbers makes its simulation fail, and not the program.
+// Nonfinite states make a simulation fail, without undefined behaviour.
 TEST(DepositLanes, WhatIsNoNumberOrFarAwayHasAPlace) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
                    kInfinity = std::numeric_limits<double>::infinity();

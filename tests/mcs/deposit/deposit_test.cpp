@@ -24,7 +24,7 @@ std::vector<double> knots(double from, double to, int cells, int repeated_middle
   std::vector<double> all(5, from);
   for (int k = 0; k <= cells; ++k) {
     const int times = 2 * k == cells ? repeated_middle : 1;
-    // A little uneven, but for the middle and the ends.
+    // Slightly uneven knots, except the middle and the ends.
     const double x = 1.0 * k / cells, t = x + 0.05 * x * (1 - x) * (1 - 2 * x);
     all.insert(all.end(), times, from + (to - from) * t);
   }
@@ -42,12 +42,13 @@ DepositGrid grid() {
           .v_bins = {.first = -6, .spacing = 0.4, .count = 31}};
 }
 
-/// Coefficients of x^power in the splines, by Marsden's identity: the mean over all choices of
-/// `power` of the five inner knots of their product.
+/// Coefficients of x^power in the splines, by Marsden's identity: the mean product of `power` of
+/// the five inner knots, over all choices.
 std::vector<double> power_coefficients(const std::vector<double>& knots, int power) {
   std::vector<double> c;
   for (std::size_t i = 0; i + 6 < knots.size(); ++i) {
-    std::vector<double> e(static_cast<std::size_t>(power) + 1, 0.0);  // elementary symmetric
+    std::vector<double> e(static_cast<std::size_t>(power) + 1,
+                          0.0);  // elementary symmetric polynomials
     e[0] = 1;
     for (std::size_t k = 1; k <= 5; ++k) {
       for (int p = power; p > 0; --p) e[p] += knots[i + k] * e[p - 1];
@@ -58,7 +59,7 @@ std::vector<double> power_coefficients(const std::vector<double>& knots, int pow
   return c;
 }
 
-/// sum c_i c_j of the flow and of the lattice with (K v^q)(v) given on it.
+/// sum c_i c_j of the flow, and of the lattice with the values (K v^q)(v) on it.
 double applied(const DepositGrid& g, const Deposit& d, int p, int q,
                const std::function<double(double)>& after_impulse) {
   const auto in_y = power_coefficients(g.y_knots, p), in_v = power_coefficients(g.v_knots, q);
@@ -75,7 +76,7 @@ double applied(const DepositGrid& g, const Deposit& d, int p, int q,
   return sum;
 }
 
-/// The same sum straight from the trajectory, h = y^p v^q, E[Y] = 0 and E[Y^2] = variance.
+/// The same sum from the scalar trajectory, for h = y^p v^q, E[Y] = 0 and E[Y^2] = variance.
 struct Tally {
   int p, q;
   double variance;
@@ -152,7 +153,7 @@ TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
 }
 
 TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
-  // Two points: the same moments of the generator on all polynomials of the third degree.
+  // The two-point law has the same moments of the generator on all polynomials up to degree 3.
   Setting setting;
   const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
   const Deposit lattice = setting.advanced(0, simd::available_lanes().back()).record.deposit;
@@ -193,7 +194,7 @@ TEST(Deposit, CountsEverySampleInTheSmoothBins) {
   };
   EXPECT_NEAR(sum(deposit.y_bins), stream.record.samples, 1e-9);
   EXPECT_NEAR(sum(deposit.v_bins), stream.record.samples, 1e-9);
-  // M(t) has the first moment of its centre.
+  // The first moment of M(t) is its centre.
   double first = 0;
   for (std::size_t b = 0; b < deposit.y_bins.size(); ++b) {
     first += deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - Deposit::kFrame));

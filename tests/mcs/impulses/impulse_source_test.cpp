@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kDraws = 400000;
 
-// The mean of `draw()` against `exact`, in standard errors.
+// Compares the mean of `draw()` with `exact`, in standard errors.
 void expect_mean(const std::function<double()>& draw, double exact, const char* what) {
   double sum = 0, sum_of_squares = 0;
   for (int n = 0; n < kDraws; ++n) {
@@ -30,7 +30,7 @@ void expect_mean(const std::function<double()>& draw, double exact, const char* 
   const double mean = sum / kDraws;
   const double variance = std::max(sum_of_squares / kDraws - mean * mean, 0.0);
   const double error = std::sqrt(variance / kDraws);
-  // An amplitude of one size (two points about 0) has even powers without spread.
+  // Even powers of the two-point law about 0 have no variance.
   EXPECT_NEAR(mean, exact, 4 * error + 1e-12) << what;
 }
 
@@ -59,7 +59,8 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
   }
 }
 
-// Where the moments say little: near the middle of the law, and where it ends.
+// The characteristic function tests the centre of the law and its ends, which moments hardly
+// resolve.
 TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
   for (const std::string& name : tests::laws_by_name()) {
     SCOPED_TRACE(name);
@@ -77,7 +78,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
   }
 }
 
-// Each atom as often as its probability says, in deviations of the binomial law.
+// Frequency of each atom, in deviations of the binomial law.
 TEST(ImpulseSource, DrawsTheAtomsOfATable) {
   const problem::ImpulseTrain train({.arrival_rate = 1,
                                      .law = "tabulated",
@@ -101,7 +102,7 @@ TEST(ImpulseSource, DrawsTheAtomsOfATable) {
   }
 }
 
-// Kolmogorov's statistic sqrt(n) sup |F_n - F|, which exceeds 1.95 once in a thousand.
+// Kolmogorov's statistic sqrt(n) sup |F_n - F|; it exceeds 1.95 with probability 1e-3.
 TEST(ImpulseSource, DrawsAmplitudesWithTheCumulativeOfLawsOfAnySkewness) {
   const auto train_of = [](const char* law, std::optional<double> skewness) {
     const auto table = skewness ? std::nullopt : std::optional<std::string>(tests::kDensity);

@@ -5,7 +5,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// The known answers of Philox4x32-10 that come with Random123.
+// Known-answer tests of Philox4x32-10 from Random123.
 TEST(RandomBits, AreThoseOfPhilox) {
   const auto bits = random_bits(0xffffffffffffffffull, 0xffffffffu,
                                 static_cast<Purpose>(0xffffffffu), 0xffffffffffffffffull);

@@ -48,14 +48,14 @@ struct Group {
   }
 };
 
-/// 11 streams: full packs and a rest, for every width.
+/// 11 streams: full groups and remaining streams, for every number of lanes.
 std::vector<Group> groups_of_all_kinds() {
   std::vector<Group> groups;
   for (const auto& problem :
        {tests::paper_case(4), tests::make_problem({.restitution = 0.3, .law = "laplace"})}) {
     groups.emplace_back(problem);
   }
-  // A spring that has no formulas of its own.
+  // A spring without closed formulas.
   groups.emplace_back(tests::make_problem({.law = "uniform"}));
   groups.back().oscillator =
       Oscillator(0.1, 0.8, numerics::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}));
@@ -88,7 +88,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   }
 }
 
-/// Counts what the record of a stream holds, from the plain trajectory.
+/// Computes the sums of a StreamRecord from the scalar trajectory.
 struct Tally {
   double until_sample = kInterval / 2;
   double samples = 0, yyv = 0, impacts = 0, impact_speed = 0, impact_energy = 0, work = 0;
@@ -160,7 +160,7 @@ TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
   for (const double r : {0.05, 1e-8}) {
     for (const double mean : {-0.9, 0.0, 0.9}) {
       for (const double rate : {50.0, 1.0, 1e-3}) {
-        // The mean is a share of the root of E[Y^2] = 0.1.
+        // The mean is a fraction of the root of E[Y^2] = 0.1.
         Group group(tests::make_problem({.restitution = r,
                                          .rate = rate,
                                          .intensity = 0.1 * rate,

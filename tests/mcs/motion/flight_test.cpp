@@ -14,7 +14,7 @@ namespace {
 
 Oscillator paper_oscillator(int number) { return Oscillator(tests::paper_case(number).system); }
 
-/// A spring by its coefficients g_1, g_2, ..
+/// A spring force with the coefficients g_1, g_2, ..
 Oscillator with_spring(std::initializer_list<double> g, double damping = 0.1) {
   numerics::Polynomial::Coefficients coefficients{};
   std::ranges::copy(g, coefficients.begin() + 1);
@@ -47,8 +47,8 @@ TEST(Flight, FollowsTheExactLinearMotion) {
     const State start{1.3, -0.7};
     const Flight flight(oscillator, start);
     const double t = flight.reach(0.7);
-    // The first term left out, 0.7^13 / 13!, is 2e-12 of the amplitude; of v it is 13/0.7 times
-    // that.
+    // The first omitted term of y, 0.7^13 / 13!, is 2e-12 of the amplitude; that of v is 13/0.7
+    // times larger.
     for (const double s : {t / 3, t}) {
       EXPECT_NEAR(flight.at(s).y, exact_linear(oscillator, start, s).y, 1e-11);
       EXPECT_NEAR(flight.at(s).v, exact_linear(oscillator, start, s).v, 1e-10);
@@ -65,7 +65,7 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
     const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
     return std::hypot(end.y - exact.y, end.v - exact.v);
   };
-  // v is a polynomial of degree kOrder - 1, so that its error falls with t^kOrder.
+  // v is a polynomial of degree kOrder - 1: its error is proportional to t^kOrder.
   const double coarse = error(1.0), middle = error(0.5), fine = error(0.25);
   for (const double order : {std::log2(coarse / middle), std::log2(middle / fine)}) {
     EXPECT_GT(order, Flight::kOrder - 1.5) << coarse << " " << middle << " " << fine;
@@ -74,7 +74,7 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
 }
 
 TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
-  // Energies from 1e-2 to 1e4: far beyond what any of the paper's cases visits.
+  // Energies from 1e-2 to 1e4, far above those of the paper's cases.
   const Oscillator oscillator = paper_oscillator(4);
   for (const double v : {0.15, 1.5, 15.0, 150.0}) {
     for (const double angle : {0.0, 1.0, 2.0, 3.0}) {
@@ -93,12 +93,12 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
   const Oscillator oscillator = with_spring({1});
   const double w = std::sqrt(1 - 0.05 * 0.05);
   for (const double before : {0.6, 0.1, 1e-3, 1e-9}) {
-    // A motion that is at the wall `before` from now: y ~ exp(-ct/2) sin(w (before - t)).
+    // A motion with an impact at the time `before`: y ~ exp(-ct/2) sin(w (before - t)).
     const State start{std::sin(w * before),
                       -0.05 * std::sin(w * before) - w * std::cos(w * before)};
     const Flight flight(oscillator, start);
     const double time = impact_time(flight, flight.reach(0.7));
-    // 0.6 is at the far end, where the series errs by 1e-12.
+    // At 0.6, the far end of the flight, the error of the series is 1e-12.
     EXPECT_NEAR(time, before, before > 0.5 ? 1e-11 : 1e-14);
     EXPECT_NEAR(flight.at(time).y, 0.0, 1e-15);
   }
@@ -127,7 +127,7 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
 
 TEST(Flight, FindsTheHighestPoint) {
   const Oscillator oscillator = with_spring({1}, 0.2);
-  // cos and sin of the damped motion from (y, 0) run backwards: the top lies `before` ahead.
+  // The damped motion backwards from the maximum (y, 0), which is then `before` ahead.
   for (const double before : {0.5, 0.1, 1e-3}) {
     const Flight back(oscillator, {0.8, 0});
     const State start = back.at(-before);
@@ -149,7 +149,7 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
   }
 }
 
-// The formulas of k y + mu y^3 against those of any spring.
+// The closed formulas for k y + mu y^3 against the loops for any spring.
 TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
   const Oscillator duffing = with_spring({1, 0, 0.7});
   Oscillator any = duffing;
@@ -164,7 +164,7 @@ TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
   }
 }
 
-/// Springs of all degrees, with their motion scaled: from y = 0 with v to about the excursion y.
+/// Springs of all degrees, with a speed v at y = 0 and about the largest displacement y.
 struct KnownMotion {
   Oscillator oscillator;
   double v, y;
@@ -205,7 +205,7 @@ TEST(Flight, OfAnySpringReachesNoFurtherThanItsSteepestPartAllows) {
     const Flight flight(oscillator, {0, v});
     const double frequency = 1 / flight.reach(1) - oscillator.damping;
     EXPECT_GE(frequency, std::sqrt(steepest)) << oscillator.degree << " " << v;
-    // Terms of both signs cost most.
+    // The bound is least tight for terms of both signs.
     EXPECT_LE(frequency, 2.5 * std::sqrt(steepest)) << oscillator.degree << " " << v;
     EXPECT_GE(flight.at(flight.reach(1.2)).y, 0.0) << oscillator.degree << " " << v;
   }

@@ -34,10 +34,10 @@ TEST(Oscillator, KnowsTheSpringThatHasFormulasOfItsOwn) {
 }
 
 TEST(Oscillator, BoundsItsPotentialFromBelowByTheLastPower) {
-  // Of springs without negative terms that is the last term itself.
+  // Without negative terms the bound is the last term.
   EXPECT_EQ(with_spring({0, 1, 0, 2}).least_potential, 2.0 / 4);
   EXPECT_EQ(with_spring({0, 1, 0.5, 0, 0, 3}).least_potential, 3.0 / 6);
-  // With negative ones it is the least of the ratio, found here by looking everywhere.
+  // With negative terms the bound is the minimum of the ratio, computed here on a fine grid.
   for (const auto& g : {Polynomial::Coefficients{0, 1, -1, 0.5},
                         {0, 1, -0.6, 0.1},
                         {0, 0.5, 0, -0.3, 0, 0.2},
@@ -54,9 +54,9 @@ TEST(Oscillator, BoundsItsPotentialFromBelowByTheLastPower) {
 }
 
 TEST(Oscillator, WithoutABoundOfTheMotionIsRefused) {
-  EXPECT_THROW(with_spring({0.1, 1}), InputError);         // pushes at the wall
-  EXPECT_THROW(with_spring({0, 1, 0, -0.1}), InputError);  // gives way far out
-  EXPECT_THROW(with_spring({0, -1, 0, 1}), InputError);    // pushes near the wall
+  EXPECT_THROW(with_spring({0.1, 1}), InputError);         // a force at the wall
+  EXPECT_THROW(with_spring({0, 1, 0, -0.1}), InputError);  // repulsive at large y
+  EXPECT_THROW(with_spring({0, -1, 0, 1}), InputError);    // repulsive near the wall
   EXPECT_THROW(with_spring({0, 1, -3, 1}), InputError);    // a second, deeper well
   EXPECT_THROW(with_spring({0, 0, 0, -1, 0, 1}), InputError);
 }

@@ -52,7 +52,8 @@ class Checkpoint : public testing::Test {
   problem::Problem problem_ = tests::make_problem({.restitution = 0.7});
 };
 
-// Whoever ends the process waits for files in hand, and nobody else has any from then on.
+// Shutdown waits for files being written and reserves all files; no other thread may then write
+// any.
 TEST_F(Checkpoint, IsNotBegunWhenTheProcessIsToEnd) {
   const auto wait_in_vain = [&] {
     base::reserve_files_for_this_thread();
@@ -84,7 +85,7 @@ TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
     EXPECT_EQ(resumed.solution.standard_errors->moments.v2,
               whole.solution.standard_errors->moments.v2);
     EXPECT_EQ(resumed.summary.flights, whole.summary.flights);
-    // The writer's own partial file is gone.
+    // The temporary file of the writer is removed.
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1);
   }
 }
@@ -107,7 +108,7 @@ TEST_F(Checkpoint, OfAnotherSimulationIsRefused) {
   refused([](auto&) {});
 }
 
-// Of the same rate, mean and intensity: what is drawn differs in its skewness alone.
+// Same rate, mean and intensity: the impulses differ in skewness only.
 TEST_F(Checkpoint, OfAnotherSkewnessIsRefused) {
   const auto under = [](double skewness) {
     return problem::ImpulseTrain(
@@ -142,7 +143,7 @@ TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
   expect_refused(options, "cannot read");
 }
 
-// The checksum is no secret.
+// The test forges the checksum.
 TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
   interrupted(brief(false));
   std::ifstream in(file_, std::ios::binary);
@@ -154,7 +155,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
     std::ofstream(file_, std::ios::binary) << text;
   };
   const std::string text = whole.substr(0, whole.size() - sizeof(std::uint64_t));
-  // The number of rounds follows the second line, then y, y', the time until the next impulse, ..
+  // After the second line: number of rounds, y, y', time to the next impulse, ..
   const std::size_t numbers = text.find('\n', text.find('\n') + 1) + 1;
   Options options = brief(false);
   options.resume = file_;
@@ -174,7 +175,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
       expect_refused(options, "impossible");
     }
   }
-  // The sums come after the branch and the number of impulses.
+  // The sums follow the branch and the number of impulses.
   for (const double number : {HUGE_VAL, std::nan("")}) {
     write_with_checksum(with(1 + sizeof(Branch) / sizeof(double) + 1, number));
     expect_refused(options, "impossible");
@@ -195,7 +196,7 @@ TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   refused(directory_);
   EXPECT_TRUE(std::filesystem::is_empty(directory_));
   refused("/dev/null");
-  // The case, given by mistake.
+  // A case file, named by mistake.
   const std::string mine = directory_ / "mine.ini";
   std::ofstream(mine) << "[system]\n";
   refused(mine);
@@ -218,8 +219,8 @@ TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {
   EXPECT_EQ(result.summary.warnings, told);
 }
 
-// A directory of the file's name comes and goes: what is told is told once, and in the end all is
-// well.
+// A directory of the same name appears and disappears. The first of two consecutive errors gives
+// the only warning.
 TEST_F(Checkpoint, IsWrittenAgainAsSoonAsThatIsPossible) {
   std::vector<std::string> told;
   CheckpointWriter writer(file_, [&](const std::string& warning) { told.push_back(warning); });

@@ -34,16 +34,16 @@ double time_of(const Plan& plan) {
   return plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
 }
 
-// 1e4 impulses per unit time: enough for the accuracy, in no more than a minute, from a start that is
-// forgotten. In the paper's class all decay times would be 3e11 of them.
+// 1e4 impulses per unit time: enough for the accuracy, in at most a minute, after a sufficient
+// burn-in. The full time of the paper's class would have 3e11 impulses.
 TEST(Plan, OfFrequentImpulsesIsBoundedAndEnough) {
   for (const auto& problem : {without_wall(1e4), tests::make_problem({.rate = 1e4})}) {
     const Plan plan = make_plan(problem, {});
     EXPECT_EQ(plan.burn_in_limit, BurnInLimit::none);
     EXPECT_LT((time_of(plan) + plan.burn_in * plan.streams) * 1e4, 4e9);
-    // 2.5 over the root of as many decay times is 0.025.
+    // 2.5 / sqrt(1e4 decay times) = 0.025.
     EXPECT_GT(time_of(plan) / (plan.burn_in / 20), 1e4);
-    // Less accuracy takes less.
+    // A lower accuracy needs less time.
     EXPECT_LE(time_of(make_plan(problem, {.accuracy = 0.1})), time_of(plan));
   }
   EXPECT_LT(time_of(make_plan(without_wall(1e4), {.accuracy = 0.1})),

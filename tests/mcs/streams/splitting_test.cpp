@@ -26,7 +26,7 @@ Stream stream_at(const problem::Problem& problem, double y, double v) {
       .record = StreamRecord(bins, bins)};
 }
 
-/// Follows every branch without moving it: how many there are, and the sum of what they count.
+/// Resumes every branch without advancing it: the number of branches and the sum of their weights.
 struct Followed {
   std::size_t branches = 1;
   double weight = 0;
@@ -63,11 +63,11 @@ TEST(Splitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   splitting.begin(stream);
   stream.branch.v = 0;  // E = 1.5
   splitting.after_impulse(stream);
-  EXPECT_EQ(stream.branch.level, 1);  // the next one
+  EXPECT_EQ(stream.branch.level, 1);  // of the next branch
   EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
 
-// Where the oscillator is not the paper's.
+// Outside the paper's class.
 TEST(Splitting, BranchesGoOnBouncingWhereTheyBegan) {
   const auto problem = tests::make_problem({.cubic = 4});
   const Splitting splitting(problem.system.potential(), {1.9}, 100);
@@ -83,7 +83,7 @@ TEST(Splitting, BranchesGoOnBouncingWhereTheyBegan) {
   EXPECT_EQ(stream.general.bouncing, 0.25);
 }
 
-// A law with long tails crosses all of them at once; 4^12 branches would be 17 million.
+// A long-tailed law crosses all thresholds with one impulse; 4^12 branches would be 17 million.
 TEST(Splitting, AnImpulseAcrossManyEnergiesMakes64Branches) {
   const auto problem = tests::make_problem({.cubic = 4});
   std::vector<double> thresholds;
@@ -99,11 +99,11 @@ TEST(Splitting, AnImpulseAcrossManyEnergiesMakes64Branches) {
   EXPECT_EQ(all.weight, 1);
 }
 
-/// A chain v -> a v + jump, whose jumps have a density with long tails, in place of an oscillator: time
-/// averages over `steps` steps of one stream, by weights.
+/// A chain v -> a v + jump with a long-tailed law of the jumps, instead of an oscillator: weighted
+/// time averages over `steps` steps of one stream.
 struct Walk {
   double weight = 0;
-  std::array<double, 3> above{};  // of the speeds kSpeeds
+  std::array<double, 3> above{};  // for the speeds kSpeeds
   std::size_t most_waiting = 0;
   std::uint64_t impulses = 0, branch_impulses = 0;
 
@@ -142,7 +142,8 @@ struct Walks {
   Estimate weight{};
   std::array<Estimate, Walk::kSpeeds.size()> above{};
   std::size_t most_waiting = 0;
-  double most_for_one = 0;  // impulses of branches for one of the stream, beyond the free ones
+  double most_for_one =
+      0;  // branch impulses per impulse of the main branch, beyond kImpulseAllowance
 
   Walks(const std::vector<double>& thresholds, int count, int steps) {
     const Splitting splitting(numerics::Polynomial({0, 0, 0.5}), thresholds, 1e4);
@@ -162,8 +163,8 @@ struct Walks {
   }
 };
 
-// Thresholds a quarter of the probability apart, and far too close to each other: there are no more
-// branches than are allowed, and what they count is what a chain without them sees.
+// Thresholds with a probability ratio of 1/4, and much closer thresholds: the number of branches is
+// bounded, and the weighted averages equal those without splitting.
 TEST(Splitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
   std::vector<double> apart, close;
   for (int i = 0; i < 12; ++i) {
@@ -177,7 +178,7 @@ TEST(Splitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
     const Walks split(thresholds, 100, 1000);
     EXPECT_LE(split.most_waiting, 12u * 15u / 2);
     EXPECT_LT(split.most_for_one, 1.1 * 12 * Splitting::kImpulsesPerLevel);
-    if (thresholds == close) {  // or nothing was tested
+    if (thresholds == close) {  // the bound is active
       EXPECT_GT(split.most_for_one, 0.8 * 12 * Splitting::kImpulsesPerLevel);
     }
     tests::expect_near(split.weight.mean, 1, split.weight.standard_error, "all");
@@ -189,7 +190,7 @@ TEST(Splitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
   }
 }
 
-// Energies with P(E > e) = exp(-e): a quarter of them passes from one threshold to the next.
+// Energies with P(E > e) = exp(-e): thresholds have a probability ratio of 1/4.
 TEST(Splitting, ThresholdsArePassedByAQuarterEach) {
   std::vector<double> edges, weights{0};
   for (int k = 0; k <= 4000; ++k) edges.push_back(0.01 * k);
