@@ -146,7 +146,7 @@ TEST(PolarClosure, ReportsTheOrderAtWhichItIsLost) {
   options.max_iterations = 1;
   const auto [solution, summary] = solve(tests::random_problem(42), options);
   EXPECT_EQ(solution.status, Status::not_converged);
-  EXPECT_NE(solution.reason.find("lost at order"), std::string::npos) << solution.reason;
+  EXPECT_NE(solution.reason.find("failed at order"), std::string::npos) << solution.reason;
   EXPECT_FALSE(solution.density.has_value());
 }
 
