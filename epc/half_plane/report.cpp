@@ -23,8 +23,8 @@ std::string objection_to(const transform::Solution& solution, const Summary& sum
   }
   if (!(summary.half_plane->beyond_level <= kBeyondAllowed)) {
     return fmt::format(
-        "about {:.1e} of the probability lies at or beyond the confinement level (limit {:.0e}): the "
-        "confinement distorts the density",
+        "about {:.1e} of the probability lies at or beyond the confinement level (limit {:.0e}): "
+        "the confinement distorts the density",
         summary.half_plane->beyond_level, kBeyondAllowed);
   }
   return "";
