@@ -45,14 +45,14 @@ Projection projection_of(const problem::Problem& problem, const Options& options
 std::string end_of(const Branch& branch) {
   switch (branch.end) {
     case BranchEnd::white_noise:
-      return "has a fold there and ends at another root of the white-noise equations";
+      return "turns back to another root of the white-noise equations";
     case BranchEnd::far_away:
-      return "has a fold there and diverges";
+      return "diverges after a fold";
     default:
       break;
   }
   const bool turned = std::ranges::any_of(branch.points, &BranchPoint::fold);
-  return turned ? "has a fold there and was then lost" : "could not be followed further";
+  return turned ? "is lost after a fold" : "ends there";
 }
 
 class Seeker {
@@ -132,7 +132,7 @@ class Seeker {
     search_.root.reset();
     search_.failure = fmt::format(
         "the root depends on the disc of the jump integral: between radii of {} and {} deviations "
-        "{} (limit {} of their norm); the equations with the full integral are ill-defined",
+        "{} (limit {}); the equations with the full integral are ill-defined",
         JumpRemainder::kRadius - 1, JumpRemainder::kRadius,
         search_.disc_sensitivity ? fmt::format("its coefficients change by {:.3f} of their norm",
                                                *search_.disc_sensitivity)
@@ -151,7 +151,7 @@ class Seeker {
     return fmt::format(
         "Newton's method from equivalent linearisation{}, plain and damped, found no root in {} "
         "iterations (least residual {:.1e}, tolerance {:.1e}); the branch from white noise with "
-        "elastic impacts reaches {:.1f} % of the full problem: it {}",
+        "elastic impacts reaches {:.1f} % of the way and {}",
         search_.previous ? fmt::format(" and from n = {}", options_.order - 2) : "",
         search_.iterations, search_.residual, options_.tolerance, 100 * search_.branch.furthest,
         end_of(search_.branch));
