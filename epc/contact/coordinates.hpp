@@ -12,8 +12,8 @@ class System;
 
 namespace fpkcheck::epc::contact {
 
-/// Whether the mass rests in contact with one wall on the left and the force presses the mass
-/// against it everywhere. rho(y, v) is then increasing in y.
+/// Whether the mass can rest in contact with one wall on the left, towards which the force acts
+/// everywhere. rho(y, v) is then increasing in y.
 bool applies(const problem::Problem& problem);
 
 /// Amplitude and velocity on the half-plane y >= 0 with the corner (0, 0), where the mass rests,

@@ -7,9 +7,9 @@
 
 namespace fpkcheck::epc {
 
-/// Stores a density in a result, with its mass, its moments (physical ones in the solution, those
-/// in the problem's frame in the summary) and the residuals of the balances of power, virial and
-/// momentum.
+/// Stores a density in a result, with its mass, its moments and the residuals of the balances of
+/// power, virial and momentum. The solution has the moments in physical coordinates, the summary
+/// those in the problem's frame.
 /// @param impact impact condition of the equation, which defines the power lost in impacts
 /// @return marginal densities, for comparison with those of another order
 transform::PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,

@@ -17,7 +17,7 @@ namespace fpkcheck::epc::polar {
 ///
 ///     L*phi = rho' phi_rho + theta' phi_theta + lambda ( E[phi(y, v + Y)] - phi ),
 ///     rho'   = -c rho sin^2 + (w w' - g) sin,
-///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta,
+///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta.
 ///
 /// All terms are bounded at the origin, where phi has a jump: the mean of a member has a finite
 /// rate of change. (White noise has no such equations: d^2 theta/dv^2 is not integrable.) For K = k

@@ -50,8 +50,8 @@ VectorXd some_contact_density(const Equations& equations) {
 }
 
 // Direct evaluation of dE[phi]/dt: differences of phi along y' = v, v' = -(f + g), jumps of a
-// two-point law, impacts u -> r u of a density with the factor 1/e, and impulses at rest, which an
-// impact follows if they point to the wall.
+// two-point law, impacts u -> r u of a density with the factor 1/e, and impulses at rest. An impact
+// follows an impulse at rest towards the wall.
 TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const auto p = pressed_mass("two_point");
   const Equations equations = contact_equations_of(p, 4, 40);
