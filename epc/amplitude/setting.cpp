@@ -24,8 +24,8 @@ namespace {
 
 // Depths of Q_n below its peak at the confinement level, in the order of the attempts.
 constexpr std::array kDepths{24.0, 18.0, 32.0};
-// Further confinement levels as amplitudes: multiples of the decay extent, if Q_n rises again, and
-// multiples of the deviation of v.
+// Further candidates for the confinement level, as amplitudes: multiples of the decay extent, if
+// Q_n rises again, and multiples of the deviation of v.
 constexpr std::array kBeyondTrusted{1.2, 1.0};
 constexpr std::array kLevelDeviations{8.0, 6.5, 11.0};
 constexpr double kFarthestDeviations = 30;

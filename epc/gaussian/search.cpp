@@ -96,9 +96,9 @@ class Seeker {
                    .damped = damped});
   }
 
-  // Records an attempt and returns whether the search ends. Up to n = 6 the first root ends it, as
-  // in the paper. Beyond, only a root whose density decays ends it; another root is kept until
-  // then.
+  // Records a result of Newton's method and returns whether the search ends. Up to n = 6 the first
+  // root ends it, as in the paper. Beyond, only a root whose density decays ends it; another root
+  // is kept until then.
   bool attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;

@@ -79,8 +79,9 @@ class Search {
     return true;
   }
 
-  // Confinement levels of the formulation, then the level of the guess. At its own level the guess
-  // is a start without a fit. At another level a Q_n that rises may have all its mass on the edge.
+  // Candidates for the confinement level: those of the formulation, then the level of the guess. At
+  // its own level the guess is a start without a fit. At another level a Q_n that rises may have
+  // all its mass on the edge.
   std::vector<double> levels(const Shape& guess, Stage stage) const {
     std::vector<double> levels = setting_.levels(guess, stage);
     if (guess.level > 0) levels.push_back(guess.level);

@@ -28,7 +28,7 @@ struct Refinement {
 };
 
 /// Formulation of the closure as the search for a root uses it: coordinates, equations, and
-/// confinement levels for an exponent Q_n. Energies are those of QuadraturePoints.
+/// candidates for the confinement level of an exponent Q_n. Energies are those of QuadraturePoints.
 class Setting {
  public:
   virtual ~Setting() = default;
@@ -75,7 +75,7 @@ class Setting {
 
   /// Decay ratio: largest density where it should have decayed, relative to the peak.
   virtual double remains(const Shape& found, Stage stage) const = 0;
-  /// Largest decay ratio at which no further confinement level is tried.
+  /// Largest decay ratio at which no other confinement level is tried.
   virtual double remains_allowed(Stage stage) const = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace fpkcheck::epc::moment {
 
 /// Exponent -Phi(h) of the density by energy averaging (problem/energy_averaging.hpp) as a function
-/// of y and v. Below a barrier each well has its own branch of Phi.
+/// of y and v. Below a saddle of the potential each well has its own branch of Phi.
 class AveragedExponent {
  public:
   /// @pre the problem is confined

@@ -20,8 +20,8 @@ using half_plane::Stage;
 
 namespace {
 
-// Confinement levels: energies with Phi = d^2/2, which corresponds to d deviations of a Gaussian.
-// Listed in the order of the attempts.
+// Candidates for the confinement level, in the order of the attempts: energies with Phi = d^2/2,
+// which corresponds to d deviations of a Gaussian.
 constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
 constexpr double kFarthest = 8;  // largest energy of a scan, in units of the first level
 // Lower limits of the level, in units of bulk_energy: the term (energy / level)^16 of the

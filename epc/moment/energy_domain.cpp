@@ -89,7 +89,8 @@ EnergyDomain::Map EnergyDomain::map_of(const Swing& part) const {
     const double reach = part.right - centre;
     return {centre, reach, cut_by_wall ? std::asin(-centre / reach) : -kQuarter, kQuarter};
   }
-  // The half-width also has a singularity at the continued turning point behind a wall.
+  // The half-width also has a singularity at the turning point that the motion would have behind a
+  // wall.
   const double low = part.at_left ? continued(part.left, part.right) : part.left;
   const double high = part.at_right ? continued(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, reach = (high - low) / 2;

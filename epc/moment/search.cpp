@@ -26,8 +26,8 @@ using half_plane::Refinement;
 using half_plane::Shape;
 using half_plane::Stage;
 
-// Confinement levels in deviations of v, for a density exp(-h/T) with T = E[v^2], in the order of
-// the attempts.
+// Candidates for the confinement level in deviations of v, for a density exp(-h/T) with T = E[v^2],
+// in the order of the attempts.
 constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
 constexpr double kFarthestDeviations = 16;
 

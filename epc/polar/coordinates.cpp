@@ -34,8 +34,8 @@ numerics::Polynomial divided(const numerics::Polynomial& polynomial, std::size_t
   return numerics::Polynomial(a);
 }
 
-// Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number of points of
-// a panel is proportional to its width, plus some for its ends.
+// Gauss-Legendre quadrature on [0, end] with one panel between successive breaks. The number of
+// points of a panel is proportional to its width, plus some for its ends.
 Line panels(double end, const std::vector<double>& breaks, int points) {
   if (breaks.empty()) return half_plane::legendre_rule(points, 0, end);
   Line all;

@@ -42,7 +42,7 @@ class Coordinates {
  private:
   /// w(y) / y
   double root_of_share(double y) const { return std::sqrt(share_(y)); }
-  /// Upper bound of y(w), close to y(w).
+  /// Upper estimate of y(w), close to y(w).
   double bound(double w) const;
 
   numerics::Polynomial share_;  // 2 V(y) / y^2

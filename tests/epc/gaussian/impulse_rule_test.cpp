@@ -47,8 +47,8 @@ TEST(ImpulseRule, HasTheMomentGeneratingFunctionOfEveryLaw) {
   }
 }
 
-// Rule of a law without a Gauss rule, from its atoms and its density. The probability outside the
-// pieces of laplace is exp(-42); the part of E[Y^6] is 42^6/6! times larger.
+// The rule of a law without a Gauss rule, from its atoms and its density. The probability outside
+// the pieces of laplace is exp(-42); the part of E[Y^6] is 42^6/6! times larger.
 TEST(PiecewiseImpulseRule, HasTheMomentsOfEveryLaw) {
   for (const std::string& name : tests::laws_by_name()) {
     const auto law = ImpulseLaw::named(name, 0.3, 0.7);

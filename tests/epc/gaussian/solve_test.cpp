@@ -18,7 +18,7 @@ using transform::Status;
 
 tests::Coefficients coefficients(const Result& result) { return tests::by_power(result.summary); }
 
-// Coefficients in the scaled plane, where their magnitudes are comparable.
+// Coefficients in units of the deviations, where their magnitudes are comparable.
 tests::Coefficients scaled_coefficients(const Result& result, const problem::Problem& problem) {
   const auto [s1, s2] = deviations(problem);
   return tests::scaled_by_power(result.summary, s1, s2);

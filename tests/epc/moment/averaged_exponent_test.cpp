@@ -30,7 +30,7 @@ TEST(AveragedExponent, IsTheEnergyWhereDampingIsConstant) {
   EXPECT_LT(exponent.bulk(), 9);  // 95 % of the mass of laws with mean T to 2 T: at least 3 T
 }
 
-// Minima at +-1 with a barrier of height 1/4; below it each well has its own energies.
+// Minima at +-1 with a maximum 1/4 higher at 0; below it each well has its own energies.
 TEST(AveragedExponent, KnowsWells) {
   const auto p =
       with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.02);
