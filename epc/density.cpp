@@ -26,10 +26,11 @@ using transform::SmoothDensity;
 const problem::Problem& required(const problem::Problem* problem, const Frame& frame) {
   if (problem != nullptr) return *problem;
   if (frame.variables == Variables::polar || frame.variables == Variables::contact) {
-    throw InputError(fmt::format("coordinates \"{}\" are those of an oscillator (name its case)",
-                                 name(frame.variables)));
+    throw InputError(
+        fmt::format("coordinates \"{}\" depend on the oscillator: none was given; name its case",
+                    name(frame.variables)));
   }
-  throw InputError("\"support.energy\" is the energy of an oscillator (name its case)");
+  throw InputError("\"support.energy\" depends on the oscillator: none was given; name its case");
 }
 
 SmoothDensity in_plane(const ClosedForm& form) {
@@ -96,8 +97,8 @@ SmoothDensity in_polar_variables(const ClosedForm& form, const problem::Problem*
 contact::Coordinates contact_coordinates(const problem::Problem& problem) {
   if (contact::applies(problem)) return contact::Coordinates(problem);
   throw InputError(
-      "coordinates \"amplitude,velocity\" are those of a mass that a force presses on one wall "
-      "(name its case)");
+      "coordinates \"amplitude,velocity\" need one wall against which the force presses: the case "
+      "has none; name its case");
 }
 
 SmoothDensity in_contact_variables(const ClosedForm& form, const problem::Problem* problem) {
@@ -132,7 +133,7 @@ SmoothDensity as_it_stands(const ClosedForm& form, const problem::Problem* probl
   return {};
 }
 
-// The problem in the coordinates of the form.
+// Problem in the coordinates of the form; empty without a problem.
 std::optional<problem::Problem> in_coordinates(const problem::Frame& coordinates,
                                                const problem::Problem* problem) {
   if (problem == nullptr) return std::nullopt;
@@ -141,12 +142,12 @@ std::optional<problem::Problem> in_coordinates(const problem::Frame& coordinates
     return problem::seen_from(coordinates, *problem);
   }
   throw InputError(
-      fmt::format("\"frame.origin\" = {:g} is no wall of the oscillator (name the case whose "
-                  "solution it is)",
+      fmt::format("\"frame.origin\" = {:g}: the oscillator has no wall there; name the case of "
+                  "the solution",
                   coordinates.origin));
 }
 
-// Of a form without a constant, the atom that belongs to it included.
+// Mass of a form without a constant, including its atom.
 double mass_of(const ClosedForm& form, const problem::Problem* problem,
                const SmoothDensity& density) {
   if (form.frame.variables != Variables::contact) {

@@ -9,22 +9,22 @@ namespace {
 
 std::string objection_at_walls(const problem::Features& features) {
   if (features.rests_in_contact) {
-    return "the mass comes to rest at a wall, with a probability of its own, which no exponential "
-           "polynomial of y and y' has";
+    return "the mass comes to rest at a wall: an exponential polynomial of y and y' has no atom; "
+           "use epc-polar, fd or mcs";
   }
   if (features.collapse) {
-    return "under noise impacts accumulate where a restitution is <= exp(-pi / sqrt 3), and the "
-           "density at the wall is no exponential polynomial";
+    return "impacts accumulate under noise: a restitution coefficient is <= exp(-pi / sqrt 3); "
+           "no exponential polynomial has the density at the wall";
   }
   return "";
 }
 
 std::string objection_of_gaussian(const problem::Features& features, const Options& options) {
   if (features.two_walls || (!features.no_wall && !features.constant_damping)) {
-    return "its plane is folded at one wall, with constant damping, or has no wall at all";
+    return "the formulation gaussian supports one wall with constant damping, or no wall";
   }
   if (features.no_wall && equation_of(options) == Equation::kf) {
-    return "its jump integral is that of the plane folded at a wall";
+    return "the jump integral of the formulation gaussian needs a wall: use equation km4 or white";
   }
   return objection_at_walls(features);
 }
@@ -42,8 +42,9 @@ std::string objection(const problem::Problem& problem, const Options& options) {
     case Formulation::polar:
       if (contact::applies(problem)) return "";
       return features.rests_in_contact
-                 ? "its amplitudes are those about one wall that the force presses on from everywhere"
-                 : "its phases are those of one wall at the equilibrium, constant damping and "
+                 ? "with an atom, the formulation polar needs one wall against which the force "
+                   "presses everywhere; use fd or mcs"
+                 : "the formulation polar needs one wall at the equilibrium, constant damping and "
                    "impulses alone";
   }
   return "";

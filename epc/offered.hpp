@@ -7,7 +7,7 @@
 
 namespace fpkcheck::epc {
 
-/// Why this solver does not treat a problem, in one phrase; empty where it does.
+/// Reason why the closure does not support a problem, as one phrase; empty for a supported problem.
 std::string objection(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc

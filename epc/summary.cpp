@@ -16,16 +16,16 @@ using transform::value_of;
 
 base::Value word(std::string_view text) { return std::string(text); }
 
-// Where nothing holds the density, the points of the quadrature follow the path of the search, and
-// the last digits of the answer with them.
+// At high orders of the formulation moment the quadrature points depend on the path of the search,
+// and so do the last digits of the solution.
 bool depends_on_path(const Summary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-// The size below which a change of the coefficient of x1^p x2^q is no more than rounding: what it
-// does to the density, sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2) of the peak,
-// is judged by kRelative of itself.
+// Scale below which a change of the coefficient of x1^p x2^q is rounding. The effect of a unit
+// coefficient on the density, relative to the peak, is
+// sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). Relative tolerance: kRelative.
 double least_scale(const Term& term, const transform::Moments& moments, double rounding) {
   constexpr double kRelative = 50e-8;
   if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
@@ -35,9 +35,9 @@ double least_scale(const Term& term, const transform::Moments& moments, double r
   return rounding / (effect * kRelative);
 }
 
-// What evaluates the density again, with the coefficients: closed_form_in reads it. All of it
-// follows from them and the problem, so that no repeated run need be held to it: earlier files
-// have none.
+// Parameters that, with the coefficients, define the density for read_closed_form. They follow from
+// the coefficients and the problem: a repeated run need not reproduce them. Earlier files lack
+// them.
 void observe_frame(const Summary& summary, Observer& observer) {
   if (!summary.frame) return;
   observer.text("coordinates", word(name(summary.frame->variables)))
@@ -47,7 +47,7 @@ void observe_frame(const Summary& summary, Observer& observer) {
   observer.work("frame.origin", coordinates.origin).work("frame.mirrored", coordinates.mirrored);
 }
 
-// The edge that the density has.
+// Parameters of the edge of the support.
 void observe_edge(const Frame& frame, Observer& observer) {
   if (frame.deviations) {
     observer.work("support.sigma1", frame.deviations->x1)
@@ -59,7 +59,7 @@ void observe_edge(const Frame& frame, Observer& observer) {
 
 void observe_coefficients(const Summary& summary, const transform::Moments& moments,
                           Observer& observer) {
-  constexpr double kRounding = 1e-14, kPathRounding = 3e-9;  // of the density's peak
+  constexpr double kRounding = 1e-14, kPathRounding = 3e-9;  // relative to the density's peak
   if (summary.coefficients.empty()) observer.empty_list("coefficients");
   const double rounding = depends_on_path(summary) ? kPathRounding : kRounding;
   for (std::size_t k = 0; k < summary.coefficients.size(); ++k) {
@@ -81,7 +81,7 @@ void observe_support(const Summary& summary, Observer& observer) {
   }
   const SupportSummary& support = *summary.support;
   const LeadingForm& form = *summary.leading_form;
-  // A density next to 0, in units of the peak, where coefficients decide.
+  // A density near 0, in units of the peak, which is sensitive to the coefficients.
   const auto observe_faint = [&](const char* path, double value) {
     observer.add({.path = path,
                   .value = value,
@@ -99,7 +99,7 @@ void observe_support(const Summary& summary, Observer& observer) {
   observe_faint("support.cut_off", support.cut_off);
   observer
       .result("support.rising_share", form.rising_share)
-      // any direction where the form is isotropic
+      // arbitrary for an isotropic leading form
       .work("support.worst_direction.x1", form.worst.x1)
       .work("support.worst_direction.x2", form.worst.x2)
       .result("support.rises_from", form.negative ? base::Value() : base::Value(form.rises_from));
@@ -109,7 +109,7 @@ base::Value text_of(const LeadingForm& form) {
   return word(form.negative ? "negative" : "indefinite");
 }
 
-// Of the density's exponent: a confinement makes it negative whatever Q_n does.
+// Leading form of the density's exponent: a confinement makes it negative for every Q_n.
 base::Value leading_form(const Summary& summary) {
   if (!summary.leading_form) return {};
   if (summary.half_plane && summary.half_plane->tail == Tail::confined) return word("negative");

@@ -9,12 +9,12 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// The coordinates s and t of a velocity where w = sqrt(2 V(y)).
+/// Map from w = sqrt(2 V(y)) and a velocity v to the coordinates s and t of QuadraturePoints.
 using AtVelocity = std::function<std::pair<double, double>(double w, double v)>;
 
-/// E[phi(y, v + Y)] of every member of a basis: shape (points, members). The members change with v
-/// over a width w about 0 (GradedImpulseRule).
-/// @param w, v of the points
+/// E[phi(y, v + Y)] of every member of a basis: shape (points, members). Near v = 0 the members
+/// vary over a width w (GradedImpulseRule).
+/// @param w, v at the points
 Eigen::MatrixXd means_after_impulse(const problem::ImpulseLaw& law, const half_plane::Basis& basis,
                                     const Eigen::VectorXd& w, const Eigen::VectorXd& v,
                                     const AtVelocity& coordinates);

@@ -28,7 +28,7 @@ double largest_at(const Exponent& exponent, double rho) {
 
 Fall fall_of(const Exponent& exponent, double depth, double farthest) {
   constexpr int kSteps = 400;
-  constexpr double kInside = 5;  // ups and downs above this depth are the density's own
+  constexpr double kInside = 5;  // extrema above this depth are features of the density
   double peak = largest_at(exponent, 0), before = peak;
   for (int i = 1; i <= kSteps; ++i) {
     const double rho = farthest * i / kSteps;

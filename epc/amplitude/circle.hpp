@@ -5,33 +5,33 @@
 #include <functional>
 #include <optional>
 
-/// What the formulations share whose exponents are polynomials of the amplitude
-/// rho = sqrt(v^2 + 2 V(y)) and of another coordinate, about one wall on the left.
+/// Common part of the formulations whose exponent is a polynomial of the amplitude
+/// rho = sqrt(v^2 + 2 V(y)) and one further coordinate, with one wall on the left.
 namespace fpkcheck::epc::amplitude {
 
-/// The energy at an amplitude, and the amplitude at an energy.
+/// Energy rho^2/2 of an amplitude rho, and the inverse.
 inline double energy_at(double rho) { return rho * rho / 2; }
 inline double amplitude_at(double energy) { return std::sqrt(2 * energy); }
 
-/// An exponent on the half-circle of an amplitude: theta from -pi/2 to pi/2, v = rho sin(theta).
+/// Exponent by amplitude and phase: theta from -pi/2 to pi/2, v = rho sin(theta).
 using Exponent = std::function<double(double rho, double theta)>;
 
-/// Phases, evenly over the half-circle, its ends on the wall among them.
+/// Equidistant phases on the half-circle, including its ends on the wall.
 inline constexpr int kPhases = 33;
 const std::array<double, kPhases>& phases();
-/// The trapezoidal rule on them.
+/// Weight of a phase in the trapezoidal rule.
 double phase_weight(int phase);
 
-/// The largest exponent at an amplitude.
+/// Maximum of an exponent over the phases at an amplitude.
 double largest_at(const Exponent& exponent, double rho);
 
-/// What an exponent does from the origin outwards, amplitude by amplitude.
+/// Decay of the maximum over the phases with growing amplitude.
 struct Fall {
-  std::optional<double> reached;  ///< least amplitude at which it lies `depth` below its peak
-  double turning;                 ///< where it stopped to fall, or `farthest`
+  std::optional<double> reached;  ///< first amplitude at which it lies `depth` below its peak
+  double turning;                 ///< amplitude at which it begins to rise, or `farthest`
 };
 
-/// Follows the largest exponent of an amplitude until it lies `depth` below its peak, or rises
+/// Scans amplitudes from 0 until the maximum over the phases lies `depth` below its peak, or rises
 /// again.
 Fall fall_of(const Exponent& exponent, double depth, double farthest);
 

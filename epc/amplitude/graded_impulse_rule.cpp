@@ -8,8 +8,8 @@ namespace fpkcheck::epc::amplitude {
 namespace {
 
 constexpr double kPanel = 1.2;         // widest panel, in deviations of Y
-constexpr double kFirstBreak = 1.5;    // nearest break point to velocity 0, in widths
-constexpr double kGrowth = 3;          // from one to the next
+constexpr double kFirstBreak = 1.5;    // first break point next to velocity 0, in widths
+constexpr double kGrowth = 3;          // ratio of successive break points
 constexpr double kNegligible = 1e-18;  // probability
 
 }  // namespace

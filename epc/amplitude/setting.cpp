@@ -22,13 +22,15 @@ using half_plane::Stage;
 
 namespace {
 
-// The confinement's level is where Q_n lies this far below its peak: what is tried, in this order.
+// Depths of Q_n below its peak at the confinement level, in the order of the attempts.
 constexpr std::array kDepths{24.0, 18.0, 32.0};
-// Where Q_n rises before that: amplitudes in those at which it does, and in deviations of v.
+// Further candidates for the confinement level, as amplitudes: multiples of the decay extent, if
+// Q_n rises again, and multiples of the deviation of v.
 constexpr std::array kBeyondTrusted{1.2, 1.0};
 constexpr std::array kLevelDeviations{8.0, 6.5, 11.0};
 constexpr double kFarthestDeviations = 30;
-// Largest density where the confinement begins, relative to the peak: beyond, it would shape it.
+// Largest density at the confinement level, relative to the peak. With more, the confinement would
+// determine the density.
 constexpr double kLevelAllowed = 1e-4;
 
 double farthest(double temperature) { return kFarthestDeviations * std::sqrt(temperature); }
@@ -61,7 +63,7 @@ std::vector<double> Setting::levels(const Shape& guess, Stage) const {
   return levels;
 }
 
-// The wider the domain, the more points.
+// The number of points grows with the width of the domain.
 QuadratureSize Setting::size(int order, double level_in_temperatures, Stage stage) const {
   const int least = stage == Stage::rough ? 16 : 20;
   const double width = std::max(1.0, std::sqrt(2 * level_in_temperatures) / kLevelDeviations[0]);
@@ -79,7 +81,7 @@ double Setting::trusted(const Polynomial& q, double temperature) const {
   return fall_of(on_circle(q), kDepths.back(), farthest(temperature)).turning;
 }
 
-// What lies beyond the trusted part counts too, or the fit would be Q_n itself.
+// A smaller power also weighs points beyond the decay extent: otherwise the fit would return Q_n.
 VectorXd Setting::fit_weights(const Shape& guess, double support, const Points& points,
                               const VectorXd& exponent, const VectorXd&) const {
   constexpr double kFlatter = 0.5;
@@ -89,7 +91,7 @@ VectorXd Setting::fit_weights(const Shape& guess, double support, const Points& 
   return mass / mass.sum();
 }
 
-// From the level outwards.
+// Largest density between the confinement level and the edge of the support.
 double Setting::remains(const Shape& found, Stage) const {
   constexpr int kInside = 50, kOutside = 12;
   const Confinement confinement = half_plane::confinement_of(found.level, tail_);
@@ -108,12 +110,11 @@ double Setting::remains_allowed(Stage) const { return 1e-6; }
 
 std::string objection(const char* what, double at_level, double edge) {
   if (!(at_level < kLevelAllowed)) {
-    return fmt::format(
-        "{} is {:.1e} of its peak where its confinement begins, or beyond (allowed {:.0e})", what,
-        at_level, kLevelAllowed);
+    return fmt::format("{} at or beyond the confinement level is {:.1e} of its peak (limit {:.0e})",
+                       what, at_level, kLevelAllowed);
   }
   if (!(edge < kEdgeAllowed)) {
-    return fmt::format("{} is {:.1e} of its peak on the edge of its support (allowed {:.0e})", what,
+    return fmt::format("{} on the edge of its support is {:.1e} of its peak (limit {:.0e})", what,
                        edge, kEdgeAllowed);
   }
   return "";

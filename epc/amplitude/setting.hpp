@@ -6,21 +6,21 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// The exponent of a density on the way: Q_n as far as it falls, and from there on a Gaussian.
+/// Exponent of an intermediate density: Q_n up to the decay extent, and a Gaussian beyond.
 /// @param q Q_n by amplitude and phase
 double exponent_on_the_way(const Exponent& q, const half_plane::Shape& shape, double rho,
                            double theta);
 
-/// By how much more points may change Q_n, in standard deviations: below what the exponent's shape
-/// leaves at the usual orders.
+/// Tolerance on the change of Q_n on more quadrature points, in standard deviations. It is below
+/// the error of the closure itself at the default orders.
 inline constexpr double kQuadratureAllowed = 1e-3;
 
-/// What the search must know where s is the amplitude. The level lies where Q_n is far below its
-/// peak, else beyond the amplitude at which it rises again; energies are rho^2/2.
+/// Formulation in which s is the amplitude. The confinement level is an energy rho^2/2 at which Q_n
+/// lies far below its peak, or else an energy beyond the amplitude at which Q_n rises again.
 class Setting : public half_plane::Setting {
  public:
-  /// @param temperature E[v^2] of the Gaussian from which the first order starts, about
-  /// @param rate_unit the measure of rates of change
+  /// @param temperature approximate E[v^2] of the Gaussian from which the first order starts
+  /// @param rate_unit unit of rates of change
   Setting(double temperature, double rate_unit, Tail tail)
       : temperature_(temperature), rate_unit_(rate_unit), tail_(tail) {}
 
@@ -40,9 +40,9 @@ class Setting : public half_plane::Setting {
   double remains_allowed(half_plane::Stage stage) const override;
 
  protected:
-  /// Q_n by amplitude and phase, as long as q lives.
+  /// Q_n by amplitude and phase. The result refers to q.
   virtual Exponent on_circle(const Polynomial& q) const = 0;
-  /// The phase of s and t.
+  /// Phase at the coordinates s and t.
   virtual double phase(double s, double t) const = 0;
 
  private:
@@ -50,10 +50,10 @@ class Setting : public half_plane::Setting {
   Tail tail_;
 };
 
-/// Why a density is held by its confinement alone; empty when it is not.
-/// @param what of the density is looked at, as the reason calls it
-/// @param at_level the largest of it where the confinement begins or beyond, relative to the peak
-/// @param edge     the same on the edge of the support
+/// Reason why a density is inadmissible: its confinement alone makes it decay. Empty otherwise.
+/// @param what name of the quantity in the reason
+/// @param at_level largest value at or beyond the confinement level, relative to the peak
+/// @param edge     largest value on the edge of the support, relative to the peak
 std::string objection(const char* what, double at_level, double edge);
 
 }  // namespace fpkcheck::epc::amplitude

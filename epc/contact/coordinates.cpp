@@ -60,7 +60,7 @@ Points rule(const Coordinates& coordinates, double rho_max,
                          coordinates.force(points.y[k]) * Coordinates::prefactor(rho.at[i]);
     }
   }
-  points.weight[k] = coordinates.atom_weight();  // the last one is at the corner
+  points.weight[k] = coordinates.atom_weight();  // the last point is the corner
   return points;
 }
 

@@ -9,8 +9,8 @@
 namespace fpkcheck::epc::contact {
 namespace {
 
-// Edges from 0: the first cell a small share of the whole, the next in proportion to their place,
-// and even ones.
+// Cell edges from 0 to `end`: a first cell of width first * end, then widths proportional to the
+// distance from 0, then equal widths.
 std::vector<double> graded_to_zero(double end, double first, double growth) {
   constexpr int kEven = 120;
   std::vector<double> edges{0};
@@ -48,7 +48,7 @@ transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coor
 }
 
 transform::GridDensity on_graded_cells(const transform::SmoothDensity& density) {
-  // y goes as the square of v. Below the first edges there is a share of the mass of their size.
+  // y is of order v^2. The mass in the first cells is of the order of kFirst.
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
   return transform::on_cells(density,
                              graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),

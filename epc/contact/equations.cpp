@@ -16,8 +16,8 @@ using half_plane::Basis;
 using half_plane::Points;
 using half_plane::products;
 
-// E[phi(y, v + Y)] of every member at every point. At rest the mass stands on the wall, and an
-// impulse towards it is followed by an impact.
+// E[phi(y, v + Y)] of every member at every point. For the mass at rest on the wall an impulse
+// towards the wall is followed by an impact.
 MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coordinates,
                        const Basis& basis, const Points& points) {
   const double r = problem.system.restitution();
@@ -29,7 +29,7 @@ MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coord
                                         });
 }
 
-// rho' and v' between impulses; none at rest.
+// rho' and v' between impulses; 0 at rest.
 struct Flow {
   VectorXd rho, v;
 };

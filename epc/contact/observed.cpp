@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using half_plane::Points;
 
-// Expectations: points, the last of which is the atom, and their masses.
+// Discrete law for expectations: points with their masses. The last point is the atom.
 struct Law {
   Points points;
   VectorXd mass;
@@ -59,7 +59,7 @@ transform::Moments moments_of(const problem::Frame& frame, const Law& law) {
           .v4 = mean(0, 4)};
 }
 
-// E[|Y|^power; Y < 0]: what impulses bring to the wall at which the mass rests.
+// E[|Y|^power; Y < 0]: contribution of impulses that drive the resting mass into the wall.
 double into_the_wall(const problem::ImpulseLaw& law, int power) {
   const auto after = amplitude::GradedImpulseRule(law)(0, 0);
   double sum = 0;
@@ -69,7 +69,7 @@ double into_the_wall(const problem::ImpulseLaw& law, int power) {
   return sum;
 }
 
-// int u^power p(0, -u) du over the impacts of what moves.
+// int u^power p(0, -u) du over the impacts of the moving mass.
 double wall_flux(const transform::SmoothDensity& density, int points, int power) {
   const half_plane::Line wall = half_plane::legendre_rule(points, 0, density.v_max);
   double sum = 0;

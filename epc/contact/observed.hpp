@@ -7,10 +7,10 @@
 
 namespace fpkcheck::epc::contact {
 
-/// Puts a density with its atom into a result: averages over graded cells, mass (by those, the atom
-/// with it), moments and the residuals of the balances of power, virial and momentum, all by the
-/// rule that the root was found on.
-/// @param density of the root
+/// Stores a density with its atom in a result: averages over graded cells and the mass of cells and
+/// atom. Moments and the residuals of the balances of power, virial and momentum use the quadrature
+/// of the root.
+/// @param density density of the root
 void put_density_and_atom(const problem::Problem& problem, const Coordinates& coordinates,
                           const half_plane::Root& root, const transform::SmoothDensity& density,
                           Result& result);

@@ -41,8 +41,8 @@ class Setting : public amplitude::Setting {
   }
 
  private:
-  // The rate at which the energy is renewed; at least so much of the frequency, below which the
-  // rates of the motion leave no digits.
+  // Relaxation rate of the energy. Lower limit: kRounding times the frequency, since rounding
+  // errors of the undamped motion would dominate smaller rates.
   static double rate_of(const problem::Problem& problem, const problem::Scales& scales) {
     constexpr double kRounding = 1e-4;
     const double temperature = scales.velocity_deviation * scales.velocity_deviation;

@@ -18,7 +18,7 @@ using half_plane::Root;
 using half_plane::Shape;
 using transform::GridDensity;
 
-// Sum of the distances of both marginals, on the same cells.
+// Sum of the L1 distances of both marginals; both densities have the same cells.
 double distance(const GridDensity& a, const GridDensity& b) {
   std::vector<double> of_y(a.ny()), of_v(a.nv());
   for (std::size_t i = 0; i < a.ny(); ++i) {
@@ -40,7 +40,7 @@ double probability_at_rest(const Coordinates& coordinates, const Shape& shape) {
   return coordinates.atom_weight() * std::exp(shape.q(0, 0) - shape.log_normalisation);
 }
 
-// Of the root of order n - 2, on the cells of the solution.
+// Distance to the root of order n - 2, on the cells of the solution, with that of the atoms.
 double distance_to(const Coordinates& coordinates, const Shape& previous, Tail tail,
                    const transform::Solution& solution) {
   const auto& cells = std::get<GridDensity>(*solution.density);

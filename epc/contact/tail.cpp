@@ -10,7 +10,7 @@
 namespace fpkcheck::epc::contact {
 
 half_plane::Contour contour(const Coordinates& coordinates, double rho) {
-  // dA/dh is the integral of w/g dtheta.
+  // dA/dh = integral of w/g dtheta.
   half_plane::Contour contour;
   for (int k = 0; k < amplitude::kPhases; ++k) {
     const double theta = amplitude::phases()[k];

@@ -15,13 +15,13 @@ namespace {
 
 using transform::Observations;
 
-// Beyond any that rounding lets one use, and bounded before there is room for them.
+// Above every power that rounding leaves usable; checked before memory is allocated.
 constexpr int kHighestPower = 40;
 
 double required(const Observations& observations, const std::string& path) {
   const auto value = transform::number(observations, path);
   if (!value || !std::isfinite(*value)) {
-    throw InputError(fmt::format("\"{}\" is no number (must be one)", path));
+    throw InputError(fmt::format("\"{}\" is missing or not finite (must be a number)", path));
   }
   return *value;
 }
@@ -38,7 +38,7 @@ Variables variables_in(const Observations& observations) {
   if (!text) {
     throw InputError(
         "no \"coordinates\" (must be \"x1,x2\", \"y,v\", \"amplitude,phase\" or "
-        "\"amplitude,velocity\"; a summary.json of an earlier version: run again)");
+        "\"amplitude,velocity\"); run again if the file is from an earlier version");
   }
   const auto known = base::value_named<Variables>(*text);
   if (!known) {
@@ -59,7 +59,7 @@ int power(const Observations& observations, const std::string& path) {
   return static_cast<int>(value);
 }
 
-// Files have them in their order, so that each is found from where the one before was.
+// Files store the coefficients in order of k: each search starts at the position of the last one.
 std::vector<Term> terms_in(const Observations& observations) {
   std::vector<Term> terms;
   constexpr std::size_t kMost = 2000;
@@ -96,7 +96,7 @@ problem::Frame coordinates_in(const Observations& observations) {
   if (const auto* mirrored = transform::find(observations, "frame.mirrored")) {
     const bool* value = std::get_if<bool>(&mirrored->value);
     if (value == nullptr) {
-      throw InputError("\"frame.mirrored\" is neither true nor false (must be one)");
+      throw InputError("\"frame.mirrored\" is not a boolean (must be true or false)");
     }
     frame.mirrored = *value;
   }
@@ -134,7 +134,7 @@ ClosedForm closed_form_in(const Observations& observations) {
   if (!frame.deviations && !std::isfinite(frame.support)) {
     const auto y_max = number("support.y_max"), v_max = number("support.v_max");
     if (y_max.has_value() != v_max.has_value()) {
-      throw InputError("half a support (must have both \"y_max\" and \"v_max\")");
+      throw InputError("half a support: \"y_max\" or \"v_max\" is missing; give both");
     }
     if (y_max) frame.box = box_in(observations, *y_max, *v_max);
   }

@@ -7,11 +7,11 @@
 
 namespace fpkcheck::epc {
 
-/// Puts a density into a result, with its mass, its moments (the physical ones into the solution,
-/// those of the problem's frame into the summary) and the residuals of the balances of power,
-/// virial and momentum.
-/// @param impact by which impacts dissipate power in the equation solved
-/// @return the marginals, for comparison with another order's
+/// Stores a density in a result, with its mass, its moments and the residuals of the balances of
+/// power, virial and momentum. The solution has the moments in physical coordinates, the summary
+/// those in the problem's frame.
+/// @param impact impact condition of the equation, which defines the power lost in impacts
+/// @return marginal densities, for comparison with those of another order
 transform::PanelMarginals put_density(const problem::Problem& problem, problem::Impact impact,
                                       const transform::SmoothDensity& density, Result& result,
                                       transform::Panels panels = transform::Panels::even);

@@ -17,7 +17,7 @@ using numerics::Family;
 using numerics::NewtonResult;
 
 constexpr int kMaxPoints = 120;
-constexpr int kPolishing = 30;  // steps at the end of a curve
+constexpr int kPolishing = 30;  // largest number of Newton steps at the end of a curve
 
 // E|x|^m of x ~ N(0, sigma^2).
 double absolute_moment(double m, double sigma) {
@@ -25,9 +25,9 @@ double absolute_moment(double m, double sigma) {
          std::numbers::inv_sqrtpi;
 }
 
-// Q_n of the exact density, up to a constant: -(c/D2) (x2^2/2 + U(|x1|)). An even power a y^m of
-// the force has no polynomial potential on the plane: its share is that of the linear force of the
-// same mean slope, E[a m |x1|^(m-1)].
+// Exponent of the exact density, up to a constant: -(c/D2) (x2^2/2 + U(|x1|)). The potential of an
+// even power a y^m of the force is not a polynomial on the plane. A linear force with the same mean
+// slope, E[a m |x1|^(m-1)], replaces it.
 std::vector<Term> elastic_white_noise(const ResidualCoefficients& f, const Deviations& sigma) {
   const double beta = f.damping / (f.rate_moment[2] / 2);
   std::vector<Term> terms{{0, 2, -beta / 2}};
@@ -41,7 +41,7 @@ std::vector<Term> elastic_white_noise(const ResidualCoefficients& f, const Devia
   return terms;
 }
 
-// R at the points of the path of `partway`, in its unit. Linear in the fraction.
+// R with homotopy_coefficients, in units of residual_unit. R is linear in the fraction.
 Family path_of(const Projection& projection, const ResidualCoefficients& full, double unit) {
   return {
       .residual = [=, &projection](const Eigen::VectorXd& a, double fraction) -> Eigen::VectorXd {
@@ -86,7 +86,7 @@ Branch branch_of(const Curve& curve, const Family& family, const Basis& basis) {
   return branch;
 }
 
-// The root that a curve leads to, or where it was lost.
+// Root at the end of a curve, or the last iterate if the curve did not arrive.
 NewtonResult root_of(const Curve& curve, const CurvePoint& last, const Projection& projection,
                      const ResidualCoefficients& there, double tolerance) {
   const bool arrived = curve.end == CurveEnd::arrived;

@@ -10,12 +10,12 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Panels of ten points along the radius and across a half-plane; points of the law's rule.
+// Number of ten-point panels in radius and in angle on a half-plane; points of the law's rule.
 constexpr int kPanels = 3;
 constexpr int kJumpPoints = 20;
 
-// The weights f1 f2 on the half-discs, x1 having one sign on each. A point-symmetric integrand is
-// as large on one half as on the other.
+// Quadrature with the weights f1 f2 on both half-discs, on each of which x1 has one sign. For a
+// point-symmetric integrand both halves give the same integral.
 PlaneRule disc(const Deviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneRule rule;

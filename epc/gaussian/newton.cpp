@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 constexpr double kLeastShare = 1e-4;
 constexpr double kArmijo = 0.1;
 
-// (23) as numerics::newton wants it.
+// Interface of equations (23) for numerics::newton.
 struct NewtonEquations {
   struct Iterate {
     VectorXd a, residual;

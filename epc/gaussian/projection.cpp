@@ -10,8 +10,8 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// The degree of each part of F in x1 and in x2, Q_2 being of degree n-1 and the force of degree 5
-// at most, and of the projection function.
+// Degree of each part of F times the projection function, in x1 and in x2. Q_2 has degree n-1, the
+// force at most degree 5.
 constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
 int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
 int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
@@ -43,14 +43,14 @@ ProjectionNodes nodes(const PlaneRule& rule, const Basis& basis) {
   return {even ? folded(rule) : rule, basis};
 }
 
-// A part of F at each node.
+// Values of a part of F at the nodes.
 template <class Part>
 Eigen::VectorXd values(const ProjectionNodes& nodes, const Eigen::VectorXd& a, const Part& part) {
   const std::vector<Derivatives> q = nodes.of_q(a);
   return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
 }
 
-// Its gradient at each node.
+// Gradients of a part of F at the nodes.
 template <class Gradient>
 std::vector<Derivatives> gradients(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
                                    const Gradient& gradient) {

@@ -7,7 +7,7 @@ namespace {
 
 using problem::Equation;
 
-// The powers of one parity.
+// Terms of one parity.
 numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t parity) {
   numerics::Polynomial::Coefficients a = polynomial.coefficients();
   for (std::size_t n = 1 - parity; n < a.size(); n += 2) a[n] = 0;

@@ -7,7 +7,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Three-term recurrence of orthonormal polynomials, entry i of each vector belonging to step i:
+// Three-term recurrence of orthonormal polynomials; entry i of each vector is for step i:
 //   off_diagonal[i] h_{i+1}(t) = (t - diagonal[i]) h_i(t) - off_diagonal[i-1] h_{i-1}(t),
 //   h_0 = 1.
 struct Recurrence {
@@ -15,9 +15,9 @@ struct Recurrence {
   Eigen::VectorXd off_diagonal;
 };
 
-// Golub and Welsch: the nodes are the eigenvalues of the Jacobi matrix. The weights are computed
-// from the recurrence instead of the eigenvectors, w = 1 / sum_i h_i(t)^2: the moments of degree 5n
-// need the far nodes' tiny weights to full relative accuracy, which eigenvectors do not have.
+// Golub and Welsch: the nodes are the eigenvalues of the Jacobi matrix. The weights follow from the
+// recurrence, w = 1 / sum_i h_i(t)^2, not from the eigenvectors. Moments of degree 5n need the
+// small weights of the outer nodes to full relative accuracy, which eigenvectors do not provide.
 Rule gauss_rule(const Recurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();
@@ -40,8 +40,9 @@ Rule gauss_rule(const Recurrence& recurrence) {
 }
 
 // With t = u^2 / 2,  E[|u| g(u)] = int_0^inf [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi),
-// where the bracket is a polynomial in t of half the degree. E[sgn(u) g(u)] is the same with
-// g(u)/u: the odd part of g alone counts, and its quotient by u is again a polynomial in t.
+// where the bracket is a polynomial in t of half the degree. E[sgn(u) g(u)] is the same integral
+// with g(u)/u: only the odd part of g contributes, and its quotient by u is again a polynomial in
+// t.
 const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace

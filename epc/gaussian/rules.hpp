@@ -4,7 +4,7 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// A quadrature rule for averages over a standard normal variable u.
+/// Quadrature rule: nodes and weights. Below, u is a standard normal variable.
 struct Rule {
   std::vector<double> nodes;
   std::vector<double> weights;

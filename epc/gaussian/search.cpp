@@ -18,15 +18,16 @@ namespace {
 using numerics::NewtonResult;
 using problem::Equation;
 
-// Of the coefficients, between two discs of the jump integral; roots on a plateau stay below 0.01.
+// Limit on the relative change of the coefficients between two discs of the jump integral. Roots
+// that are insensitive to the disc have changes below 0.01.
 constexpr double kDiscSensitivityAllowed = 0.05;
 
-// Q_2 of the Gaussian with the deviations of the weights.
+// Exponent of the Gaussian with the deviations of the weights.
 std::vector<Term> linearised(const Deviations& sigma) {
   return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
 }
 
-// Without a wall nothing is folded, and a force or impulses of no symmetry take all monomials.
+// Monomials of the basis. Without a wall, asymmetric forces or impulses need all monomials.
 MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
   if (problem.system.left()) return options.monomials;
   const numerics::Polynomial& force = problem.system.force();
@@ -44,14 +45,14 @@ Projection projection_of(const problem::Problem& problem, const Options& options
 std::string end_of(const Branch& branch) {
   switch (branch.end) {
     case BranchEnd::white_noise:
-      return "turns back there and ends at another root of the equations of white noise";
+      return "turns back to another root of the white-noise equations";
     case BranchEnd::far_away:
-      return "turns back there and leaves towards ever greater coefficients";
+      return "diverges after a fold";
     default:
       break;
   }
   const bool turned = std::ranges::any_of(branch.points, &BranchPoint::fold);
-  return turned ? "turns back there and is lost on the way" : "could not be followed further";
+  return turned ? "is lost after a fold" : "ends there";
 }
 
 class Seeker {
@@ -95,9 +96,9 @@ class Seeker {
                    .damped = damped});
   }
 
-  // Keeps the root of an attempt, if it is one and none was found before that is as good. Up to
-  // n = 6 the first root is taken, as in the paper; beyond, a root whose density does not decay is
-  // kept only until one that does is found.
+  // Records a result of Newton's method and returns whether the search ends. Up to n = 6 the first
+  // root ends it, as in the paper. Beyond, only a root whose density decays ends it; another root
+  // is kept until then.
   bool attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;
@@ -117,7 +118,7 @@ class Seeker {
     return attempt(root);
   }
 
-  // Whether the root stands on a plateau of the disc's radius; it is given up where it does not.
+  // Discards a root that depends on the radius of the disc.
   void test_disc() {
     const Eigen::VectorXd a = projection_.basis().scaled(search_.root->terms());
     const Projection smaller(projection_.basis(), problem_.impulses, JumpRemainder::kRadius - 1);
@@ -130,13 +131,12 @@ class Seeker {
     if (search_.disc_sensitivity && *search_.disc_sensitivity <= kDiscSensitivityAllowed) return;
     search_.root.reset();
     search_.failure = fmt::format(
-        "the root depends on the disc on which the jump integral is taken: between radii of {} and "
-        "{} deviations {} (allowed {} of their norm), so the equations with the whole integral are "
-        "not defined well enough",
+        "the root depends on the disc of the jump integral: between radii of {} and {} deviations "
+        "{} (limit {}); the equations with the full integral are ill-defined",
         JumpRemainder::kRadius - 1, JumpRemainder::kRadius,
         search_.disc_sensitivity ? fmt::format("its coefficients change by {:.3f} of their norm",
                                                *search_.disc_sensitivity)
-                                 : "it is lost",
+                                 : "Newton's method failed",
         kDiscSensitivityAllowed);
   }
 
@@ -149,10 +149,9 @@ class Seeker {
 
   std::string failure() const {
     return fmt::format(
-        "Newton steps from equivalent linearisation{}, plain and damped, found no root in {} "
-        "iterations (least residual {:.1e}, asked for {:.1e}), and the branch of solutions that "
-        "starts from white noise at an impact without loss reaches {:.1f} % of the way to the full "
-        "problem: it {}",
+        "Newton's method from equivalent linearisation{}, plain and damped, found no root in {} "
+        "iterations (least residual {:.1e}, tolerance {:.1e}); the branch from white noise with "
+        "elastic impacts reaches {:.1f} % of the way and {}",
         search_.previous ? fmt::format(" and from n = {}", options_.order - 2) : "",
         search_.iterations, search_.residual, options_.tolerance, 100 * search_.branch.furthest,
         end_of(search_.branch));

@@ -17,60 +17,61 @@ namespace {
 
 using transform::Status;
 
-// Normalised by itself.
+// Density normalised on its support.
 transform::SmoothDensity density_on(const problem::Problem& problem, const Polynomial& q,
                                     const Support& support) {
   return problem.system.left() ? density_of(q, support, log_constant(support))
                                : unfolded_density_of(q, support, log_constant(support));
 }
 
-// A Gaussian is near no well of several and no ring.
+// Smallest order whose density is a valid comparison. Without a wall a Gaussian approximates
+// neither several wells nor a ring.
 int first_comparable(const problem::Problem& problem) { return problem.system.left() ? 2 : 4; }
 
-// Why a root is no density of the kind asked for; empty when it is.
+// Reason why a root is inadmissible; empty for an admissible one.
 std::string objection(const Support& support, const LeadingForm& form,
                       const transform::Solution& solution,
                       const std::optional<double>& distance_to_density_before) {
   if (!(support.edge_ratio() < kEdgeAllowed)) {
     return fmt::format(
-        "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e}), which cuts "
-        "off about {:.1e} of the probability, {}",
+        "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}); the support "
+        "cuts off about {:.1e} of the probability, {}",
         support.edge_ratio(), kEdgeAllowed, support.cut_off(),
         behaviour(form, "(x1/sigma1, x2/sigma2)"));
   }
   if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
-    return fmt::format("the density's mass in the box around its support is {:.6f}, not 1",
+    return fmt::format("the mass of the density in the box around its support is {:.6f}, not 1",
                        solution.mass);
   }
   if (!(std::abs(solution.energy_residual) <= kEnergyAllowed)) {
     return fmt::format(
-        "the root misses the stationary balance of power by {:.0f} % of the input (allowed "
-        "{:.0f} %), so it is near no stationary density",
+        "the balance of power has a residual of {:.0f} % of the input (limit {:.0f} %): the root "
+        "approximates no stationary density",
         100 * std::abs(solution.energy_residual), 100 * kEnergyAllowed);
   }
   if (distance_to_density_before.value_or(0) > kDistanceAllowed) {
     return fmt::format(
-        "p(y) and p(y') are {:.2f} in L1 from those of the density of order n-2 (allowed {}), so "
-        "the root is of another kind",
+        "the L1 distance of p(y) and p(y') to order n-2 is {:.2f} (limit {}): the root does not "
+        "continue order n-2",
         *distance_to_density_before, kDistanceAllowed);
   }
   return "";
 }
 
-// Where there is no wall the balance of virial accuses as that of power does: a Gaussian that meets
-// its weighted equations in the middle of a double well misses it by all there is.
+// Without a wall the virial balance is a further criterion. A Gaussian in the middle of a double
+// well satisfies its weighted equations, but has a large residual of the virial balance.
 std::string objection_by_virial(const problem::Problem& problem,
                                 const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
   if (problem.system.left() || virial <= kEnergyAllowed) return "";
   return fmt::format(
-      "the root misses the stationary balance of virial by {:.0f} % (allowed {:.0f} %), so it is "
-      "near no stationary density",
+      "the virial balance has a residual of {:.0f} % (limit {:.0f} %): the root approximates no "
+      "stationary density",
       100 * virial, 100 * kEnergyAllowed);
 }
 
-// Judges a root of (23): C exp(Q_n) restricted to its support, its moments, its energy balance.
-// @param previous the root of order n-2, to compare with
+// Assesses a root of (23): C exp(Q_n) on its support, its moments and its energy balance.
+// @param previous root of order n-2 for comparison
 void judge(const problem::Problem& problem, const Polynomial& q,
            const std::optional<Polynomial>& previous, Result& result) {
   const Deviations sigma = deviations(problem);
@@ -96,7 +97,7 @@ void judge(const problem::Problem& problem, const Polynomial& q,
   if (previous) {
     const Support before(*previous, sigma);
     auto before_density = density_on(problem, *previous, before);
-    before_density.y_min = density.y_min;  // the same panels
+    before_density.y_min = density.y_min;  // same panels
     summary.distance_to_previous = distance(
         marginals, transform::panel_marginals(before_density, density.y_max, density.v_max));
     if (before.edge_ratio() < kEdgeAllowed && previous->degree() >= first_comparable(problem)) {

@@ -11,11 +11,11 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// The peak is sought within two deviations: a rise further out is no peak but a failure of (19).
+// Radius of the search for the peak, in deviations. A rise further out is a violation of (19).
 constexpr double kCore = 2;
 constexpr int kPanelsOfARay = 6;
 
-// Where Q_n along the ray changes from falling to rising between two radii.
+// Minimum of Q_n on the ray between two radii, by bisection of the slope.
 double minimum_between(const Ray& slope, double low, double high) {
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
@@ -24,7 +24,7 @@ double minimum_between(const Ray& slope, double low, double high) {
   return (low + high) / 2;
 }
 
-// Where Q_n, falling from low to high, crosses a level: Newton's method kept between the two.
+// Radius at which Q_n, falling from low to high, crosses a level: Newton's method with bracketing.
 double crossing_between(const Ray& q, const Ray& slope, double level, double low, double high) {
   double at = (low + high) / 2;
   for (int i = 0; i < 60; ++i) {
@@ -39,10 +39,10 @@ double crossing_between(const Ray& q, const Ray& slope, double level, double low
 
 struct Edge {
   double radius;
-  double peak;  // largest Q_n met on the way
+  double peak;  // largest Q_n up to the radius
 };
 
-// The edge along one direction, rules (a) to (c).
+// Edge along one direction by rules (a) to (c) of Support.
 Edge edge(const Ray& q, double core_peak) {
   const Ray slope = derivative(q);
   const double negligible = core_peak + std::log(Support::kNegligible);

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Galerkin equations whose members are the functions of a basis.
+/// Galerkin equations for the members of a basis.
 class Equations : public Galerkin {
  public:
   Equations(GalerkinTables tables, Basis basis, Points points)

@@ -7,10 +7,9 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Tries levels in their order: the first result whose density has decayed below what is allowed,
-/// else the one whose density has decayed most; none when every attempt is lost.
-/// @param attempt level -> optional pair of a result and its density at the place that matters,
-///   relative to the peak
+/// Solves at confinement levels in their order. Returns the first result with a decay ratio below
+/// the limit, else the result with the smallest decay ratio; empty if every attempt failed.
+/// @param attempt level -> optional pair of a result and its decay ratio
 template <class Result, class Attempt>
 std::optional<Result> first_decayed(const std::vector<double>& levels, double allowed,
                                     const Attempt& attempt) {

@@ -35,7 +35,7 @@ MatrixXd Galerkin::centred(const MatrixXd& members, const Density& density) cons
 }
 
 MatrixXd Galerkin::jacobian(const Density& density) const {
-  // d p / d a_k = p (phi_k - E[phi_k]), on the wall too
+  // d p / d a_k = p (phi_k - E[phi_k]), also on the wall
   const MatrixXd change = density.mass.asDiagonal() * centred(tables_.members, density);
   const MatrixXd wall_change =
       density.wall_mass.asDiagonal() * centred(tables_.wall_members, density);
@@ -54,7 +54,7 @@ MatrixXd Galerkin::covariance(const Density& density) const {
 }
 
 VectorXd Galerkin::fit(const VectorXd& exponent, const VectorXd& mass) const {
-  // Q_n has no constant of its own: a column of ones takes it up.
+  // The column of ones absorbs the constant, which Q_n lacks.
   MatrixXd columns(tables_.members.rows(), tables_.members.cols() + 1);
   columns << VectorXd::Ones(tables_.members.rows()), tables_.members;
   const MatrixXd weighted = mass.asDiagonal() * columns;

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double kLongestStep = 2;
 constexpr double kLeastShare = 1e-6;
 
-// Galerkin's equations as numerics::newton wants them.
+// Interface of the Galerkin equations for numerics::newton.
 struct NewtonEquations {
   struct Iterate {
     VectorXd a;
@@ -79,7 +79,8 @@ numerics::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start
   const auto jacobian = [&](const VectorXd& a) -> MatrixXd {
     return equations.jacobian(equations.density(a));
   };
-  // In coefficients of functions of about unit variance, well enough for Newton's method to go on.
+  // Coefficients of functions of about unit variance; the accuracy suffices to start Newton's
+  // method.
   return numerics::follow(numerics::newton_homotopy(residual, jacobian, start), start,
                           {.tolerance = 0,
                            .short_correction = 1e-6,

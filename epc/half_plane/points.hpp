@@ -4,26 +4,26 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// How many points a rule has along either coordinate, and on the wall.
+/// Number of quadrature points in each coordinate and on the wall.
 struct QuadratureSize {
   int s, t, wall;
 };
 
-/// Points of a quadrature rule on the half-plane y >= 0: sum_i weight_i f(y_i, v_i). Q_n is a
-/// polynomial of their coordinates s and t: (y, v) of the formulation moment, (rho, theta) of
-/// polar.
+/// Quadrature rule on the half-plane y >= 0: sum_i weight_i f(y_i, v_i). Q_n is a polynomial of the
+/// coordinates s and t: (y, v) for the formulation moment, (rho, theta) for polar, (rho, v) for
+/// contact.
 struct Points {
   Eigen::VectorXd s, t;
   Eigen::VectorXd y, v;
-  Eigen::VectorXd energy;  ///< h, by which the confinement goes
-  Eigen::VectorXd weight;  ///< of dy dv
+  Eigen::VectorXd energy;  ///< h, argument of the confinement
+  Eigen::VectorXd weight;  ///< for dy dv
 
-  /// So many of them, all of zeros.
+  /// A rule of `count` points with all values zero.
   static Points zeros(Eigen::Index count);
   Eigen::Index size() const { return weight.size(); }
 };
 
-/// A rule of one variable.
+/// Quadrature rule in one variable.
 struct Line {
   Eigen::VectorXd at, weight;
 };

@@ -12,19 +12,19 @@ namespace {
 
 using transform::Status;
 
-// Why a density that meets the equations is still not to be relied on; empty when it is.
+// Reason why a density that satisfies the equations is inadmissible; empty for an admissible one.
 std::string objection_to(const transform::Solution& solution, const Summary& summary) {
   constexpr double kBeyondAllowed = 1e-3;
   if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
     return fmt::format(
-        "its mass is {:.5f} by panels over the support (allowed 1 +- {:.0e}): the density has a "
-        "spike that they miss, and moments and marginals with it",
+        "the mass by panels over the support is {:.5f} (limits 1 +- {:.0e}): the panels do not "
+        "resolve a spike of the density, nor do moments and marginals",
         solution.mass, kMassAllowed);
   }
   if (!(summary.half_plane->beyond_level <= kBeyondAllowed)) {
     return fmt::format(
-        "about {:.1e} of the probability lies where the confinement of Q_n begins, or beyond "
-        "(allowed {:.0e}), which shapes it",
+        "about {:.1e} of the probability lies at or beyond the confinement level (limit {:.0e}): "
+        "the confinement distorts the density",
         summary.half_plane->beyond_level, kBeyondAllowed);
   }
   return "";
@@ -79,8 +79,8 @@ void conclude(const Root& root, double quadrature_allowed, const std::string& ob
     solution = {};
     solution.status = Status::not_converged;
     solution.reason = fmt::format(
-        "more points of the quadrature change Q_n by {:.1e} of a unit (allowed {:.0e}): the "
-        "density, or the law of the impulses, has features that {} x {} points miss",
+        "more quadrature points change Q_n by {:.1e} standard deviations (limit {:.0e}): {} x {} "
+        "points do not resolve the density or the law of the impulses",
         root.quadrature_change, quadrature_allowed, root.quadrature.s, root.quadrature.t);
     return;
   }

@@ -6,38 +6,41 @@
 #include "epc/half_plane/root.hpp"
 #include "epc/summary.hpp"
 
-/// From a root to a result: what the formulations on the half-plane say of it alike.
+/// From a root to a result: common part of the formulations on the half-plane.
 namespace fpkcheck::epc::half_plane {
 
-/// How the search went; the status is not_converged, for the reason that it failed if it did.
+/// Result with iterations and residual of the search, status not_converged and the reason of
+/// failure.
 Result reported(const Root& root);
 
-/// All of the density but its coefficients.
+/// Parameters of the closed form besides the coefficients.
 Frame frame_of(const Shape& shape, Tail tail, Variables variables);
 
-/// The edge of the support and the contour of the level.
+/// Contours at the edge of the support and at the confinement level.
 struct Edges {
   Contour support, level;
-  double density;  ///< largest on the edge of the support, relative to the peak
+  double density;  ///< largest density on the edge of the support, relative to the peak
 };
 
-/// Condition, coefficients, support and tail, once the density has been put into the solution.
-/// @param sigma by which the plane is scaled
+/// Stores condition number, coefficients, support and tail in the summary. The solution already
+/// contains the density.
+/// @param sigma deviations that scale the plane
 void describe(const Root& root, Tail tail, const transform::SmoothDensity& density,
               const Deviations& sigma, const Edges& edges, Result& result);
 
-/// The status. A root that the quadrature does not resolve is none; one is not to be relied on
-/// where
-///  - the formulation objects;
-///  - its mass, by a rule of its own, is not 1: moments and marginals would carry the error;
-///  - too much of it lies where the confinement begins, or beyond: that shapes it.
-/// How far the density is from the truth it does not say: no distance to another order does.
-/// @param quadrature_allowed by how much more points may change Q_n, in standard deviations
-/// @param objection of the formulation; empty when there is none
+/// Sets the status. A root that the quadrature does not resolve is not_converged. A root is
+/// inadmissible if
+///  - the formulation states a reason;
+///  - its mass by an independent quadrature is not 1: moments and marginals would have this error;
+///  - too much probability lies at or beyond the confinement level: the confinement would determine
+///    the density.
+/// The status is no error estimate: no distance to another order gives the error of the density.
+/// @param quadrature_allowed tolerance on the change of Q_n on more points, in standard deviations
+/// @param objection reason of the formulation, or empty
 void conclude(const Root& root, double quadrature_allowed, const std::string& objection,
               Result& result);
 
-/// The deviations from 0 of a density with such moments.
+/// Root-mean-square displacement and velocity.
 Deviations deviations(const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc::half_plane

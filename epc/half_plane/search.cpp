@@ -22,9 +22,9 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMostRefinements = 4;
-constexpr double kEver = 1e9;  // seconds that a clock can count
+constexpr double kEver = 1e9;  // seconds; the clock can represent this duration
 
-// More than twice as many in all.
+// More than twice the number of points.
 QuadratureSize refined(const QuadratureSize& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
@@ -47,7 +47,7 @@ class Search {
   }
 
  private:
-  // Equations, and where to start from.
+  // Equations and initial coefficients.
   struct Start {
     Equations equations;
     VectorXd a;
@@ -62,7 +62,7 @@ class Search {
       if (!next && n > first && setting_.any_order_can_start()) {
         next = advanced(setting_.start(), n);
       }
-      // At strong impact losses the linearised deviations are far too large.
+      // Under strong impact losses equivalent linearisation overestimates the deviations.
       if (next && n == 2) next = advanced(*next, n);
       if (!next) return;
       guess = *next;
@@ -70,24 +70,25 @@ class Search {
     finish(guess);
   }
 
-  // Whether it is too late to try another way.
+  // Whether the deadline has passed. If so, the reason of failure is recorded once.
   bool late() {
     if (std::chrono::steady_clock::now() < end_) return false;
     if (std::exchange(late_, true)) return true;
     root_.failure = fmt::format("no root was found in {:g} s (max_seconds){}", options_.max_seconds,
-                                root_.failure.empty() ? "" : "; before: " + root_.failure);
+                                root_.failure.empty() ? "" : "; last failure: " + root_.failure);
     return true;
   }
 
-  // Last of all that of the guess, where it is a start that no fit has spoilt: between two levels
-  // a Q_n that rises beyond its own may put all its mass on the edge of the other.
+  // Candidates for the confinement level: those of the formulation, then the level of the guess. At
+  // its own level the guess is a start without a fit. At another level a Q_n that rises may have
+  // all its mass on the edge.
   std::vector<double> levels(const Shape& guess, Stage stage) const {
     std::vector<double> levels = setting_.levels(guess, stage);
     if (guess.level > 0) levels.push_back(guess.level);
     return levels;
   }
 
-  // Order n from the guess, well enough to start the next.
+  // Solves order n from the guess, accurately enough to start the next order.
   std::optional<Shape> advanced(const Shape& guess, int n) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Shape, double>> {
       if (late()) return std::nullopt;
@@ -101,11 +102,11 @@ class Search {
                                 attempt);
   }
 
-  // The order asked for, to the tolerance.
+  // Solves the requested order to the tolerance.
   void finish(const Shape& guess) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Root, double>> {
       if (late() || !refine(guess, level)) return std::nullopt;
-      // What the rough guess still hid.
+      // The accurate root may allow a better level than the guess did.
       const Root rooted = root_;
       const auto further = setting_.further(guess, rooted.shape);
       if (further && !refine(rooted.shape, *further)) root_ = rooted;
@@ -116,7 +117,7 @@ class Search {
     if (best) root_ = *best;
   }
 
-  // The answer at a level, on as many points as it takes.
+  // Solves the requested order at a level, on more points until the quadrature error is small.
   bool refine(const Shape& guess, double level) {
     const Refinement refinement = setting_.refinement();
     const bool estimated = refinement.rule == Refinement::Rule::estimated;
@@ -155,7 +156,7 @@ class Search {
                               setting_.points(support, size), size);
   }
 
-  // The equations of order n in a basis made for the guess, and the guess in it.
+  // Equations of order n in a basis orthonormal under the guess, with the fit of the guess.
   Start start_of(const Shape& guess, int n, double level, const QuadratureSize& size) const {
     const double support = support_of(level, options_.tail);
     const Confinement confinement = confinement_of(level, options_.tail);
@@ -182,7 +183,7 @@ class Search {
             .polish = last};
   }
 
-  // Newton's method, and where it is lost the homotopy before it.
+  // Newton's method. If that fails: a homotopy, then Newton's method from its end.
   NewtonResult solve(const Start& start, Stage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = newton(start.equations, start.a, unit_, options);
@@ -200,11 +201,11 @@ class Search {
     if (!result.converged) {
       root_.newton = result;
       root_.failure = fmt::format(
-          "Newton's method was lost at order {} after {} iterations (least residual {:.1e}), and a "
+          "Newton's method failed at order {} after {} iterations (least residual {:.1e}): a "
           "homotopy {}",
           start.equations.basis().order(), result.iterations, result.residual,
           arrived ? std::string("led to no root")
-                  : fmt::format("got {:.0f} % of the way", 100 * rescue.furthest().t));
+                  : fmt::format("ended at {:.0f} % of its path", 100 * rescue.furthest().t));
     }
     return result;
   }
@@ -216,7 +217,7 @@ class Search {
                 .temperature = density.mass.dot(points.v.cwiseAbs2()),
                 .level = level,
                 .support = support_of(level, options_.tail)};
-    // The constant of Q_n differs between the basis and the monomials.
+    // The constant term of Q_n differs between the basis and the monomials.
     const double constant =
         shape.q(points.s[0], points.t[0]) -
         equations.basis().values(points.s.head(1), points.t.head(1)).row(0).dot(a);
@@ -230,7 +231,7 @@ class Search {
     return equations.covariance(equations.density(a));
   }
 
-  // On more points, is it still a root?
+  // Norm of the Newton step on more points, from a root on fewer points.
   static double change_on(const Equations& fine, const Equations& coarse, const VectorXd& a) {
     const Galerkin::Density density = coarse.density(a);
     const numerics::Factors factors(coarse.jacobian(density));

@@ -9,73 +9,73 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// How well an order is to be solved.
+/// Accuracy with which an order is solved.
 enum class Stage {
-  rough,  ///< on the way, to start the next order from
-  last    ///< the order asked for
+  rough,  ///< intermediate order, start of the next order
+  last    ///< requested order
 };
 
-/// When the points of the quadrature are enough.
+/// Criterion for the number of quadrature points.
 struct Refinement {
   enum class Rule {
-    /// More points are solved on too, and the root there is taken.
+    /// Solve again on more points and use the new root.
     solved,
-    /// The change is that of one Newton step on more points, and the root before is kept.
+    /// Estimate the change by one Newton step on more points and keep the root.
     estimated
   };
   Rule rule;
   double tolerance;  ///< on the standard deviation of the change of Q_n
 };
 
-/// What the search over levels must know of a formulation: its coordinates, its equations, and
-/// where a density with the exponent Q_n may be confined. An energy is that of Points.
+/// Formulation of the closure as the search for a root uses it: coordinates, equations, and
+/// candidates for the confinement level of an exponent Q_n. Energies are those of QuadraturePoints.
 class Setting {
  public:
   virtual ~Setting() = default;
 
-  /// The density from which the first order starts.
+  /// Density from which the first order starts.
   virtual Shape start() const = 0;
-  /// The first order that is solved on the way to one.
+  /// First order to solve on the way to an order.
   virtual int first_order(int /*order*/) const { return 2; }
-  /// Whether any order may start from it, where the one before leads to no root.
+  /// Whether every order may start from start() if the order below leads to no root.
   virtual bool any_order_can_start() const { return false; }
-  /// The measure of rates of change.
+  /// Unit of rates of change.
   virtual double rate_unit() const = 0;
-  /// The energies at which the confinement may begin, in the order in which they are to be tried.
+  /// Energies for the confinement level, in the order of the attempts.
   virtual std::vector<double> levels(const Shape& guess, Stage stage) const = 0;
-  /// A level further out that the root found at one shows to be better.
+  /// Larger confinement level that a root at the present level shows to be better; or empty.
   virtual std::optional<double> further(const Shape& /*guess*/, const Shape& /*found*/) const {
     return std::nullopt;
   }
 
-  /// Points enough for a first try.
-  /// @param level_in_temperatures of the guess
+  /// Number of points for the first attempt.
+  /// @param level_in_temperatures confinement level divided by the temperature of the guess
   virtual QuadratureSize size(int order, double level_in_temperatures, Stage stage) const = 0;
   virtual Refinement refinement() const = 0;
-  /// The rule on the part of the half-plane below an energy.
+  /// Quadrature points on the part of the half-plane below an energy.
   virtual Points points(double support, const QuadratureSize& size) const = 0;
-  /// The equations on those points.
+  /// Equations on these points.
   virtual Equations equations(double support, const Confinement& confinement, Basis basis,
                               Points points, const QuadratureSize& size) const = 0;
 
-  /// The exponent of a guess; where Q_n rises again it may go on otherwise.
+  /// Exponent of a guess, which may differ from Q_n where Q_n rises again.
   virtual double exponent(const Shape& guess, double s, double t) const { return guess.q(s, t); }
-  /// Shape::trusted of a Q_n.
+  /// ClosureDensity::decay_extent of a Q_n.
   virtual double trusted(const Polynomial& /*q*/, double /*temperature*/) const {
     return std::numeric_limits<double>::infinity();
   }
-  /// How much each point counts when Q_n is fitted to a guess.
+  /// Weight of each point in the fit of Q_n to a guess.
   /// @param exponent of the guess at the points
-  /// @param mass of the confined guess there
+  /// @param mass of the confined guess at the points
   virtual Eigen::VectorXd fit_weights(const Shape& /*guess*/, double /*support*/,
                                       const Points& /*points*/, const Eigen::VectorXd& /*exponent*/,
                                       const Eigen::VectorXd& mass) const {
     return mass;
   }
 
-  /// Largest density, relative to the peak, at a place where it should have decayed.
+  /// Decay ratio: largest density where it should have decayed, relative to the peak.
   virtual double remains(const Shape& found, Stage stage) const = 0;
-  /// What may remain without another level being tried.
+  /// Largest decay ratio at which no other confinement level is tried.
   virtual double remains_allowed(Stage stage) const = 0;
 };
 

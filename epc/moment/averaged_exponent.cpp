@@ -21,7 +21,7 @@ AveragedExponent::AveragedExponent(const problem::EnergyAveraging& averaging)
   constexpr double kBulk = 0.95;
   double below = 0;
   for (const Band& band : bands_) {
-    // The closed integral of v dy is T times the mean of v^2 over the period.
+    // The action oint v dy equals the period times the mean of v^2 over the period.
     temperature_ += band.mass * band.orbit.action / band.orbit.period;
     if (below < kBulk) bulk_ = band.energy - bottom_;
     below += band.mass;
@@ -31,8 +31,7 @@ AveragedExponent::AveragedExponent(const problem::EnergyAveraging& averaging)
   }
 }
 
-// The band of the nearest energy whose orbit passes y; above where the orbits at that energy do
-// not.
+// Band of the nearest energy whose orbit contains y; of a higher energy if none there does.
 const problem::EnergyAveraging::Band& AveragedExponent::holding(double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);
   const auto last = static_cast<double>(levels_.size() - 2);

@@ -20,19 +20,20 @@ using half_plane::Stage;
 
 namespace {
 
-// The levels lie where Phi is d^2/2, as far out as that many deviations of a Gaussian are: what is
-// tried, in this order.
+// Candidates for the confinement level, in the order of the attempts: energies with Phi = d^2/2,
+// which corresponds to d deviations of a Gaussian.
 constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
-constexpr double kFarthest = 8;  // of the first level
-// The confinement at an energy is (energy / level)^16: 5e-4 and 4e-8 at the end of the bulk.
+constexpr double kFarthest = 8;  // largest energy of a scan, in units of the first level
+// Lower limits of the level, in units of bulk_energy: the term (energy / level)^16 of the
+// confinement is then 5e-4 and 4e-8 at bulk_energy.
 constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;
 constexpr double kAboveBarrier = 1.3;
 
 double depth_of(double deviations) { return deviations * deviations / 2; }
 
-// D_eff / E[v^2]: the damping c of a linear oscillator, and what damping and impacts together come
-// to otherwise; at least so much of the frequency, below which the rates of the motion leave no
-// digits.
+// Relaxation rate D_eff / E[v^2]: the damping c of a linear oscillator, else the combined effect of
+// damping and impacts. Lower limit: kRounding times the frequency, since rounding errors of the
+// undamped motion would dominate smaller rates.
 double rate_of(const problem::Problem& problem, double temperature) {
   constexpr double kRounding = 1e-4;
   return std::max(total_intensity(problem) / (2 * temperature),
@@ -49,10 +50,10 @@ AveragedSetting::AveragedSetting(const problem::Problem& problem, const Options&
       averaged_(problem),
       rate_unit_(rate_of(problem, averaged_.temperature())) {}
 
-// Without a polynomial of its own: exponent() knows it.
+// The start has no Q_n: exponent() evaluates the averaged density instead.
 Shape AveragedSetting::start() const { return {.temperature = averaged_.temperature()}; }
 
-// A Gaussian is near no ring, and near few wells.
+// Order 2, a Gaussian, approximates no ring and few densities with several wells.
 int AveragedSetting::first_order(int order) const { return std::min(order, 4); }
 
 std::vector<double> AveragedSetting::levels(const Shape& guess, Stage stage) const {
@@ -76,7 +77,7 @@ std::optional<double> AveragedSetting::further(const Shape&, const Shape& found)
   return whole && *whole > kFurther * found.level ? whole : std::nullopt;
 }
 
-// Where the Q_n of a shape has fallen by kWholeDepth.
+// Energy at which Q_n of a density lies kNegligibleDepth below its peak.
 std::optional<double> AveragedSetting::whole_level(const Shape& shape, double from) const {
   const double begin = std::max(from, kFarAboveBulk * averaged_.bulk());
   return fall_of(shape.q, problem_, begin,
@@ -111,7 +112,7 @@ double AveragedSetting::exponent(const Shape& guess, double y, double v) const {
   return guess.q.terms().empty() ? averaged_(y, v) : guess.q(y, v);
 }
 
-// What is far out counts too when Q_n is fitted to the averaged density, or it may rise there.
+// Fit to the averaged density: a small power weighs large energies too, where Q_n might rise.
 Eigen::VectorXd AveragedSetting::fit_weights(const Shape& guess, double,
                                              const half_plane::Points& points,
                                              const Eigen::VectorXd& exponent,

@@ -8,12 +8,12 @@
 
 namespace fpkcheck::epc::moment {
 
-/// What the search must know beyond the paper's class: wells, rings, walls anywhere or none. The
-/// density of energy averaging takes the place of equivalent linearisation's; an order starts from
-/// it where none before is known, or the root of that leads nowhere.
+/// Formulation beyond the paper's class: wells, rings, walls at any position or none. The start is
+/// the density of energy averaging instead of equivalent linearisation. The first order
+/// starts from it, and every order whose start from the lower order leads to no root.
 class AveragedSetting : public half_plane::Setting {
  public:
-  /// @param rate_moment as equations() takes them
+  /// @param rate_moment lambda E[Y^j], see equations()
   AveragedSetting(const problem::Problem& problem, const Options& options,
                   std::vector<double> rate_moment);
 

@@ -69,7 +69,7 @@ double EnergyDomain::half_width(double y) const {
 
 double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
 
-// Where V would reach the level beyond a wall, no farther from it than the other end.
+// Turning point that the motion would have beyond a wall, at most the width of the part away.
 double EnergyDomain::continued(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
@@ -82,14 +82,15 @@ double EnergyDomain::continued(double wall, double far) const {
 
 EnergyDomain::Map EnergyDomain::map_of(const Swing& part) const {
   if (at_equilibrium_) {
-    // With the wall inside, sin(phi) = -1 would be the left turning point if V were even about its
-    // minimum; where even that lies inside, the wall itself is the left end.
+    // If the wall cuts the domain, sin(phi) = -1 is the left turning point of a V even about its
+    // minimum. If that point lies inside, sin(phi) = -1 is the wall itself.
     const bool cut_by_wall = part.left == 0 && minimum_ < part.right - minimum_;
     const double centre = cut_by_wall ? minimum_ : (part.left + part.right) / 2;
     const double reach = part.right - centre;
     return {centre, reach, cut_by_wall ? std::asin(-centre / reach) : -kQuarter, kQuarter};
   }
-  // The half-width is singular at the turning point that there would be behind a wall, too.
+  // The half-width also has a singularity at the turning point that the motion would have behind a
+  // wall.
   const double low = part.at_left ? continued(part.left, part.right) : part.left;
   const double high = part.at_right ? continued(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, reach = (high - low) / 2;

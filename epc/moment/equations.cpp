@@ -13,7 +13,7 @@ using half_plane::products;
 
 namespace {
 
-// f + g, the damping and the restoring force.
+// f + g, damping plus restoring force.
 VectorXd force_at(const problem::System& system, const VectorXd& y, const VectorXd& v) {
   if (system.damping_is_constant()) return system.damping() * v + y.unaryExpr(system.force());
   const VectorXd damping =
@@ -21,7 +21,7 @@ VectorXd force_at(const problem::System& system, const VectorXd& y, const Vector
   return damping.cwiseProduct(v) + y.unaryExpr(system.force());
 }
 
-// The points on the incoming sides of all walls: y, v before the impact and after it.
+// Quadrature points on all walls: y, and v before and after the impact.
 struct Incoming {
   VectorXd y, before, after, weight;
 
@@ -57,8 +57,8 @@ half_plane::Equations equations(const problem::Problem& problem,
   const auto of_y = basis.of_s().derivatives(y, 1);
   const auto of_v = basis.of_t().derivatives(v, n);
 
-  // L* on h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ], the noise beside
-  // the impulses of two: D = 2D/2!.
+  // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ]. White noise beside
+  // the impulses adds its intensity 2D to lambda E[Y^2]: D = 2D/2!.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
     const double intensity = j == 2 ? problem.noise.intensity : 0;

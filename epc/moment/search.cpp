@@ -26,8 +26,8 @@ using half_plane::Refinement;
 using half_plane::Shape;
 using half_plane::Stage;
 
-// The level in deviations of v, if the density fell like exp(-h/T) with T = E[v^2]: what is tried,
-// in this order.
+// Candidates for the confinement level in deviations of v, for a density exp(-h/T) with T = E[v^2],
+// in the order of the attempts.
 constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
 constexpr double kFarthestDeviations = 16;
 
@@ -35,7 +35,7 @@ double level_of(const Shape& shape, double deviations) {
   return shape.temperature * deviations * deviations / 2;
 }
 
-// lambda E[Y^j], j = 0 .. n, as far as the equation has the term.
+// lambda E[Y^j], j = 0 .. n; 0 for terms absent from the equation.
 std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
   std::vector<double> moments(options.order + 1);
   const int last = equation_of(options) == Equation::white ? 2 : options.order;
@@ -43,7 +43,7 @@ std::vector<double> rate_moments(const problem::Problem& problem, const Options&
   return moments;
 }
 
-// Of the paper's class.
+// Formulation for the paper's class, started from equivalent linearisation.
 class LinearisedSetting : public half_plane::Setting {
  public:
   LinearisedSetting(const problem::Problem& problem, const Options& options)
@@ -77,12 +77,11 @@ class LinearisedSetting : public half_plane::Setting {
 
   QuadratureSize size(int order, double level_in_temperatures, Stage stage) const override {
     if (stage == Stage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
-    // The wider the domain, the more points, though not in proportion: the farther out the level,
-    // the less is there.
+    // The number of points grows more slowly than the width: the density decreases outwards.
     const double deviations = std::sqrt(2 * level_in_temperatures);
     const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
     const auto widened = [&](int points) {
-      constexpr double kRounding = 1e-9;  // must not decide where the width is 1
+      constexpr double kRounding = 1e-9;  // a width of 1 must not lose a point by rounding
       return static_cast<int>(points * width * (1 + kRounding));
     };
     const int v = widened(32 + 2 * order);
@@ -101,7 +100,7 @@ class LinearisedSetting : public half_plane::Setting {
                              std::move(basis), std::move(points), size.wall);
   }
 
-  // At the level on the way, at the edge of the support in the end.
+  // At the confinement level for intermediate orders, else at the edge of the support.
   double remains(const Shape& found, Stage stage) const override {
     return stage == Stage::rough ? level_density(found, problem_)
                                  : edge_density(found, problem_, tail_);
@@ -111,7 +110,8 @@ class LinearisedSetting : public half_plane::Setting {
   }
 
  private:
-  // Where the Q_n of a shape has fallen by kWholeDepth, no farther out than the guess has it.
+  // Energy at which Q_n of a density lies kNegligibleDepth below its peak; empty if it exceeds
+  // kFarthestDeviations of the guess.
   std::optional<double> whole_level(const Shape& shape, double from, const Shape& guess) const {
     return fall_of(shape.q, problem_, from, level_of(guess, kFarthestDeviations), kWholeDepth)
         .reached;

@@ -22,7 +22,7 @@ namespace {
 using half_plane::Root;
 using half_plane::Shape;
 
-// By how much more points may change Q_n, in standard deviations.
+// Tolerance on the change of Q_n on more quadrature points, in standard deviations.
 constexpr double kQuadratureAllowed = 1e-6;
 
 transform::SmoothDensity density_of(const problem::Problem& problem, const Shape& shape,
@@ -31,18 +31,18 @@ transform::SmoothDensity density_of(const problem::Problem& problem, const Shape
                     half_plane::confinement_of(shape.level, tail), -shape.log_normalisation);
 }
 
-// Why a density beyond the paper's class is held by its confinement alone; empty when it is not.
+// Reason why a density beyond the paper's class is inadmissible: the confinement alone makes it
+// decay. Empty otherwise.
 std::string objection_at_level(double level_density, const LeadingForm& form) {
   if (level_density < kLevelDensityAllowed) return "";
-  return fmt::format(
-      "exp(Q_n) is {:.1e} of its peak where its confinement begins (allowed {:.0e}), {}",
-      level_density, kLevelDensityAllowed, behaviour(form, "(y, v) / deviations"));
+  return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
+                     level_density, kLevelDensityAllowed, behaviour(form, "(y, v) / deviations"));
 }
 
 std::string objection(double edge_density, const LeadingForm& form) {
   if (edge_density < kEdgeAllowed) return "";
   return fmt::format(
-      "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e}), {}",
+      "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}), {}",
       edge_density, kEdgeAllowed, behaviour(form, "(y, v) / deviations"));
 }
 
@@ -59,7 +59,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const auto marginals = put_density(problem, Impact::map, density, result);
   if (root.previous) {
     auto before = density_of(problem, *root.previous, options.tail);
-    before.y_min = density.y_min;  // the same panels
+    before.y_min = density.y_min;  // same panels
     summary.distance_to_previous =
         distance(marginals, transform::panel_marginals(before, density.y_max, density.v_max));
   }
@@ -70,7 +70,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   summary.frame->coordinates = problem.frame;
   const double edge = edge_density(shape, problem, options.tail);
   std::string objected = objection(edge, *summary.leading_form);
-  // The paper's class is judged by the probability beyond the level alone (half_plane::conclude).
+  // In the paper's class half_plane::set_status limits the probability beyond the level instead.
   if (objected.empty() && !problem::of_the_paper(problem)) {
     objected = objection_at_level(level_density(shape, problem), *summary.leading_form);
   }

@@ -11,7 +11,7 @@ half_plane::Contour contour(const EnergyDomain& domain) {
   constexpr int kPoints = 48;
   half_plane::Contour contour;
   for (const problem::Swing& part : domain.parts()) {
-    // dA/dh is the integral of dy/|v| over the points (y, +-v), with y = centre + reach sin(phi).
+    // dA/dh = integral of dy/|v| over the points (y, +-v), y = centre + half_length sin(phi).
     const double centre = (part.left + part.right) / 2;
     const double reach = (part.right - part.left) / 2;
     for (int i = 0; i < kPoints; ++i) {

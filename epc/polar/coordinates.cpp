@@ -16,14 +16,14 @@ using half_plane::Points;
 
 namespace {
 
-// K
+// K of Coordinates.
 double own_stiffness(const problem::Problem& problem) {
-  constexpr double kLeastShare = 0.1;  // of the linearised stiffness
+  constexpr double kLeastShare = 0.1;  // lower limit, relative to the linearised stiffness
   return std::max(problem.system.stiffness(),
                   kLeastShare * problem::equivalent_linearisation(problem).stiffness);
 }
 
-// A polynomial divided by y^power and multiplied by a factor, with another constant.
+// factor * polynomial / y^power, with another constant term.
 numerics::Polynomial divided(const numerics::Polynomial& polynomial, std::size_t power,
                              double factor, double constant) {
   numerics::Polynomial::Coefficients a{};
@@ -34,8 +34,8 @@ numerics::Polynomial divided(const numerics::Polynomial& polynomial, std::size_t
   return numerics::Polynomial(a);
 }
 
-// Gauss-Legendre panels on [0, end] between the breaks: points in proportion, and some for the
-// ends.
+// Gauss-Legendre quadrature on [0, end] with one panel between successive breaks. The number of
+// points of a panel is proportional to its width, plus some for its ends.
 Line panels(double end, const std::vector<double>& breaks, int points) {
   if (breaks.empty()) return half_plane::legendre_rule(points, 0, end);
   Line all;
@@ -63,7 +63,7 @@ Coordinates::Coordinates(const problem::Problem& problem)
       force_(divided(problem.system.force(), 1, 1, problem.system.stiffness())) {}
 
 double Coordinates::bound(double w) const {
-  // Where one term of 2 V is w^2, 2 V is no less.
+  // At the y where one positive term of 2 V equals w^2, 2 V is at least w^2.
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n <= share_.degree(); ++n) {
     if (!(share_.coefficient(n) > 0)) continue;

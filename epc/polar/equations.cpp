@@ -84,7 +84,7 @@ std::vector<double> breaks_of(const problem::ImpulseLaw& law, double rho_max) {
     if (at > 0 && at < rho_max) breaks.push_back(at);
   }
   std::ranges::sort(breaks);
-  // Atoms at -a and a are one break, up to rounding.
+  // Atoms at -a and a give the same break, up to rounding.
   const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
   return breaks;

@@ -11,7 +11,7 @@
 namespace fpkcheck::epc::polar {
 namespace {
 
-// Of the energy, that of the static deflection included.
+// Temperature of the energy, including the energy of the static deflection.
 double temperature_of(const problem::Problem& problem, const Coordinates& coordinates) {
   const double sigma = problem::equivalent_linearisation(problem).velocity_deviation;
   const double centre = coordinates.w(problem::static_deflection(problem));

@@ -18,7 +18,7 @@ using half_plane::Root;
 using half_plane::Shape;
 using transform::Panels;
 
-// As few panels as hold the mass.
+// The coarser panels, if they give the mass to kMissed.
 Panels panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
   const double mass =
@@ -26,7 +26,7 @@ Panels panels_for(const transform::SmoothDensity& density) {
   return std::abs(mass - 1) < kMissed ? Panels::graded : Panels::shrinking;
 }
 
-// Of C exp(Q_(n-2)) on the box of another density, C such that it integrates to 1 there.
+// Marginals of C exp(Q_(n-2)) on the box of another density, normalised on this box.
 transform::PanelMarginals marginals_before(const Coordinates& coordinates, const Shape& previous,
                                            const transform::SmoothDensity& density, Panels panels) {
   const amplitude::Exponent q = on_circle(previous.q);

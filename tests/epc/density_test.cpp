@@ -22,7 +22,7 @@ const transform::SmoothDensity& density_in(const Result& result) {
   return std::get<transform::SmoothDensity>(*result.solution.density);
 }
 
-// From what files keep of it: the values of the solver's own density, in and outside its support.
+// The closed form in files reproduces the solver's density inside and outside its support.
 void expect_the_same_density(const problem::Problem& problem, const Options& options) {
   const Result result = solve(problem, options);
   ASSERT_TRUE(result.solution.density) << result.solution.reason;
@@ -54,7 +54,8 @@ TEST(ClosedForm, EvaluatesToTheSolversDensity) {
   expect_the_same_density(tests::paper_case(1), cut);
 }
 
-// Files have a solution in the coordinates of its frame, and say so: what is read back is physical.
+// Files store a solution in the coordinates of its frame, with the frame. The density read from
+// them is in physical coordinates.
 TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
   using problem::System;
   const auto impulses = tests::gaussian_impulses(1, 0.1);
@@ -135,18 +136,18 @@ TEST(ClosedForm, OfAGaussianIsThatGaussian) {
       }
     }
   };
-  // Normalised by its constant, of the plane and of the half-plane.
+  // Normalised by the constant: on the plane and on the half-plane.
   expect_exact(bell("x1,x2").result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
   expect_exact(bell("x1,x2").result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
   expect_exact(bell("y,v").result("C", 1 / (M_PI * kA * kB)), 1e-14);
-  // Over a support: in it nearly all of the mass.
+  // Normalised over a support with nearly all of the mass.
   expect_exact(bell("x1,x2").result("support.sigma1", kA).result("support.sigma2", kB), 1e-12);
   expect_exact(bell("x1,x2").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB),
                1e-12);
   expect_exact(bell("y,v").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB), 1e-12);
 }
 
-// A box that begins below 0 holds all of the plane's Gaussian: half as high.
+// A box that begins below 0 contains the whole Gaussian of the plane, with half the density.
 TEST(ClosedForm, MayBeginBelowZero) {
   const auto p = density(closed_form_in(bell("y,v")
                                             .result("support.y_max", 8 * kA)
@@ -201,7 +202,7 @@ TEST(ClosedForm, ThatIsNotWholeIsRefused) {
                         .result("support.v_max", 9.0))
                 .find("integral over the support is inf"),
             std::string::npos);
-  // Amplitudes and energies are those of an oscillator.
+  // Amplitudes and energies need an oscillator.
   EXPECT_NE(refusal(bell("amplitude,phase")).find("name its case"), std::string::npos);
   EXPECT_NE(refusal(bell("y,v").result("support.energy", 1.0)).find("name its case"),
             std::string::npos);

@@ -12,7 +12,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-// In everything other than by default.
+// Every option differs from its default.
 Options changed() {
   return {.order = 10,
           .formulation = Formulation::moment,
@@ -25,7 +25,7 @@ Options changed() {
           .max_seconds = 5};
 }
 
-// All that may be asked for by a name and an order.
+// All options that an id with an order can express.
 std::vector<Options> named_options() {
   std::vector<Options> list;
   for (const int order : {2, 12}) {
@@ -122,7 +122,7 @@ TEST(ClosureOptions, AnIdThatIsNoClosuresHasNone) {
                             "epc-polar-cut-n6", "epc-spherical-n6", "fd-kf-n6", "mcs"}) {
     EXPECT_FALSE(options_of(other).has_value()) << other;
   }
-  EXPECT_EQ(options_of("epc-gaussian-n7")->order, 7);  // validate has to refuse it
+  EXPECT_EQ(options_of("epc-gaussian-n7")->order, 7);  // validate() refuses the order
 }
 
 TEST(ClosureOptions, IdentityStatesWhatIsSolved) {

@@ -21,7 +21,7 @@ TEST(Closure, NamesWhatWasSolved) {
   }
 }
 
-// Not a density's, where there is none.
+// Without a root the solution has an identity and no density.
 TEST(Closure, NamesWhatWasNotSolvedToo) {
   const auto solution = solve(tests::paper_case(1), {.order = 8}).solution;
   EXPECT_EQ(solution.status, transform::Status::not_converged);
@@ -29,7 +29,7 @@ TEST(Closure, NamesWhatWasNotSolvedToo) {
   EXPECT_FALSE(solution.density.has_value());
 }
 
-// Rare impulses and strong losses, where the search is long: it ends, and says why.
+// Rare impulses and strong losses make the search long: it ends at the deadline with a reason.
 TEST(Closure, GivesUpWhenItIsTime) {
   const auto p = tests::make_problem({.restitution = 0.6, .rate = 0.05});
   for (const auto formulation : {Formulation::moment, Formulation::polar}) {

@@ -25,7 +25,7 @@ Observations observed(int number, const Options& options) {
   return solve(tests::paper_case(number), options).solution.observations;
 }
 
-// The members of the outermost object, in order.
+// Names of the members of the top-level object, in order.
 std::vector<std::string> outermost(const Observations& observations) {
   std::vector<std::string> names;
   for (const auto& observation : observations) {
@@ -89,7 +89,7 @@ TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
                                       "quadrature_change", "homotopies"}));
   EXPECT_EQ(word(seen, "formulation"), "moment");
   EXPECT_EQ(word(seen, "tail.kind"), "confined");
-  // Of the exponent with its confinement, which holds down a Q_n that rises.
+  // Leading form of the exponent with its confinement; Q_n alone rises.
   EXPECT_EQ(word(seen, "leading_form"), "negative");
   EXPECT_EQ(word(seen, "tail.polynomial_leading_form"), "indefinite");
   EXPECT_EQ(number_at(seen, "homotopies"), 0);
@@ -118,8 +118,8 @@ TEST(ClosureSummary, TheEdgeIsDelicateUnlessThePathDecides) {
   EXPECT_EQ(edge(10).kind, Kind::work);
 }
 
-// A coefficient that changes the density nowhere by more than 1e-14 of its peak is judged as if it
-// did by that much: max |u|^2 exp(-u^2/2) = 2/e.
+// The scale of a coefficient corresponds to a change of the density of at least 1e-14 of its peak:
+// max |u|^2 exp(-u^2/2) = 2/e.
 TEST(ClosureSummary, ACoefficientIsKnownToWhatItDoesToTheDensity) {
   Summary summary{.order = 8, .formulation = Formulation::moment};
   summary.coefficients = {{2, 0, -0.5}, {1, 2, 0.1}, {0, 4, 1e-9}};
@@ -133,7 +133,7 @@ TEST(ClosureSummary, ACoefficientIsKnownToWhatItDoesToTheDensity) {
   EXPECT_NEAR(scale("coefficients[0].a"), 1e-14 / (4 * 2 / e), 1e-24);
   EXPECT_NEAR(scale("coefficients[1].a"), 1e-14 / (2 * 0.25 * std::sqrt(1 / e) * 2 / e), 1e-24);
   EXPECT_NEAR(scale("coefficients[2].a"), 1e-14 / (0.0625 * 16 / e / e), 1e-24);
-  summary.order = 10;  // the quadrature follows the path of the search
+  summary.order = 10;  // the quadrature points depend on the path of the search
   EXPECT_NEAR(scale("coefficients[0].a"), 3e-9 / (4 * 2 / e), 1e-18);
   summary.formulation = Formulation::polar;
   EXPECT_NEAR(scale("coefficients[0].a"), 1e-14 / (4 * 2 / e), 1e-24);

@@ -17,7 +17,7 @@ TEST(Circle, AFallIsFollowedToTheDepthAskedForOrToWhereItEnds) {
   const Fall whole = fall_of([](double rho, double) { return -rho * rho; }, 25, 10);
   EXPECT_NEAR(whole.reached.value(), 5, 0.05);
   EXPECT_EQ(whole.turning, 10);
-  // -rho^2 + 0.02 rho^4 is least, -12.5, at rho = 5.
+  // -rho^2 + 0.02 rho^4 has its minimum, -12.5, at rho = 5.
   const Fall turned =
       fall_of([](double rho, double) { return -rho * rho + 0.02 * std::pow(rho, 4); }, 25, 10);
   EXPECT_FALSE(turned.reached.has_value());

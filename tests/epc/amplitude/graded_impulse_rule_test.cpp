@@ -33,7 +33,7 @@ TEST_P(EachLaw, TakesTheMeanOfPolynomialsOfTheVelocity) {
   }
 }
 
-// At the wall theta is a step: its mean is pi/2 (P(Y > -v) - P(Y < -v)).
+// At the wall theta is a step function: its mean is pi/2 (P(Y > -v) - P(Y < -v)).
 TEST(GradedImpulseRule, SeesTheStepOfThePhaseAtTheWall) {
   const auto law = problem::ImpulseLaw::named("gaussian", 0, 0.5);
   GradedImpulseRule rule(law);
@@ -49,7 +49,7 @@ TEST(GradedImpulseRule, SeesTheStepOfThePhaseAtTheWall) {
   }
 }
 
-// Where it is steep but no step.
+// A steep but continuous phase.
 TEST(GradedImpulseRule, ResolvesASteepPhase) {
   const auto law = problem::ImpulseLaw::named("laplace", 0, 0.5);
   GradedImpulseRule rule(law);
@@ -60,7 +60,7 @@ TEST(GradedImpulseRule, ResolvesASteepPhase) {
       mean += probability[i] * std::pow(std::atan2(after[i], width), 3);
       amplitude += probability[i] * std::hypot(after[i], width);
     }
-    // v + Y = width sinh(s), in which everything but the law's own kink at Y = 0 is smooth.
+    // v + Y = width sinh(s): the integrand is smooth in s but for the kink of the law at Y = 0.
     const auto integral = [&](const auto& f) {
       const auto integrand = [&](double s) {
         const double u = width * std::sinh(s);

@@ -21,7 +21,7 @@ using half_plane::Points;
 constexpr int kContactWallPoints = 40;
 constexpr double kRhoMax = 2, kTemperature = 0.6, kRestitution = 0.6;
 
-// Pressed by 0.5, with damping of every kind.
+// Constant force 0.5 towards the wall, with every kind of damping.
 problem::Problem pressed_mass(const char* law) {
   return tests::with_impulses(
       problem::System({.damping = 0.3,
@@ -43,15 +43,15 @@ Equations contact_equations_of(const problem::Problem& p, int order, int points_
   return equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
 }
 
-// Not so far from the other that the corner is empty.
+// A small perturbation, such that the corner keeps its mass.
 VectorXd some_contact_density(const Equations& equations) {
   const VectorXd a = tests::boltzmann_coefficients(equations, kTemperature);
   return a + 0.1 * (tests::shaken(a) - a);
 }
 
-// dE[phi]/dt by hand: along y' = v, v' = -(f + g) by differences of phi, by the jumps of a two-point
-// law, by the impacts u -> r u of a density that has 1/e before it, and by the impulses at rest, which
-// an impact follows when they are towards the wall.
+// Direct evaluation of dE[phi]/dt: differences of phi along y' = v, v' = -(f + g), jumps of a
+// two-point law, impacts u -> r u of a density with the factor 1/e, and impulses at rest. An impact
+// follows an impulse at rest towards the wall.
 TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const auto p = pressed_mass("two_point");
   const Equations equations = contact_equations_of(p, 4, 40);
@@ -69,7 +69,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const Eigen::ArrayXd damping =
       (0.3 + 0.2 * y.array().square() + 0.1 * v.array().square()) * v.array();
   const VectorXd force = damping + 0.5 + y.array() + 0.7 * y.array().cube();
-  // So short that no point leaves the half-plane.
+  // Short enough that no point leaves the half-plane.
   const VectorXd dt = 1e-4 * y.array() / (y.array() + v.array().abs() + 1e-3);
   const VectorXd dy = dt.cwiseProduct(v), dv = -dt.cwiseProduct(force);
   const MatrixXd flow =
@@ -93,11 +93,11 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   for (Eigen::Index s = 0; s < residual.size(); ++s) {
     EXPECT_NEAR(residual[s], expected[s], 1e-6 * (1 + std::abs(expected[s]))) << s;
   }
-  EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // nothing is compared with nothing
+  EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the comparison is not of zeros
   EXPECT_GT(density.mass[moving], 0.01);
 }
 
-// On the wall the density is C exp(Q) 2/u^2, and C exp(Q(0, 0)) is that of the atom.
+// The density on the wall is C exp(Q) 2/u^2, and C exp(Q(0, 0)) defines the atom.
 TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
   const auto p = pressed_mass("gaussian");
   const Equations equations = contact_equations_of(p, 2, 24);

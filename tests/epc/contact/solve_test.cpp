@@ -31,8 +31,8 @@ problem::Problem bouncing_ball(double rate, double intensity, double restitution
 class RestInContact : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Each, RestInContact, testing::Values(2, 4, 6));
 
-// rho^2/2 and v are members: the balances of power and, as far as E[v] = 0, of momentum are met at
-// every order. The mass is that of cells, the equations' that of a rule in amplitude and phase.
+// rho^2/2 and v are members: every order satisfies the balance of power and, up to E[v], that of
+// momentum. The mass is a sum over cells; the equations use a rule in amplitude and phase.
 TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
   for (const double r : {0.5, 0.7}) {
     const auto p = problem::load_case("preload", {"system.restitution=" + std::to_string(r)});
@@ -41,7 +41,7 @@ TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
     EXPECT_LT(summary.residual, 1e-10);
     EXPECT_LT(std::abs(solution.energy_residual), 1e-10);
     EXPECT_NEAR(solution.mass, 1, 3e-6);
-    const double drift = 0.1 * solution.moments.v1;  // of c E[v]
+    const double drift = 0.1 * solution.moments.v1;  // c E[v]
     EXPECT_NEAR(*summary.balances.momentum, -drift / (0.5 + solution.moments.y1),
                 1e-9 + 0.5 * std::abs(drift));
     ASSERT_EQ(solution.atoms.size(), 1u);
@@ -50,8 +50,8 @@ TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
   }
 }
 
-// The members rho and v make of the equations what the time aloft is: 1 - P0 tends to
-// lambda E|Y| (1 + r) / (g (1 - r)) for rare impulses, whatever the rest of the density.
+// The equations for the members rho and v determine the flight time: for rare impulses 1 - P0 tends
+// to lambda E|Y| (1 + r) / (g (1 - r)), independent of the rest of the density.
 TEST(RestInContact, UnderRareImpulsesIsAsLongAsParabolasLeave) {
   for (const double r : {0.5, 0.7}) {
     const auto share = [&](double rate) {
@@ -75,8 +75,8 @@ TEST(RestInContact, OrdersConvergeTowardsEachOther) {
   EXPECT_LT(eight, six / 2);
 }
 
-// What files keep of it is the density on the physical axes, and the solution's cells have its
-// averages. The wall of the second is at 0.3 on the right.
+// The closed form gives the density in physical coordinates, and the cells of the solution have its
+// averages. The second problem has its wall at 0.3 on the right.
 TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
   const auto impulses = tests::gaussian_impulses(1, 0.5);
   const problem::Problem problems[] = {
@@ -111,7 +111,7 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
     }
     EXPECT_GT(most, 0.1);
     EXPECT_NEAR(solution.atoms[0].y, physical.system.left() ? 0 : 0.3, 1e-15);
-    // Without its constant it is normalised anew, the atom included.
+    // Without its constant the form is normalised again, including the atom.
     auto without = form;
     without.frame.log_constant.reset();
     EXPECT_NEAR(density(without, &physical).value(0.2, 0.1) / again.value(0.2, 0.1), 1, 1e-5);

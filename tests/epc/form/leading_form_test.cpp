@@ -48,12 +48,12 @@ TEST(LeadingForm, SeesAnOddLeadingDegree) {
 }
 
 TEST(LeadingForm, IsToldInWords) {
-  EXPECT_EQ(behaviour(leading_form(radial(0), kSigma), "(u, w)"), "though Q_n falls in the end");
+  EXPECT_EQ(behaviour(leading_form(radial(0), kSigma), "(u, w)"), "although Q_n falls at infinity");
   EXPECT_EQ(
       behaviour({.negative = false, .worst = {1, 0}, .rises_from = 4.017, .rising_share = 0.124},
                 "(u, w)"),
-      "and Q_n rises in the end along 12 % of all directions, along (u, w) = (1.00, 0.00) "
-      "from radius 4.02 on");
+      "and Q_n rises at infinity along 12 % of all directions, most steeply along (u, w) = (1.00, "
+      "0.00) from radius 4.02 on");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 TEST(Basis, CountsTheUnknownsOfThePaper) {
-  // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; half of them, roughly, are point-symmetric.
+  // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; about half of them are point-symmetric.
   const Deviations sigma{1, 1};
   for (const auto& [order, general, symmetric] :
        {std::tuple{2, 5, 3}, {4, 14, 8}, {6, 27, 15}, {8, 44, 24}}) {

@@ -32,7 +32,7 @@ TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
   }
 }
 
-// At n = 8 the branch turns back before the full problem, and does not come again.
+// At n = 8 the branch has a fold before the full problem and returns to fraction 0.
 TEST(Continuation, GoesPastTheFoldAndBackToWhiteNoise) {
   const problem::Problem p = tests::paper_case(1);
   const Projection projection = projection_of(p, 8);
@@ -67,7 +67,7 @@ TEST(Continuation, AddsTheEquationsOfTheNextOrder) {
   EXPECT_LT(six.residual(f, root.a).norm(), 1e-11);
 }
 
-// The exact density of white noise is a start for springs of other powers too.
+// The exact density under white noise is the start for springs of other powers, too.
 TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
   const problem::Problem p = tests::make_problem({.restitution = 1});
   const Projection projection = projection_of(p, 6);

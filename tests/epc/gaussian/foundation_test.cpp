@@ -15,7 +15,7 @@ struct Pinned {
   std::vector<double> scaled;  // coefficients in the order of the basis
 };
 
-// Found by the first version of this solver; roots of (23), whatever way they are found.
+// Roots of (23) computed by the first version of this solver; independent of the search path.
 const std::vector<Pinned> kFoundation{
     {2, 1, {-0.86602540378443815, 1.4559951331504843e-17, -0.86602540378443804}},
     {2, 2, {-0.86602540378443937, 3.3118522161296263e-17, -0.8660254037844396}},

@@ -47,8 +47,8 @@ TEST(ImpulseRule, HasTheMomentGeneratingFunctionOfEveryLaw) {
   }
 }
 
-// What a law without a rule of its own gets: from its atoms and its density alone. Outside the
-// pieces of laplace lies exp(-42) of the probability, and 42^6/6! times that of E[Y^6].
+// The rule of a law without a Gauss rule, from its atoms and its density. The probability outside
+// the pieces of laplace is exp(-42); the part of E[Y^6] is 42^6/6! times larger.
 TEST(PiecewiseImpulseRule, HasTheMomentsOfEveryLaw) {
   for (const std::string& name : tests::laws_by_name()) {
     const auto law = ImpulseLaw::named(name, 0.3, 0.7);
@@ -59,7 +59,8 @@ TEST(PiecewiseImpulseRule, HasTheMomentsOfEveryLaw) {
 TEST(PiecewiseImpulseRule, HasTheMomentGeneratingFunctionOfEveryLaw) {
   for (const std::string& name : tests::laws_by_name()) {
     const auto law = ImpulseLaw::named(name, -0.2, 0.4);
-    // Beyond the pieces of exponential lies exp(-46) of it, exp(-(1 - 1.5 0.4) 46) = 1e-8 here.
+    // The probability beyond the pieces of exponential is exp(-46); of the generating function
+    // exp(-(1 - 1.5 0.4) 46) = 1e-8 here.
     expect_moment_generating_function(piecewise_impulse_rule(law), law, 2e-8);
   }
 }

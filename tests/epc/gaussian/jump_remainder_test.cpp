@@ -19,9 +19,8 @@ Basis basis_of(const problem::Problem& p, int order,
   return Basis(order, set, deviations(p));
 }
 
-// For Q = -(alpha x2^2 + beta x2 ... )/2 the expectation is known: with a Gaussian
-// Q = -a x2^2 and Y of moment generating function M, two atoms m +- s give
-// E[exp(Q(x2 - sY) - Q(x2))] = mean over atoms of exp(2 a x2 Y - a Y^2), by hand.
+// The expectation has a closed form for a quadratic Q: for Q = -a x2^2 and a law with two atoms,
+// E[exp(Q(x2 - Y) - Q(x2))] is the mean over the atoms of exp(2 a x2 Y - a Y^2).
 TEST(JumpRemainder, IsTheJumpIntegralLessItsSeries) {
   const problem::Problem p =
       tests::make_problem({.rate = 0.7, .intensity = 0.3, .mean = 0.2, .law = "two_point"});
@@ -103,7 +102,7 @@ TEST(JumpRemainder, JacobianIsTheDerivativeOfTheProjection) {
   }
 }
 
-// Rare, small impulses are white noise: the remainder falls as the sixth power of Y.
+// Frequent, small impulses tend to white noise: the remainder is of sixth order in Y.
 TEST(JumpRemainder, IsOfSixthOrderInTheImpulses) {
   const auto size = [](double rate) {
     const problem::Problem p = tests::make_problem({.rate = rate});
@@ -113,7 +112,7 @@ TEST(JumpRemainder, IsOfSixthOrderInTheImpulses) {
         .projection(basis.scaled({{2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.3 / (s2 * s2)}}))
         .norm();
   };
-  // lambda E[Y^6] goes as rate^-2 at a given intensity.
+  // At constant intensity lambda E[Y^6] is proportional to rate^-2.
   EXPECT_NEAR(size(2000) / size(4000), 4, 0.1);
 }
 

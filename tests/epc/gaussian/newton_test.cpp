@@ -21,7 +21,7 @@ TEST(GaussianNewton, StopsAfterTheStepsAllowed) {
   EXPECT_NEAR(one.residual, projection.residual(f, one.a).cwiseAbs().maxCoeff() / 0.1, 1e-12);
 }
 
-// A damped iteration may stall, but never leaves for worse.
+// A damped iteration may stall, but the residual does not grow.
 TEST(GaussianNewton, DampedStepsNeverRaiseTheResidual) {
   const problem::Problem p = tests::paper_case(1);
   const Projection projection = projection_of(p, 8);

@@ -9,8 +9,8 @@
 #include "exact/energy_law.hpp"
 #include "family.hpp"
 
-// The paper's closure behind a wall that is not at the equilibrium: the plane is folded there, and the
-// force has even powers, the lowest of which is what presses on the wall.
+// The paper's closure with a wall away from the equilibrium: the plane is folded at the wall, and
+// the force has even powers. The lowest is the constant force on the mass at the wall.
 namespace fpkcheck::epc::gaussian {
 namespace {
 
@@ -23,7 +23,7 @@ problem::Problem elastic(const WallParameters& walls, double intensity) {
                            intensity);
 }
 
-// On either side of the fold, with Q = -(c/D)(x2^2/2 + U(|x1|)).
+// On both sides of the fold, with Q = -(c/D)(x2^2/2 + U(|x1|)).
 TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) {
   for (const double wall : {-0.5, 0.3}) {
     const auto p = tests::in_frame(elastic({.left = wall, .left_restitution = 1}, 0.4));
@@ -42,7 +42,7 @@ TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) 
   }
 }
 
-// The exponent has a kink at the fold, so that no order is exact.
+// The exponent has a kink at the fold: no order is exact.
 TEST(GaussianClosureBehindAnOffsetWall, NearsTheExactElasticLaw) {
   const auto p = elastic({.left = 0.2, .left_restitution = 1}, 0.4);
   const exact::EnergyLaw law(p);

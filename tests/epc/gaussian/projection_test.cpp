@@ -13,7 +13,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Every coefficient of (22) counts: impact losses, a law with E[Y], E[Y^3] and E[Y^4] of one size.
+// All coefficients of (22) are significant: impact losses, and comparable E[Y], E[Y^3] and E[Y^4].
 problem::Problem skewed_problem() {
   return tests::make_problem({.damping = 0.3,
                               .stiffness = 0.7,
@@ -34,8 +34,7 @@ Eigen::VectorXd random_coefficients(Eigen::Index size, double scale) {
   return Eigen::VectorXd::NullaryExpr(size, [&](Eigen::Index) { return normal(generator); });
 }
 
-// exp(Q) and its derivatives, straight from the coefficients and Cauchy's integral: nothing of
-// (22).
+// Residual (20) from exp(Q) and its derivatives by Cauchy's integral, independent of (22).
 class BruteForce {
  public:
   using Complex = std::complex<double>;
@@ -45,9 +44,9 @@ class BruteForce {
              Polynomial q)
       : problem_(problem), force_(force), higher_(equation == Equation::km4), q_(std::move(q)) {}
 
-  /// Delta / p~ of (20) but for its delta function.
+  /// Delta / p~ of (20) without the term of the delta function.
   double plain(double x1, double x2) const {
-    // Relative to the density at the point itself, which may be far out.
+    // Relative to the density at the point, which may be very small.
     const Complex here = exponent(x1, x2);
     const auto at_x1 = [&](Complex z) { return std::exp(exponent(z, x2) - here); };
     const auto at_x2 = [&](Complex z) { return std::exp(exponent(x1, z) - here); };
@@ -106,7 +105,7 @@ double weight(double x, double sigma) {
   return std::exp(-x * x / (2 * sigma * sigma)) / (std::sqrt(2 * std::numbers::pi) * sigma);
 }
 
-// (23) by panels over the four quadrants and along the wall.
+// Projections (23) by panels over the four quadrants and along the wall.
 Eigen::VectorXd brute_force_residual(const BruteForce& brute, const Basis& basis) {
   constexpr int kPanels = 4;
   const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
@@ -171,7 +170,7 @@ TEST_P(ProjectionOf, JacobianIsTheDerivativeOfTheResidual) {
   const double h = 1e-4;
   for (Eigen::Index k = 0; k < a.size(); ++k) {
     const Eigen::VectorXd e = Eigen::VectorXd::Unit(a.size(), k) * h;
-    // Central differences extrapolated once: the error is of fourth order, where F itself ends.
+    // Central differences with one Richardson step: exact, since F is of fourth degree in a.
     const auto difference = [&](double m) -> Eigen::VectorXd {
       return (projection.residual(f, a + m * e) - projection.residual(f, a - m * e)) / (2 * m * h);
     };
@@ -185,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(AllForms, ProjectionOf,
                                                           MonomialSet::general),
                                           testing::Values(Equation::white, Equation::km4)));
 
-// A spring of every power up to the fifth: the even ones carry sgn(x1) on the plane.
+// A spring with all powers up to the fifth: even powers have the factor sgn(x1) on the plane.
 TEST(Projection, TakesEveryPowerOfTheSpring) {
   const problem::Problem problem = skewed_problem();
   const numerics::Polynomial even({0, 0, 0.3, 0, -0.05}), odd({0, 0.7, 0, 0.4, 0, 0.02}),
@@ -203,7 +202,7 @@ TEST(Projection, TakesEveryPowerOfTheSpring) {
           projection.basis());
       const Eigen::VectorXd residual = projection.residual(f, a);
       EXPECT_LT((residual - expected).norm(), 1e-8 * expected.norm()) << "n " << order;
-      // Exact for F, of the fourth degree in a.
+      // Exact for F, which is of fourth degree in a.
       const Eigen::VectorXd e = random_coefficients(a.size(), 1e-2);
       const auto difference = [&](double m) -> Eigen::VectorXd {
         return (projection.residual(f, a + m * e) - projection.residual(f, a - m * e)) / (2 * m);

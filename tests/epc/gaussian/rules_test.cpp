@@ -9,7 +9,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// The highest degree of a term of (22) times a projection function, at the highest order allowed.
+// Highest degree of a term of (22) times a projection function, at the highest order.
 constexpr int kDegree = 5 * 12 - 4;
 constexpr double kRelative = 1e-12;
 

@@ -11,7 +11,7 @@
 #include "exact/energy_law.hpp"
 #include "family.hpp"
 
-// The paper's closure where there is no wall, its original home: the plane is (y, y') itself.
+// The paper's closure without a wall: the plane is (y, y') without folding.
 namespace fpkcheck::epc::gaussian {
 namespace {
 
@@ -22,7 +22,7 @@ Result gaussian_of(const problem::Problem& problem, int order) {
   return solve(problem, tests::closure(Formulation::gaussian, order));
 }
 
-// Duffing's, bistable, and with a force of no symmetry, which takes all monomials.
+// Duffing oscillator, bistable oscillator, and an asymmetric force, which needs all monomials.
 TEST(GaussianClosureWithoutWall, IsExactForWhiteNoiseFromOrderFourOn) {
   const struct {
     System system;
@@ -47,7 +47,7 @@ TEST(GaussianClosureWithoutWall, IsExactForWhiteNoiseFromOrderFourOn) {
 }
 
 // y'' + (R - 1) y' + y, R = y^2 + y'^2, noise of intensity I: Q = (R - R^2/2) / I. The damping has
-// y^2 y', y'^3, and the divergence of both.
+// the terms y^2 y' and y'^3, and both contribute to the divergence.
 TEST(GaussianClosureWithoutWall, TheExactRingMeetsTheEquations) {
   const double intensity = 0.4;
   const auto p = tests::with_noise(
@@ -92,7 +92,7 @@ TEST(GaussianClosureWithoutWall, JacobianIsTheDerivativeOfTheResidual) {
   }
 }
 
-// Impulses of lambda E[Y] != 0: mean, and the third cumulant, whose sign is that of E[Y^3].
+// Impulses with lambda E[Y] != 0: mean, and third cumulant with the sign of E[Y^3].
 TEST(GaussianClosureWithoutWall, FollowsSkewImpulses) {
   for (const double mean : {-0.1, 0.1}) {
     auto p = tests::with_impulses(
@@ -112,7 +112,7 @@ TEST(GaussianClosureWithoutWall, FollowsSkewImpulses) {
   }
 }
 
-// The Gaussian in the middle of a double well meets the weighted equations of order 2.
+// The Gaussian in the middle of a double well satisfies the weighted equations of order 2.
 TEST(GaussianClosureWithoutWall, IsAccusedByTheVirial) {
   const auto p =
       tests::with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using tests::make_problem;
 
-// Those of the formulation moment of order 4, confined at six deviations.
+// Equations of the formulation moment of order 4, with the confinement level at six deviations.
 Equations equations_of(const problem::Problem& p) {
   constexpr int kOrder = 4;
   std::vector<double> rate_moment(kOrder + 1);
@@ -29,7 +29,7 @@ Equations equations_of(const problem::Problem& p) {
   return moment::equations(p, rate_moment, domain, confinement, basis, points, 60);
 }
 
-// From the density without losses at r = 0.98 to one at r = 0.6.
+// From the density with elastic impacts to the density at r = 0.6.
 TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto p = make_problem({.restitution = 0.6});
   const Equations equations = equations_of(p);
@@ -38,7 +38,7 @@ TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   ASSERT_TRUE(direct.converged);
   const auto path = follow_homotopy(equations, start);
   ASSERT_EQ(path.end, numerics::CurveEnd::arrived);
-  EXPECT_GT(path.points.size(), 4u);  // it is far
+  EXPECT_GT(path.points.size(), 4u);  // the path is long
   EXPECT_EQ(path.points.back().t, 1);
   const auto refined = newton(equations, path.points.back().a, p.system.damping(), {});
   ASSERT_TRUE(refined.converged);

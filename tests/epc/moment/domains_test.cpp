@@ -14,7 +14,7 @@
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
 
-// The formulation moment beyond the paper's class: walls anywhere or none, wells, rings, noise.
+// Formulation moment beyond the paper's class: walls at any position or none, wells, rings, noise.
 namespace fpkcheck::epc {
 namespace {
 
@@ -38,7 +38,7 @@ SmoothDensity physical_density_of(const problem::Problem& problem, const Result&
 struct Distance {
   double y = 0, v = 0;
 };
-// In L1, of p(y) and of p(v), over the box of the first.
+// L1 distances of p(y) and p(v) over the box of the first density.
 Distance distance(const SmoothDensity& p, const std::function<double(double, double)>& q) {
   constexpr int kPanels = 16;
   const auto ys = numerics::panel_points(p.y_min, p.y_max, kPanels);
@@ -63,8 +63,8 @@ System van_der_pol(double epsilon) {
   return System({.damping = -epsilon, .van_der_pol = epsilon, .stiffness = 1}, {.none = true});
 }
 
-// A linear oscillator without a wall closes the equations of its moments: at n = 4 all of order 4
-// are those of its cumulants, under any law, a mean and noise beside.
+// The moment equations of a linear oscillator without a wall are closed: n = 4 gives all moments up
+// to degree 4 exactly, for every law, with a mean of the impulses and additional noise.
 TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
   const System linear({.damping = 0.2, .stiffness = 1.3}, {.none = true});
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform", "exponential", "gamma"}) {
@@ -88,7 +88,7 @@ TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
       EXPECT_NEAR(moments.v1, 0, 1e-9) << law << order;
       EXPECT_NEAR(moments.v2 / exact::linear_cumulant(p, 0, 2), 1, 1e-8) << law << order;
       EXPECT_NEAR(moments.v4 / fourth(0, 1), 1, 1e-8) << law << order;
-      // And a mixed one.
+      // A mixed moment.
       const auto& density = std::get<SmoothDensity>(*result.solution.density);
       const double y2v = transform::expectation(
           density, [y1](double y, double v) { return (y - y1) * (y - y1) * v; });
@@ -97,7 +97,7 @@ TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
   }
 }
 
-// Where the exponent of the exact density is a polynomial of degree 4, or 6, the closure has it.
+// Problems whose exact density has an exponent of degree 4 or 6: the closure is exact.
 struct ExactCase {
   const char* name;
   System system;
@@ -148,7 +148,7 @@ TEST(MomentClosureOnDomains, IsExactWhereTheExponentIsAPolynomial) {
     const auto [y, v] = distance(density, law);
     EXPECT_LT(y, 1e-7) << name;
     EXPECT_LT(v, 1e-7) << name;
-    // Moments are physical ones, whatever the frame.
+    // Moments are in physical coordinates for every frame.
     const auto& moments = result.solution.moments;
     EXPECT_NEAR(moments.y1, law.moment(1, 0), 1e-7) << name;
     EXPECT_NEAR(moments.y2, law.moment(2, 0), 1e-7) << name;
@@ -158,8 +158,8 @@ TEST(MomentClosureOnDomains, IsExactWhereTheExponentIsAPolynomial) {
   }
 }
 
-// The balances are of polynomials of degree 2, which the equations at n >= 2 hold exactly; their
-// terms are computed from the density in other ways.
+// The balances are moment equations of degree 2, which orders n >= 2 satisfy exactly. Their terms
+// are computed from the density independently.
 TEST(MomentClosureOnDomains, KeepsTheBalancesWithLossesAtEveryWall) {
   const problem::WallParameters both{
       .left = -0.5, .left_restitution = 0.7, .right = 1, .right_restitution = 0.9};
@@ -189,12 +189,12 @@ TEST(MomentClosureOnDomains, KeepsTheBalancesWithLossesAtEveryWall) {
   }
 }
 
-// Without a wall both sides of the balance of momentum are 0 in a symmetric well.
+// In a symmetric well without a wall both sides of the balance of momentum are 0.
 TEST(MomentClosureOnDomains, HasNoBalanceOfMomentumWhereNothingIsHit) {
   EXPECT_FALSE(moment_of(with_noise(van_der_pol(0.2), 0.2), 4).summary.balances.momentum);
 }
 
-// The paper's case 1 behind a mirror: the search takes another way to the same root.
+// Mirror image of the paper's case 1: another search path, the same root.
 TEST(MomentClosureOnDomains, AMirrorTurnsTheSolutionOver) {
   const auto original = tests::make_problem({.mean = 0.03});
   const auto mirrored = with_impulses(System({.damping = 0.1, .stiffness = 1, .cubic = 0.1},
@@ -209,7 +209,7 @@ TEST(MomentClosureOnDomains, AMirrorTurnsTheSolutionOver) {
   EXPECT_NEAR(there.moments.v4, here.moments.v4, 1e-8);
 }
 
-// Both walls change places with their restitutions, and y its sign.
+// Exchanging both walls with their restitution coefficients changes the sign of y.
 TEST(MomentClosureOnDomains, WallsMayChangePlaces) {
   const auto between = [](double left, double r_left, double right, double r_right, double mean) {
     const System system(
@@ -224,17 +224,17 @@ TEST(MomentClosureOnDomains, WallsMayChangePlaces) {
   EXPECT_NEAR(there.moments.v2, here.moments.v2, 1e-8);
 }
 
-// By trajectories E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004; the closure is off by its
-// own error besides.
+// Simulation: E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004. The tolerance includes the
+// error of the closure.
 TEST(MomentClosureOnDomains, IsNearTheSimulationAtOrderEight) {
   const auto well = moment_of(with_impulses(kDoubleWell, gaussian_impulses(1, 0.05)), 8).solution;
   ASSERT_EQ(well.status, Status::ok) << well.reason;
   EXPECT_NEAR(well.moments.y2, 0.8384904, 4 * 0.0002 + 2e-4);
   EXPECT_NEAR(well.moments.v4, 0.204132, 4 * 0.0004);
-  EXPECT_NEAR(well.moments.v2, 0.25, 1e-8);  // lambda E[Y^2] / (2c), whatever the spring
+  EXPECT_NEAR(well.moments.v2, 0.25, 1e-8);  // lambda E[Y^2] / (2c) for every spring
 }
 
-// L1 to the order above: about the error at n = 8.
+// L1 distance to order n + 2: about the error at order n.
 TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
   const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.98});
   const struct {
@@ -259,7 +259,7 @@ TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
   }
 }
 
-// Both marginals on the panels of the later one, though the supports begin elsewhere.
+// Marginals on the same panels although the supports differ.
 TEST(MomentClosureOnDomains, StatesTheDistanceToTheOrderBefore) {
   const auto p = with_impulses(kDoubleWell, gaussian_impulses(1, 0.05));
   const auto before = moment_of(p, 4), here = moment_of(p, 6);
@@ -269,12 +269,11 @@ TEST(MomentClosureOnDomains, StatesTheDistanceToTheOrderBefore) {
   EXPECT_NEAR(*here.summary.distance_to_previous / (y + v), 1, 0.05);
 }
 
-// epsilon = 1: a Gaussian is no ring, and what there is of it is held by the confinement.
+// epsilon = 1: order 2 gives no ring, and its density decays by the confinement alone.
 TEST(MomentClosureOnDomains, SaysWhenTheConfinementAloneHoldsADensity) {
   const auto [solution, summary] = moment_of(with_noise(van_der_pol(1), 0.2), 2);
   EXPECT_EQ(solution.status, Status::inadmissible);
-  EXPECT_NE(solution.reason.find("where its confinement begins"), std::string::npos)
-      << solution.reason;
+  EXPECT_NE(solution.reason.find("at the confinement level"), std::string::npos) << solution.reason;
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
               b * b * b * b / 4, 1e-12);
 }
 
-// The area below a level is one integral over y, here by the midpoint rule after y = top sin(phi).
+// Area of the domain as an integral over y, by midpoints after the substitution y = y_max sin(phi).
 TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
   const EnergyDomain domain(make_problem({.cubic = 2}), 5);
   const auto bell = [&](double y, double v) {
@@ -66,7 +66,7 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
   EXPECT_NEAR(integral(domain.rule(40, 2), [](double, double) { return 1.0; }), area, 1e-6);
 }
 
-// k = 1, mean force 3: the minimum is at y = 3, 4.5 below the wall's energy.
+// k = 1, mean force 3: minimum at y = 3, with an energy 4.5 below that at the wall.
 TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   const auto held = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = 0.03});
   const EnergyDomain oval(held, 2);
@@ -76,7 +76,7 @@ TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   EXPECT_NEAR(integral(oval.rule(12, 10), [](double, double) { return 1.0; }), pi * 4, 1e-12);
   EXPECT_NEAR(integral(oval.rule(12, 10), [](double y, double) { return y; }), pi * 12, 1e-11);
 
-  // Beyond, the circle of radius 5 about (3, 0) is cut at y = 0.
+  // At this level the wall cuts the circle of radius 5 about (3, 0) at y = 0.
   const EnergyDomain cut(held, 12.5);
   EXPECT_EQ(cut.y_low(), 0);
   EXPECT_NEAR(cut.half_width(0), 4, 1e-12);
@@ -108,7 +108,8 @@ TEST(EnergyDomain, PointsCarryTheirCoordinatesAndEnergies) {
   }
 }
 
-// y^2 + v^2 <= 4 as a whole, right of a wall at -1, and between it and one at 0.5.
+// y^2 + v^2 <= 4: the whole disc, the part right of a wall at -1, and the part between walls at -1
+// and 0.5.
 TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   const double level = 2;
   const auto circle = [&](const problem::WallParameters& walls) {
@@ -116,7 +117,7 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
         tests::with_noise(problem::System({.damping = 0.1, .stiffness = 1}, walls), 0.1), level);
   };
   const auto one = [](double, double) { return 1.0; };
-  const auto area_from = [](double y) {  // of the part of the circle right of y
+  const auto area_from = [](double y) {  // area of the part of the circle right of y
     return 4 * std::acos(y / 2) - y * std::sqrt(4 - y * y);
   };
   const EnergyDomain whole = circle({.none = true});
@@ -141,7 +142,7 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   EXPECT_EQ(strip.y_max(), 0.5);
 }
 
-// V = -y^2/2 + y^4/4: at h < 1/4 two parts, (y^2 - 1)^2 <= 4 h.
+// V = -y^2/2 + y^4/4: two parts at h < 1/4, (y^2 - 1)^2 <= 4 h.
 TEST(EnergyDomain, HasAPartInEachWell) {
   const auto p = tests::with_noise(
       problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);
@@ -153,8 +154,8 @@ TEST(EnergyDomain, HasAPartInEachWell) {
   const Points rule = wells.rule(30, 8);
   EXPECT_EQ(rule.size(), 480);
   EXPECT_NEAR(integral(rule, [](double y, double) { return y; }), 0, 1e-12);
-  // dy y = d(y^2)/2 makes the half-width a semicircle of u = y^2 - 1: the area of one part weighed
-  // by y is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
+  // With y dy = d(y^2)/2 the half-width is a semicircle in u = y^2 - 1. The integral of |y| over
+  // one part is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
   EXPECT_NEAR(integral(rule, [](double y, double) { return std::abs(y); }),
               2 * pi / 2 * 0.64 / std::numbers::sqrt2, 1e-10);
   EXPECT_EQ(EnergyDomain(p, 0.26).parts().size(), 1U);

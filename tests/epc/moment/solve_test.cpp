@@ -33,7 +33,7 @@ TEST_P(MomentCase, EveryOrderConverges) {
     const auto [solution, summary] = solve(p, moment_of_order(order));
     EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
     EXPECT_LT(summary.residual, 1e-10) << order;
-    // The mass and the balance are by another quadrature, with panels that miss the domain's edge.
+    // Mass and balances use another quadrature, whose panels do not end at the edge of the domain.
     EXPECT_NEAR(solution.mass, 1, 1e-7) << order;
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6) << order;
     EXPECT_LT(std::abs(*summary.balances.virial), 1e-6) << order;
@@ -44,7 +44,7 @@ TEST_P(MomentCase, EveryOrderConverges) {
   }
 }
 
-// Theory, section 1: p_3(y) = sqrt(10) p_2(sqrt(10) y), which every part of the method respects.
+// docs/theory.md, section 1: p_3(y) = sqrt(10) p_2(sqrt(10) y), an invariance of the whole method.
 TEST(MomentClosure, CasesTwoAndThreeAreOneProblem) {
   for (const int order : {4, 8}) {
     const auto two = solve(paper_case(2), moment_of_order(order));
@@ -79,8 +79,9 @@ TEST(MomentClosure, IsExactForWhiteNoiseAtAnImpactWithoutLoss) {
   }
 }
 
-// In the linear system without losses the equations of the even moments are closed, so that n = 4
-// gives the second and fourth moments of the compound Poisson process exactly, n = 6 the sixth too.
+// The equations for the even moments of the linear system with elastic impacts are closed. n = 4
+// gives the second and fourth moments of the compound Poisson process exactly, n = 6 also the
+// sixth.
 TEST(MomentClosure, GivesTheExactMomentsOfTheLinearProcess) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     const auto p = make_problem({.cubic = 0, .restitution = 1, .law = law});
@@ -106,7 +107,7 @@ TEST(MomentClosure, GivesTheExactMomentsOfTheLinearProcess) {
   }
 }
 
-// r = 1, any even potential: E[v^2] = lambda E[Y^2] / (2c), though not with a mean.
+// r = 1, any even potential, E[Y] = 0: E[v^2] = lambda E[Y^2] / (2c).
 TEST(MomentClosure, HasTheExactVelocityWithoutLosses) {
   const auto p = make_problem({.cubic = 3, .restitution = 1, .law = "laplace"});
   EXPECT_NEAR(solve(p, moment_of_order(6)).solution.moments.v2, 0.5, 1e-8);
@@ -118,10 +119,10 @@ TEST(MomentClosure, HoldsAMeanOfTheImpulsesOfEitherSign) {
     const auto [solution, summary] = solve(p, moment_of_order(6));
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6);
-    // Stationary: E[v] is what impacts give back, E[v] = 0 as y does not drift.
+    // Stationarity of E[y] requires E[v] = 0.
     EXPECT_NEAR(solution.moments.v1, 0, 1e-7);
   }
-  // Far from the wall the linear oscillator stands at lambda E[Y] / k with its own deviations.
+  // Far from the wall the linear oscillator has the mean lambda E[Y] / k and E[v^2] without a wall.
   const auto held = make_problem({.cubic = 0, .rate = 1000, .intensity = 0.1, .mean = 0.008});
   const auto [solution, summary] = solve(held, moment_of_order(4));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
@@ -155,8 +156,8 @@ TEST(MomentClosure, RandomProblemsConvergeAtEveryOrder) {
   }
 }
 
-// What a user without another method has to go by: the distance to order n - 2 is about the error
-// of that order, here against n = 12, which is nearer to the truth by a factor.
+// The distance to order n - 2 estimates the error of that order without another method. Reference:
+// n = 12, which is more accurate by a factor.
 TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   const auto p = paper_case(1);
   const auto fine = solve(p, moment_of_order(12)).solution;
@@ -187,7 +188,7 @@ TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   }
 }
 
-// Rates of the motion are 1; what damping of 1e-7 leaves of a residual is its rounding.
+// The rates of the motion are about 1: relative to a damping of 1e-7 the residual is rounding.
 TEST(MomentClosure, ConvergesAtTheLeastDamping) {
   const auto p = make_problem({.damping = 1e-7, .restitution = 1, .intensity = 1e-7});
   const auto [solution, summary] = solve(p, moment_of_order(8));
@@ -209,7 +210,7 @@ TEST(MomentClosure, SaysWhenACutDensityHasNotDecayedAtItsEdge) {
   EXPECT_TRUE(solution.density.has_value());
 }
 
-// The confinement gives the same Q_n a tail: little of the probability is there.
+// The confinement gives the same Q_n a tail with little probability.
 TEST(MomentClosure, AConfinementHoldsTheTailDown) {
   const auto [solution, summary] = solve(paper_case(1), moment_of_order(4));
   EXPECT_EQ(solution.status, Status::ok);
@@ -218,8 +219,8 @@ TEST(MomentClosure, AConfinementHoldsTheTailDown) {
   EXPECT_LT(summary.half_plane->beyond_level, 1e-3);
 }
 
-// Where Q_n falls by itself the confinement moves out of the way: a density that has decayed to
-// rounding there does not know of it.
+// If Q_n falls by itself, the confinement level is an energy at which the density has decayed to
+// rounding; the confinement then has no effect.
 TEST(MomentClosure, TheConfinementGivesWayToAFallingExponent) {
   const auto [solution, summary] = solve(paper_case(1), moment_of_order(6));
   EXPECT_TRUE(summary.leading_form->negative);
@@ -227,7 +228,7 @@ TEST(MomentClosure, TheConfinementGivesWayToAFallingExponent) {
   EXPECT_LT(summary.half_plane->beyond_level, 1e-15);
 }
 
-// Strong losses, and impulses that press the particle to the wall.
+// Strong impact losses, and a mean impulse towards the wall.
 TEST(MomentClosure, AHomotopyRescuesWhereNewtonIsLost) {
   const auto p = make_problem(
       {.cubic = 1.19, .restitution = 0.40, .rate = 2.66, .intensity = 0.22, .mean = -0.264});

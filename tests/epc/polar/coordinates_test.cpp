@@ -26,7 +26,7 @@ TEST(Coordinates, AreInverseToEachOther) {
       }
     }
   }
-  // With a stiffness of its own the amplitude is that of the energy.
+  // For K = k, rho^2/2 is the energy.
   const auto p = make_problem({.cubic = 0.7});
   EXPECT_NEAR(std::pow(Coordinates(p).rho(0.6, -0.8), 2) / 2,
               0.32 + 0.18 + 0.7 * std::pow(0.6, 4) / 4, 1e-15);
@@ -42,7 +42,7 @@ TEST(PolarRule, HasTheAreaAndTheMomentsOfTheHalfDisc) {
   }
 }
 
-// K y^2 + mu y^4 / 2 = w^2, by hand.
+// Solution of K y^2 + mu y^4 / 2 = w^2 in closed form.
 TEST(Coordinates, InvertTheEnergyOfACubicSpringAsItsClosedFormDoes) {
   for (const double cubic : {0.0, 1e-6, 0.7, 5.0}) {
     const Coordinates coordinates(make_problem({.stiffness = 1.3, .cubic = cubic}));

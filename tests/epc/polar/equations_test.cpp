@@ -23,7 +23,7 @@ constexpr int kWallPoints = 40;
 
 double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::temperature_of(p)); }
 
-// Equations out to eight deviations, in a basis of the white-noise density without losses.
+// Equations up to eight deviations, in a basis orthonormal under the elastic white-noise density.
 Equations equations_of(const problem::Problem& p, int order, int points_each_way,
                        const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
@@ -38,8 +38,8 @@ VectorXd some_density(const problem::Problem& p, const Equations& equations) {
   return tests::shaken(tests::boltzmann_coefficients(equations, tests::temperature_of(p)));
 }
 
-// dE[phi]/dt by hand: along y' = v, v' = -c v - k y - mu y^3 by differences of phi, by the jumps of
-// a two-point law, and by the impacts rho -> r rho, theta: -pi/2 -> pi/2.
+// Direct evaluation of dE[phi]/dt: differences of phi along y' = v, v' = -c v - k y - mu y^3, jumps
+// of a two-point law, and impacts rho -> r rho, theta: -pi/2 -> pi/2.
 TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
   for (const double stiffness : {0.0, 1.0}) {
     const auto p = make_problem({.damping = 0.3,
@@ -65,7 +65,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     };
     const VectorXd force =
         0.3 * points.v.array() + stiffness * points.y.array() + 0.7 * points.y.array().cube();
-    // A step that turns the phase by 1e-4 wherever the point lies.
+    // A time step that changes the phase by 1e-4 at every point.
     const VectorXd dt =
         1e-4 * points.s.cwiseQuotient((points.v.cwiseAbs2() + force.cwiseAbs2()).cwiseSqrt());
     const VectorXd dy = dt.cwiseProduct(points.v), dv = -dt.cwiseProduct(force);
@@ -87,7 +87,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     for (Eigen::Index s = 0; s < residual.size(); ++s) {
       EXPECT_NEAR(residual[s], expected[s], 1e-6 * (1 + std::abs(expected[s]))) << s;
     }
-    EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // nothing is compared with nothing
+    EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the comparison is not of zeros
   }
 }
 
@@ -99,7 +99,7 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   }
 }
 
-// Where an impulse of the two-point law stops the mass at the wall.
+// Amplitudes from which an impulse of the two-point law stops the mass at the wall.
 TEST(PolarEquations, BreakWhereAnAtomMayStopTheMass) {
   const auto law = problem::ImpulseLaw::named("two_point", 0.2, 0.5);
   EXPECT_EQ(breaks_of(law, 10).size(), 2u);

@@ -30,9 +30,9 @@ TEST_P(PolarCase, EveryOrderConverges) {
     EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
     EXPECT_LT(summary.residual, 1e-10) << order;
     EXPECT_NEAR(solution.mass, 1, 1e-5) << order;
-    // rho^2/2 is a member, so that the balance of energy is met at every order.
+    // rho^2/2 is a member of the basis: every order satisfies the energy balance.
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6) << order;
-    // v is none: E[v] = 0 only as the order grows.
+    // v is not a member: E[v] tends to 0 with growing order.
     if (order >= 8) {
       EXPECT_NEAR(solution.moments.v1, 0, 1e-6 * std::sqrt(solution.moments.v2));
     }
@@ -41,7 +41,7 @@ TEST_P(PolarCase, EveryOrderConverges) {
   }
 }
 
-// Of docs/reference.md: case 1 by finite differences on three grids, good to 2e-8.
+// Reference: docs/reference.md, case 1 by finite volumes on three grids, with an error of 2e-8.
 TEST(PolarClosure, HasTheReferenceMomentsOfCaseOne) {
   const auto moments = solve(paper_case(1), of_order(10)).solution.moments;
   EXPECT_NEAR(moments.y1 / 0.5004370246, 1, 1e-7);
@@ -58,8 +58,8 @@ TEST(PolarClosure, CasesTwoAndThreeAreOneProblem) {
   EXPECT_NEAR(three.moments.v4 * 100 / two.moments.v4, 1, 1e-6);
 }
 
-// Impulses that are frequent and small are white noise: Q_n = -beta rho^2/2 and nothing else, up to
-// the next cumulant, which is of order 1/lambda.
+// Frequent small impulses tend to white noise: Q_n = -beta rho^2/2 up to the next cumulant, which
+// is of order 1/lambda.
 TEST(PolarClosure, TendsToTheExactDensityOfWhiteNoise) {
   const auto p = make_problem({.cubic = 0.7, .restitution = 1, .rate = 300, .intensity = 0.4});
   const double beta = 2 * 0.1 / 0.4;
@@ -72,7 +72,7 @@ TEST(PolarClosure, TendsToTheExactDensityOfWhiteNoise) {
   }
 }
 
-// r = 1, any even potential: E[v^2] = lambda E[Y^2] / (2c), the mean of rho^2/2 being stationary.
+// r = 1, any even potential: stationarity of E[rho^2/2] gives E[v^2] = lambda E[Y^2] / (2c).
 TEST(PolarClosure, HasTheExactVelocityWithoutLosses) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     for (const double cubic : {0.0, 3.0}) {
@@ -82,7 +82,7 @@ TEST(PolarClosure, HasTheExactVelocityWithoutLosses) {
   }
 }
 
-// The linear process without losses, whose fourth moments are no members: they converge.
+// Linear process with elastic impacts: its fourth moments are not members, and converge.
 TEST(PolarClosure, ConvergesToTheExactMomentsOfTheLinearProcess) {
   for (const char* law : {"gaussian", "laplace"}) {
     const auto p = make_problem({.cubic = 0, .restitution = 1, .law = law});
@@ -124,15 +124,15 @@ TEST(PolarClosure, RandomProblemsConverge) {
   }
 }
 
-// A quarter of an impulse per decay time: at every other level the guess puts its mass on the edge.
+// A quarter of an impulse per decay time: at all other levels the guess has its mass on the edge.
 TEST(PolarClosure, StartsLastFromTheLevelOfTheOrderBefore) {
   auto options = of_order(4);
-  options.max_seconds = 600;  // sanitizers take more than the usual ones
+  options.max_seconds = 600;  // sanitizers need more than the default
   const auto [solution, summary] = solve(tests::random_problem(33), options);
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
 }
 
-// After strong losses the density has a spike at v = 0+ on the wall, narrower than even panels.
+// Under strong losses the density has a spike at v = 0+ on the wall, narrower than equal panels.
 TEST(PolarClosure, HasItsWholeMassOnPanels) {
   for (const int number : {2, 9, 38}) {
     const auto solution = solve(tests::random_problem(number), of_order(6)).solution;
@@ -146,7 +146,7 @@ TEST(PolarClosure, ReportsTheOrderAtWhichItIsLost) {
   options.max_iterations = 1;
   const auto [solution, summary] = solve(tests::random_problem(42), options);
   EXPECT_EQ(solution.status, Status::not_converged);
-  EXPECT_NE(solution.reason.find("lost at order"), std::string::npos) << solution.reason;
+  EXPECT_NE(solution.reason.find("failed at order"), std::string::npos) << solution.reason;
   EXPECT_FALSE(solution.density.has_value());
 }
 
