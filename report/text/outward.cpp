@@ -8,7 +8,7 @@
 namespace fpkcheck::report {
 
 IntervalText outward(double lower, double upper) {
-  constexpr int kMostDecimals = 15;  // nearly all digits of a double of order 1
+  constexpr int kMostDecimals = 15;  // all digits of a double of order 1
   const double width = upper - lower;
   if (!std::isfinite(width)) return {fmt::format("{}", lower), fmt::format("{}", upper)};
   const int decimals =

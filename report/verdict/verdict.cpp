@@ -120,7 +120,7 @@ std::vector<std::vector<const Record*>> families_of(const std::vector<Record>& a
   return families;
 }
 
-// The closure of the paper has the impact to first order in 1-r; closures of other formulations do not.
+// The closure of the paper has the impact to first order in 1-r.
 bool is_the_papers(const Record& record) {
   return is_by_order(record) && !transform::is_guest(*record.identity) &&
          record.identity->impact == problem::Impact::delta;
