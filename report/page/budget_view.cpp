@@ -171,7 +171,8 @@ std::string l1_table(const Side& side) {
   };
   auto columns = columns_of(side, l1_cell, &BudgetRow::total, with_uncertainty);
   columns.push_back(chance_column(side, "L1 of sampling error alone: mean", &BudgetPart::expected));
-  columns.push_back(chance_column(side, "its 99 % quantile", &BudgetPart::in_99));
+  columns.push_back(
+      chance_column(side, "L1 of sampling error alone: 99 % quantile", &BudgetPart::in_99));
   return table_html(fmt::format("Error budget of {}: L1", density_text(side.variable)),
                     std::move(columns));
 }

@@ -64,7 +64,8 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
   const bool same = std::ranges::all_of(one.error_sources, [&](const auto& source) {
     return source.density.y_edges == cells.y_edges && source.density.v_edges == cells.v_edges;
   });
-  // The window of the reference density, or of the first density on these cells without a reference.
+  // The window of the reference, or of the first joint density without a reference: nearly all
+  // densities have the same window.
   const auto* measure = compare::reference(one.solutions);
   const auto joint = std::ranges::find_if(one.joints, [&](const auto& candidate) {
     return measure == nullptr || candidate.solution == measure->id();
