@@ -11,8 +11,8 @@ namespace fpkcheck::report {
 
 /// Findings on the guaranteed bounds of a case, in sentences. Empty if no bounds were computed.
 ///
-///   - First each solution of the full problem whose moment lies outside its bounds by more than the
-///     stated error: this solution is wrong.
+///   - First each solution of the full problem whose moment lies outside its bounds by more than
+///     the stated error: this solution is wrong.
 ///   - Then the bounds of E[y^2] and E[y'^2], and the approximations with a moment outside a bound.
 ///   - Without bounds, the reason.
 std::vector<std::string> bounds_findings(const results::Case& one);

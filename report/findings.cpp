@@ -143,8 +143,8 @@ void say_what_residuals_tell(const Case& one, Sentences& sentences) {
     return sure > 2 ? static_cast<int>(std::min<double>(sure, kMost)) : 2;
   };
   sentences.push_back(fmt::format(
-      "Errors of E[y^2] and E[y'^2], estimated from residuals: {}. Corrected moments of {}: {:.{}g} "
-      "and {:.{}g}{}.",
+      "Errors of E[y^2] and E[y'^2], estimated from residuals: {}. Corrected moments of {}: "
+      "{:.{}g} and {:.{}g}{}.",
       fmt::join(parts, ", "), first->solution, first->corrected.y2, digits(first->corrected.y2),
       first->corrected.v2, digits(first->corrected.v2),
       largest_gap > 0 ? fmt::format(", within {:.0e} of the simulation", largest_gap) : ""));
@@ -197,9 +197,10 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
   sentences.push_back(fmt::format(
       "Closest to {} among the closures with status ok: {}.{}", reference->id(),
       fmt::join(parts, "; "),
-      several ? " Indistinguishable: the distances differ by no more than the error estimate of the "
-                "reference."
-              : ""));
+      several
+          ? " Indistinguishable: the distances differ by no more than the error estimate of the "
+            "reference."
+          : ""));
 }
 
 /// Expected sampling errors of both marginals of a solution.
@@ -222,8 +223,8 @@ MarginalDistances largest_explained(const Solution& one, const Solution& other, 
           compare::largest_explained(one, other, Variable::ydot, smooth)};
 }
 
-// "; WHOSE EXPECTED; all errors explain up to .. (exceeded by chance in 1 run of 1000): the densities
-// agree".
+// "; WHOSE EXPECTED; all errors explain up to .. (exceeded by chance in 1 run of 1000): the
+// densities agree".
 std::string whether_explained(const MarginalDistances& gap, const MarginalDistances& expected,
                               const MarginalDistances& explained, const std::string& whose) {
   const auto within = [](const auto& difference, const auto& most) {
@@ -231,7 +232,8 @@ std::string whether_explained(const MarginalDistances& gap, const MarginalDistan
   };
   const bool agree = within(gap.y, explained.y) && within(gap.ydot, explained.ydot);
   return fmt::format(
-      "; {} {}; all errors explain up to {} (exceeded by chance in 1 run of {:.0f}): the densities {}",
+      "; {} {}; all errors explain up to {} (exceeded by chance in 1 run of {:.0f}): the "
+      "densities {}",
       whose, text_of(expected), numbers(explained), 1 / compare::kAgreementLevel,
       agree ? "agree" : "disagree");
 }
@@ -259,9 +261,8 @@ Measured measured(const Case& one, const Solution& solution, const Solution& mea
 
 // "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)"
 std::string measured_text(const Measured& found, Variable variable) {
-  const std::string stated = std::isfinite(found.stated)
-                                 ? fmt::format(" (estimate {:.2g})", found.stated)
-                                 : std::string();
+  const std::string stated =
+      std::isfinite(found.stated) ? fmt::format(" (estimate {:.2g})", found.stated) : std::string();
   const char* density = variable == Variable::y ? "p(y)" : "p(y')";
   if (!found.is_seen()) {
     return fmt::format("at most {:.1g} (3 sampling errors of the simulation) in {}{}",
@@ -304,9 +305,9 @@ void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
       chance = whether_explained(gap, together(own, others),
                                  largest_explained(reference, other, smooth), whose);
     }
-    sentences.push_back(capitalised(fmt::format("{} and {} differ by L1 {}{}.",
-                                                words_for(reference), words_for(other),
-                                                text_of(gap), chance)));
+    sentences.push_back(
+        capitalised(fmt::format("{} and {} differ by L1 {}{}.", words_for(reference),
+                                words_for(other), text_of(gap), chance)));
   }
 }
 
@@ -352,10 +353,10 @@ void say_what_solvers_note(const Case& one, Sentences& sentences) {
     }
     for (const auto& [place, own] : notes) {
       const auto file = transform::word(solution.observations, place + "file");
-      sentences.push_back(fmt::format(
-          "Note on {}: {}.",
-          file ? std::filesystem::path(*file).filename().string() : solution.id(),
-          fmt::join(own, "; ")));
+      sentences.push_back(
+          fmt::format("Note on {}: {}.",
+                      file ? std::filesystem::path(*file).filename().string() : solution.id(),
+                      fmt::join(own, "; ")));
     }
   }
 }

@@ -11,11 +11,12 @@
 
 namespace fpkcheck::report {
 
-/// Writes marginals.csv, joint.nc (if a solution has a joint density), summary.json, report.html and
-/// figures/ into a directory that results::make_writable prepared. The files replace those of an
-/// earlier run all together or not at all; pictures and joint densities of the earlier run are removed.
-/// After a stop request (base/process/stop.hpp) pictures are omitted without a warning.
-/// @param supplement additional files, which replace earlier ones together with the files of the run
+/// Writes marginals.csv, joint.nc (if a solution has a joint density), summary.json, report.html
+/// and figures/ into a directory that results::make_writable prepared. The files replace those of
+/// an earlier run all together or not at all; pictures and joint densities of the earlier run are
+/// removed. After a stop request (base/process/stop.hpp) pictures are omitted without a warning.
+/// @param supplement additional files, which replace earlier ones together with the files of the
+///                   run
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,

@@ -14,8 +14,8 @@ namespace fpkcheck::report {
 /// reference and its parts. The parts common to all chains (discretisation, sampling) have rows of
 /// their own. An asterisk marks a closure that is not ok. The sentence of the limits follows. Empty
 /// without a budget.
-/// @param format if rows exceed the width, the tail is omitted first, then the parts from the end of
-///               the chain
+/// @param format if rows exceed the width, the tail is omitted first, then the parts from the end
+///               of the chain
 std::string budget_table(const results::Case& one, const TextFormat& format);
 
 /// The displayed columns of this table; none without a budget.

@@ -13,7 +13,8 @@ using results::Case;
 using results::Curve;
 using transform::Variable;
 
-// The curve of the reference over smooth bins if it has confidence intervals in all bins, else null.
+// The curve of the reference over smooth bins if it has confidence intervals in all bins, else
+// null.
 const Curve* smooth_reference(const Case& one, const std::string& reference, Variable variable) {
   const Curve* curve = one.smooth_curve(reference, variable);
   if (curve == nullptr) return nullptr;

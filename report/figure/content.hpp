@@ -15,8 +15,8 @@ namespace fpkcheck::report {
 struct FigureSide {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
-  /// Ranges over the solutions with status ok, or over all solutions if none is ok. The ranges of the
-  /// differences are those of difference_ranges.
+  /// Ranges over the solutions with status ok, or over all solutions if none is ok. The ranges of
+  /// the differences are those of difference_ranges.
   FigureRanges ranges;
 };
 
@@ -24,16 +24,16 @@ struct FigureSide {
 struct FigureContent {
   /// Id of the solution subtracted from all others (compare::reference), or "".
   std::string reference;
-  /// Whether differences are between averages over smooth bins. There the reference has small errors,
-  /// and absolute differences are shown on a logarithmic axis.
+  /// Whether differences are between averages over smooth bins. There the reference has small
+  /// errors, and absolute differences are shown on a logarithmic axis.
   bool smooth_differences = false;
   std::vector<FigureSide> sides;  ///< y and ydot, without a marginal that has no curve
   std::size_t left_out = 0;       ///< number of solutions with curves that are not shown
 };
 
-/// Ranges of the differences of these curves: a logarithmic axis holds the differences of all curves, a
-/// linear axis only those of solutions that are ok or inaccurate, as one wild curve would flatten the
-/// others. Without such solutions the ranges hold all curves.
+/// Ranges of the differences of these curves. A logarithmic axis contains the differences of all
+/// curves, a linear axis only those of solutions that are ok or inaccurate, since a single outlier
+/// would flatten the others. Without such solutions the ranges contain all curves.
 FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
 
 /// The curves of a case.

@@ -82,9 +82,8 @@ void require_curves(const std::vector<std::string>& wanted, std::span<const Iden
     for (const auto& identity : there) {
       if (std::ranges::count(ids, identity.id) == 0) ids.push_back(identity.id);
     }
-    throw InputError(
-        fmt::format("--curves: {} matches no solution; use all, a family or one of {}",
-                    base::in_quotes(item), fmt::join(ids, ", ")));
+    throw InputError(fmt::format("--curves: {} matches no solution; use all, a family or one of {}",
+                                 base::in_quotes(item), fmt::join(ids, ", ")));
   }
 }
 

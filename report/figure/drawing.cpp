@@ -89,9 +89,9 @@ class Workplace {
   fs::path path_;
 };
 
-// gnuplot names the graphics included by STEM.tex STEM.pdf, as the picture in format pdf, and writes
-// the name with its directory. Here the graphics are STEM-tex.pdf without directory, for LaTeX's
-// \graphicspath.
+// gnuplot names the graphics included by STEM.tex STEM.pdf, as the picture in format pdf, and
+// writes the name with its directory. Here the graphics are STEM-tex.pdf without directory, for
+// LaTeX's \graphicspath.
 void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
   const Workplace workplace;
   const fs::path drawn = workplace.path() / "drawn.tex", art = workplace.path() / "drawn.pdf";

@@ -9,8 +9,8 @@
 /// Size, output commands and title of all pictures.
 namespace fpkcheck::report {
 
-/// Size of the layout of a picture in pixels. Letters are 14 or 15 pixels high for every width, so that
-/// a narrow picture has fewer panels side by side. On paper letters have 7.5 pt.
+/// Size of the layout of a picture in pixels. Letters are 14 or 15 pixels high for every width, so
+/// that a narrow picture has fewer panels side by side. On paper letters have 7.5 pt.
 struct FigureSize {
   int width;
   int height;
@@ -25,8 +25,8 @@ int figure_width(FigureWidth medium, int on_screen);
 double millimetres(FigureWidth medium);
 
 /// The first commands of a gnuplot script, which set terminal and output. The script draws
-/// FILE_STEM.png, or with the gnuplot variable format='svg', 'pdf' or 'tex' that format, and refuses
-/// other formats. The variable `target` sets another file name.
+/// FILE_STEM.png, or with the gnuplot variable format='svg', 'pdf' or 'tex' that format, and
+/// refuses other formats. The variable `target` sets another file name.
 std::string figure_output(const std::string& file_stem, const FigureSize& size);
 
 /// The title above all panels, broken into lines.
@@ -35,7 +35,8 @@ struct FigureTitle {
   int height;           ///< of the title, in pixels
 };
 
-/// @param parts of the title, between which lines may break: "case1: c = 0.1, ", "r = 0.98"; plain text
+/// @param parts of the title, between which lines may break: "case1: c = 0.1, ", "r = 0.98"; plain
+///              text
 FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size);
 
 /// The title with name and parameters of a problem.

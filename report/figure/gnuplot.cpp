@@ -83,7 +83,8 @@ class ErrorPipe {
   posix_spawn_file_actions_t actions_;
 };
 
-/// Spawn attributes that reset SIGPIPE: this program ignores the signal, and a child would inherit that.
+/// Spawn attributes that reset SIGPIPE: this program ignores the signal, and a child would inherit
+/// that.
 class UsualSignals {
  public:
   UsualSignals() {
@@ -149,8 +150,8 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                            const std::filesystem::path& script, std::chrono::milliseconds longest) {
   std::string before;
   for (const auto& assignment : assignments) before += assignment + "; ";
-  // No shell is involved, so that paths need no quotes. gnuplot runs a name that begins with '<' as a
-  // command: the absolute path begins with '/'.
+  // No shell is involved, so that paths need no quotes. gnuplot runs a name that begins with '<' as
+  // a command: the absolute path begins with '/'.
   std::vector<std::string> arguments{program, "-d", "-e", before,
                                      std::filesystem::absolute(script).string()};
   auto argv = pointers_to(arguments);

@@ -130,7 +130,8 @@ std::string plot(Panel panel, const FigureSide& side, const std::string& referen
 }  // namespace
 
 std::string block_name(const FigureSide& side, const DrawnCurve& drawn) {
-  // gnuplot requires a letter first. The index keeps ids distinct that differ only in replaced characters.
+  // gnuplot requires a letter first. The index keeps ids distinct that differ only in replaced
+  // characters.
   std::string name = fmt::format("{}{}_{}", transform::name(side.variable),
                                  &drawn - side.curves.data(), drawn.curve->solution);
   std::ranges::replace_if(
@@ -143,7 +144,8 @@ std::string difference_block_name(const FigureSide& side, const DrawnCurve& draw
 }
 
 std::string drawn_with(const transform::Look& look, bool with_interval) {
-  // A style may come from a file: quoting prevents the end of the string and the injection of commands.
+  // A style may come from a file: quoting prevents the end of the string and the injection of
+  // commands.
   const std::string colour = gnuplot_string(look.colour);
   if (look.as_points) {
     return fmt::format("with {} pointtype 6 pointsize dot linewidth {} linecolor rgb {}",

@@ -20,8 +20,8 @@ std::string difference_block_name(const FigureSide& side, const DrawnCurve& draw
 /// The style of a curve as a part of a plot command.
 std::string drawn_with(const transform::Look& look, bool with_interval);
 
-/// Whether a curve has marks, which distinguish curves in grey print: closures and external densities.
-/// Density equations have lines only.
+/// Whether a curve has marks, which distinguish curves in grey print: closures and external
+/// densities. Density equations have lines only.
 bool is_marked(const transform::Identity& identity);
 /// The style of these marks without the colour: filled for status ok, else open.
 std::string marked_with(const transform::Solution& solution);

@@ -14,9 +14,9 @@ namespace fpkcheck::report {
 void remove_pictures(const std::filesystem::path& directory, const results::Run& run);
 
 /// Draws every case into DIRECTORY/figures: NAME.png or other formats, and the script NAME.gp that
-/// draws them, with NAME = results::file_stem of the case. Likewise NAME-budget with an error budget,
-/// NAME-sources with error sources, and NAME-order with several orders of a family. Earlier pictures of
-/// a case are removed, so that a case that cannot be drawn has none.
+/// draws them, with NAME = results::file_stem of the case. Likewise NAME-budget with an error
+/// budget, NAME-sources with error sources, and NAME-order with several orders of a family. Earlier
+/// pictures of a case are removed, so that a case that cannot be drawn has none.
 /// @param gnuplot name or path of the program
 /// @param others  pictures drawn after those of the cases
 /// @return warnings about pictures that could not be drawn, one line each

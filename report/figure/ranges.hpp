@@ -24,8 +24,9 @@ struct FigureRanges {
   double least_difference;    ///< the smallest maximum of a curve of differences
 };
 
-/// The difference of a curve from that of the reference. Over smooth bins the absolute difference, and
-/// for the reference the half-width of its 95 % confidence intervals, the limit of significance.
+/// The difference of a curve from that of the reference. Over smooth bins the absolute difference,
+/// and for the reference the half-width of its 95 % confidence intervals, the limit of
+/// significance.
 struct Difference {
   std::vector<double> abscissa, values;
   std::vector<double> lower, upper;  ///< ends of 95 % confidence intervals; may be empty
@@ -59,8 +60,8 @@ inline double logarithmic_top(const FigureRanges& ranges) { return 3 * ranges.la
 /// A note with the height of a spike that exceeds the linear panel; empty without such a spike.
 std::string beyond_the_top(const FigureRanges& ranges);
 
-/// Ranges that contain all the curves. Pass only reliable curves: a single outlier would compress all
-/// others.
+/// Ranges that contain all the curves. Pass only reliable curves: a single outlier would compress
+/// all others.
 FigureRanges figure_ranges(std::span<const DrawnCurve> curves);
 
 }  // namespace fpkcheck::report

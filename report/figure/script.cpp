@@ -132,9 +132,8 @@ Legend legend(const FigureContent& content, FigureWidth width) {
   }
   // Only on a screen: the hint names a command-line option.
   if (content.left_out > 0 && width == FigureWidth::screen) {
-    legend.entries.push_back(
-        {"NaN with lines linetype nodraw",
-         fmt::format("{} more curves: --curves all", content.left_out)});
+    legend.entries.push_back({"NaN with lines linetype nodraw",
+                              fmt::format("{} more curves: --curves all", content.left_out)});
   }
   return legend;
 }

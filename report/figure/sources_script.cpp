@@ -115,8 +115,8 @@ std::string source_block(const ErrorSource& source, const std::string& name,
   return text + "EOD\n";
 }
 
-// Tics of the colour bar at equal steps of the value, placed by the signed root, in units of the power
-// of ten in the label.
+// Tics of the colour bar at equal steps of the value, placed by the signed root, in units of the
+// power of ten in the label.
 std::string colour_axis(double limit) {
   constexpr int kMostSteps = 5;  // on either side of 0; then at least two tics are on each side
   const double step = tic_step(0, limit, kMostSteps);

@@ -10,9 +10,9 @@ namespace fpkcheck::report {
 /// Whether a case has error sources to draw.
 bool has_sources(const results::Case& one);
 
-/// A gnuplot script with heat maps of the error sources of E[y^2] (top, or left on paper) and E[y'^2]
-/// in the phase plane. Shown are the closest closure of each formulation and the solutions of the
-/// full problem, at most four; two in a single journal column.
+/// A gnuplot script with heat maps of the error sources of E[y^2] (top, or left on paper) and
+/// E[y'^2] in the phase plane. Shown are the closest closure of each formulation and the solutions
+/// of the full problem, at most four; two in a single journal column.
 std::string sources_script(const results::Case& one, const std::string& file_stem,
                            FigureWidth width = FigureWidth::screen);
 

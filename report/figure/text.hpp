@@ -5,8 +5,8 @@
 /// Texts of pictures, in gnuplot's enhanced text and in LaTeX.
 namespace fpkcheck::report {
 
-/// Converts gnuplot's enhanced text, as used in these pictures, to LaTeX: italics to formulas, Greek
-/// letters, exponents; characters with a meaning in LaTeX are escaped.
+/// Converts gnuplot's enhanced text, as used in these pictures, to LaTeX: italics to formulas,
+/// Greek letters, exponents; characters with a meaning in LaTeX are escaped.
 std::string latex_of(const std::string& enhanced);
 
 /// An enhanced text as a string expression in a script, for all formats. The expression uses the

@@ -192,9 +192,9 @@ std::string tail_table(const Side& side) {
 std::string budget_introduction(const results::Case& one) {
   if (one.budget.empty()) return "";
   return fmt::format(
-      "<p>Contribution of each step of the chain from a closure to {}: L1, and in the tail the mean "
-      "|\u0394 log<sub>10</sub> p|. The total is at most the sum of the parts, and smaller if parts "
-      "cancel. (<a href=\"#budget-terms\">Definition of the parts</a>)</p>\n",
+      "<p>Contribution of each step of the chain from a closure to {}: L1, and in the tail the "
+      "mean |\u0394 log<sub>10</sub> p|. The total is at most the sum of the parts, and smaller if "
+      "parts cancel. (<a href=\"#budget-terms\">Definition of the parts</a>)</p>\n",
       escaped(one.budget.front().reference));
 }
 

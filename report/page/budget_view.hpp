@@ -10,7 +10,8 @@
 /// between a closure and the end of its chain of models.
 namespace fpkcheck::report {
 
-/// A paragraph that explains plots and tables and names the end of the chain; empty without a budget.
+/// A paragraph that explains plots and tables and names the end of the chain; empty without a
+/// budget.
 std::string budget_introduction(const results::Case& one);
 
 /// A bar plot for each marginal. Empty without a budget.

@@ -161,10 +161,10 @@ std::vector<Plot> order_plots(const results::Case& one, const std::string& prefi
   for (const Variable variable : transform::kVariables) {
     const auto found = convergence(one, variable);
     if (!found) continue;
-    plots.push_back(
-        {fmt::format("{}-order-{}", prefix, name(variable)),
-         fmt::format("Convergence of the closures in {}; open marks: not ok", density_text(variable)),
-         order_figure(*found)});
+    plots.push_back({fmt::format("{}-order-{}", prefix, name(variable)),
+                     fmt::format("Convergence of the closures in {}; open marks: not ok",
+                                 density_text(variable)),
+                     order_figure(*found)});
   }
   return plots;
 }
@@ -180,9 +180,10 @@ std::vector<Plot> cost_plots(const results::Case& one, const std::string& prefix
         away.push_back(&solution);
     }
     if (away.empty()) continue;
-    plots.push_back({fmt::format("{}-cost-{}", prefix, name(variable)),
-                     fmt::format("L1 distance in {} against computing time", density_text(variable)),
-                     cost_figure(families(away), one, *reference, variable)});
+    plots.push_back(
+        {fmt::format("{}-cost-{}", prefix, name(variable)),
+         fmt::format("L1 distance in {} against computing time", density_text(variable)),
+         cost_figure(families(away), one, *reference, variable)});
   }
   return plots;
 }

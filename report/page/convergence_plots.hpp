@@ -8,9 +8,9 @@
 
 namespace fpkcheck::report {
 
-/// For each marginal a plot of the L1 distance to the reference over the order of the closures, with
-/// a curve for each family. An external density is a mark at its order, or a horizontal line without
-/// an order. Empty unless a family has two orders with known distances.
+/// For each marginal a plot of the L1 distance to the reference over the order of the closures,
+/// with a curve for each family. An external density is a mark at its order, or a horizontal line
+/// without an order. Empty unless a family has two orders with known distances.
 /// @param prefix of the ids of the plots
 std::vector<Plot> order_plots(const results::Case& one, const std::string& prefix);
 

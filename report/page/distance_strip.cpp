@@ -157,8 +157,8 @@ std::string distance_strip(const results::Run& run, const std::vector<Record>& r
   if (strip.empty()) return "";
   return "<figure class=\"strip\">\n" + strip.svg() +
          fmt::format(
-             "<figcaption>{}: filled for status <b>ok</b>, open for another status, a cross without "
-             "an admissible density.</figcaption>\n</figure>\n",
+             "<figcaption>{}: filled for status <b>ok</b>, open for another status, a cross "
+             "without an admissible density.</figcaption>\n</figure>\n",
              run.cases.size() > 1 ? "A mark for each case" : "A mark for each method");
 }
 

@@ -104,8 +104,8 @@ std::string error_maps_html(const ErrorMaps& maps, const std::string& prefix) {
   for (std::size_t k = 0; k < std::size(kMapped); ++k) {
     html += fmt::format(
         "<figure>\n<figcaption id=\"{0}-errors-caption{1}\"></figcaption>\n<div class=\"plot\" "
-        "id=\"{0}-errors-map{1}\" role=\"img\" aria-label=\"Heat map of the sources of the error of "
-        "{2}\"></div>\n</figure>\n",
+        "id=\"{0}-errors-map{1}\" role=\"img\" aria-label=\"Heat map of the sources of the error "
+        "of {2}\"></div>\n</figure>\n",
         prefix, k, kMapped[k].text);
   }
   return html + "</div>\n";

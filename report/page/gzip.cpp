@@ -13,7 +13,8 @@ namespace fpkcheck::report {
 std::string gzip_base64(std::string_view text) {
   constexpr int kGzip = 16, kWindowBits = 15, kMemoryLevel = 9;
   z_stream stream{};
-  // The only possible error is lack of memory: the parameters are valid and the buffer is large enough.
+  // The only possible error is lack of memory: the parameters are valid and the buffer is large
+  // enough.
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();

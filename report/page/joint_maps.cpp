@@ -22,8 +22,8 @@ using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
 
-// Resolves differences down to 1e-8 of the largest. Logarithmic maps show ratios in the tails, where
-// densities are larger than this resolution.
+// Resolves differences down to 1e-8 of the largest. Logarithmic maps show ratios in the tails,
+// where densities are larger than this resolution.
 constexpr int kLevels = 4096;
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
@@ -69,8 +69,8 @@ bool on_the_same_cells(const GridDensity& a, const GridDensity& b) {
 }
 
 // The reference of the joint densities: the solution of the full problem with the smallest error
-// estimate. Control variates reduce the sampling error of smooth bins, not of cells: a simulation with
-// control variates comes last.
+// estimate. Control variates reduce the sampling error of smooth bins, not of cells: a simulation
+// with control variates comes last.
 const transform::Solution* joint_reference(const results::Case& one) {
   const transform::Solution* best = nullptr;
   const auto error = [](const transform::Solution& solution) {

@@ -8,8 +8,8 @@
 /// Texts of numbers on the page; a dash for a missing or non-finite number.
 namespace fpkcheck::report {
 
-/// A number with exactly this many significant digits, including zeros: 0.4450, 1.2e-5. A single digit,
-/// as for residuals, always has a power of ten: 4e-4.
+/// A number with exactly this many significant digits, including zeros: 0.4450, 1.2e-5. A single
+/// digit, as for residuals, always has a power of ten: 4e-4.
 std::string number_text(const std::optional<double>& value, int digits);
 
 /// The value of a parameter or metric: an integer with all digits, a number with at most `digits`

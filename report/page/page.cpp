@@ -48,7 +48,8 @@ struct Part {
   std::string anchor, name;
 };
 
-/// The section of one case with the plots for page.js. The densities come first; details are folded.
+/// The section of one case with the plots for page.js. The densities come first; details are
+/// folded.
 class CaseSection {
  public:
   CaseSection(const results::Run& run, const results::Case& one, const std::string& id) : id_(id) {
@@ -58,8 +59,7 @@ class CaseSection {
     html_ = fmt::format("<section id=\"{}\" class=\"case\">\n<h2>{} <small>{}</small></h2>\n", id,
                         escaped(one.name()), escaped(parameters));
     const std::string hint = has_a_simulation(one) ? kSimulationHint : "";
-    add_plots("densities", "Densities and differences", hint + kLegendHint,
-              density_plots(one, id));
+    add_plots("densities", "Densities and differences", hint + kLegendHint, density_plots(one, id));
     begin("results", "Results");
     html_ += element("p", reference) + results_table(one) + reasons_html(one);
     auto said = findings(one);
@@ -154,11 +154,10 @@ std::string navigation(const results::Run& run, const std::vector<CaseSection>& 
 }
 
 std::string repetition(const results::Run& run) {
-  return "<section id=\"repeat\">\n" + element("h2", "Timings and command") +
-         timings_table(run) +
-         fmt::format("<p>Command of this run, by {} {}:</p>\n<pre><code>{}</code></pre>\n</section>\n",
-                     escaped(run.program.name), escaped(run.program.version),
-                     escaped(run.program.command));
+  return "<section id=\"repeat\">\n" + element("h2", "Timings and command") + timings_table(run) +
+         fmt::format(
+             "<p>Command of this run, by {} {}:</p>\n<pre><code>{}</code></pre>\n</section>\n",
+             escaped(run.program.name), escaped(run.program.version), escaped(run.program.command));
 }
 
 // Replaces the {{placeholders}} of the frame in one pass: inserted texts are not searched again.
@@ -203,8 +202,8 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       (supplement.summary.empty() ? "" : answer_html(supplement.summary.front())) +
       verdict_html(run, anchors) + others + "<section id=\"problem\">\n" +
       element("h2", "The problem") + problem_html(run) +
-      folded("names", "Glossary", glossary_html(run)) + "</section>\n" + cases +
-      repetition(run) + "</main>\n";
+      folded("names", "Glossary", glossary_html(run)) + "</section>\n" + cases + repetition(run) +
+      "</main>\n";
   // Compressed once per process: plotly.js is constant.
   static const std::string plotly = gzip_base64(plotly_script());
   return filled(page_frame(), {{"title", title},

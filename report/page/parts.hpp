@@ -2,11 +2,12 @@
 
 #include <string_view>
 
-/// The source files of report.html, compiled in, so that the program does not need them at run time.
+/// The source files of report.html, compiled in, so that the program does not need them at run
+/// time.
 namespace fpkcheck::report {
 
-/// page.html: the frame, with the placeholders {{title}}, {{style}}, {{body}}, {{plots}}, {{plotly}}
-/// and {{script}}.
+/// page.html: the frame, with the placeholders {{title}}, {{style}}, {{body}}, {{plots}},
+/// {{plotly}} and {{script}}.
 std::string_view page_frame();
 
 /// page.css: the style sheet.

@@ -13,8 +13,9 @@ struct Plot {
   std::string id;       ///< id of its HTML element
   std::string caption;  ///< plain text
   /// JSON for plotly.js: "data" (traces), "layout", and "arrays", numbers shared by several traces.
-  /// "@name" in a trace refers to the array of this name. "height" is in pixels, without the legend.
-  /// Traces with the same "legendgroup" are hidden or shown together in all plots of a case.
+  /// "@name" in a trace refers to the array of this name. "height" is in pixels, without the
+  /// legend. Traces with the same "legendgroup" are hidden or shown together in all plots of a
+  /// case.
   std::string figure;
 };
 

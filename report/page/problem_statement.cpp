@@ -26,8 +26,8 @@ constexpr const char* kImpulses =
     "follow one law. ";
 constexpr const char* kNoise = "W is Gaussian white noise of unit intensity. ";
 constexpr const char* kSought =
-    "The unknown is the\nstationary probability density p(y, y′) of displacement and velocity, with "
-    "the marginal densities p(y) and p(y′). All quantities are\nnon-dimensional.";
+    "The unknown is the\nstationary probability density p(y, y′) of displacement and velocity, "
+    "with the marginal densities p(y) and p(y′). All quantities are\nnon-dimensional.";
 
 struct Term {
   double SystemCoefficients::*coefficient;

@@ -20,14 +20,17 @@ using problem::ShownParameter;
 using transform::Solution;
 
 constexpr const char* kColumns =
-    R"html(<dt>L1</dt><dd>Integral of the absolute difference of two densities: 0 for equal, 2 for disjoint densities.</dd>
-<dt>energy residual</dt><dd>Residual of the power balance of impulses, damping and impacts, relative to the input.</dd>
+    R"html(<dt>L1</dt>
+<dd>Integral of the absolute difference of two densities: 0 for equal, 2 for disjoint densities.</dd>
+<dt>energy residual</dt>
+<dd>Residual of the power balance of impulses, damping and impacts, relative to the input.</dd>
 )html";
 
 constexpr const char* kUncertainty =
-    R"html(<dt>±</dt><dd>Sum of the discretisation errors of both ends of a step: a smaller part may be zero. The step to a simulation
-is sampling error alone if all else is exact; the last columns have its mean and its 99 % quantile. The step to a simulation with
-control variates is the measured discretisation error over smooth bins.</dd>
+    R"html(<dt>±</dt><dd>Sum of the discretisation errors of both ends of a step: a smaller part may be
+zero. The step to a simulation is sampling error alone if all else is exact; the last columns have the
+mean and the 99 % quantile of this L1. The step to a simulation with control variates is the measured
+discretisation error over smooth bins.</dd>
 )html";
 
 std::string term(std::string_view name, const std::string& meaning) {
@@ -135,9 +138,9 @@ std::string problem_html(const results::Run& run) {
   for (const auto& one : run.cases) problems.push_back(&one.problem);
   std::string html = problem_statement(problems);
   if (!same.empty()) {
-    html += element("p", fmt::format("{}: {}.",
-                                     run.cases.size() > 1 ? "Parameters of all cases" : "Parameters",
-                                     fmt::join(same, "; ")));
+    html += element(
+        "p", fmt::format("{}: {}.", run.cases.size() > 1 ? "Parameters of all cases" : "Parameters",
+                         fmt::join(same, "; ")));
   }
   return html + table_html("Parameters that differ between cases", std::move(columns));
 }
@@ -161,8 +164,8 @@ std::string glossary_html(const results::Run& run) {
   const auto given = std::ranges::find_if(
       solutions, [](const Solution* s) { return !s->identity.equation || !s->identity.impact; });
   if (given != solutions.end()) {
-    html += term("solves " + solves_text((*given)->identity),
-                 "The equation or the impact is unknown.");
+    html +=
+        term("solves " + solves_text((*given)->identity), "The equation or the impact is unknown.");
   }
   return html + kColumns + statuses_html() + "</dl>\n" + parts_html();
 }

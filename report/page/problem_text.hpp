@@ -7,8 +7,8 @@
 /// Texts of the page on the problem, the names and the timings.
 namespace fpkcheck::report {
 
-/// The problem in words and formulas with its parameters: those equal in all cases in a sentence, the
-/// others in a table.
+/// The problem in words and formulas with its parameters: those equal in all cases in a sentence,
+/// the others in a table.
 std::string problem_html(const results::Run& run);
 
 /// The parameters of a case that differ between the cases of the run: "μ = 1, λE[Y²] = 0.1".

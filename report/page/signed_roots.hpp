@@ -17,8 +17,8 @@ struct SignedRoots {
 /// @param levels number of steps; magnitudes below the largest / (4 levels^2) become 0
 SignedRoots signed_roots(std::span<const double> values, int levels);
 
-/// Differences of successive numbers, after the first number: small for smooth data, which compresses
-/// well.
+/// Differences of successive numbers, after the first number: small for smooth data, which
+/// compresses well.
 std::vector<int> steps_of(std::span<const int> values);
 
 }  // namespace fpkcheck::report

@@ -11,7 +11,8 @@ struct TypedArray {
   std::string bdata;
 };
 
-/// Numbers as 32-bit floating point: seven digits in a third of the characters of a decimal fraction.
+/// Numbers as 32-bit floating point: seven digits in a third of the characters of a decimal
+/// fraction.
 TypedArray float_array(std::span<const double> values);
 
 /// Conversion for nlohmann::json: {"dtype", "bdata"}.

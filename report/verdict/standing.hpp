@@ -8,8 +8,8 @@
 /// The verdict on a run: accuracy of the reference, solutions that reproduce it, recommendation.
 namespace fpkcheck::report {
 
-/// A solution is close if neither marginal exceeds this L1 distance: the default accuracy required of
-/// closures.
+/// A solution is close if neither marginal exceeds this L1 distance: the default accuracy required
+/// of closures.
 inline constexpr double kCloseL1 = 0.02;
 
 /// Agreement of a solution with the reference of its case.
@@ -35,8 +35,8 @@ struct Stand {
   bool reproduces() const;
 };
 
-/// The agreement of the solution `id` with the reference of a case. An external density with a single
-/// marginal is assessed by this marginal.
+/// The agreement of the solution `id` with the reference of a case. An external density with a
+/// single marginal is assessed by this marginal.
 Stand stand_in(const results::Case& one, std::string_view id);
 
 /// A solution over the cases of a run: a row of the matrix.

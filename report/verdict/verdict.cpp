@@ -42,11 +42,11 @@ std::string names_of_references(const results::Run& run) {
 
 /// Accuracy of the references of a run, as maxima over the cases.
 struct Known {
-  int judged = 0;           ///< cases with a reference
-  double y = 0, ydot = 0;   ///< error estimates of the references
-  std::string second = {};  ///< id of a second solution of the full problem
-  int checked = 0;          ///< cases with this second solution
-  int contradicted = 0;     ///< cases in which the second solution and the reference disagree
+  int judged = 0;             ///< cases with a reference
+  double y = 0, ydot = 0;     ///< error estimates of the references
+  std::string second = {};    ///< id of a second solution of the full problem
+  int checked = 0;            ///< cases with this second solution
+  int contradicted = 0;       ///< cases in which the second solution and the reference disagree
   MarginalDistances apart{};  ///< distances of the second solution to the reference
 };
 
@@ -172,7 +172,8 @@ VerdictLine line_of(const Record& record, const std::string& reference, int case
           outcome(record, reference, cases)};
 }
 
-// The largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089, 8 has 0.0017".
+// The largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089, 8 has
+// 0.0017".
 VerdictLine line_of(const std::vector<const Record*>& members, int cases) {
   Words parts;
   bool all = true, first = true;
@@ -180,9 +181,9 @@ VerdictLine line_of(const std::vector<const Record*>& members, int cases) {
     all = all && record->reproduced() == record->present();
     const auto farthest = record->farthest();
     const std::string order = fmt::format("{}{}", first ? "n = " : "", *record->identity->order);
-    parts.push_back(farthest
-                        ? fmt::format("{} has {}{:.2g}", order, first ? "L1 distance " : "", *farthest)
-                        : fmt::format("{} is {}", order, brief_outcome(*record, cases)));
+    parts.push_back(
+        farthest ? fmt::format("{} has {}{:.2g}", order, first ? "L1 distance " : "", *farthest)
+                 : fmt::format("{} is {}", order, brief_outcome(*record, cases)));
     first = false;
   }
   return {members.front()->identity->family, all,
@@ -214,8 +215,8 @@ std::vector<VerdictLine> lines_of(const results::Run& run, const std::vector<Rec
   return lines;
 }
 
-// The fastest solution with status ok and total error within the accuracy in every case: its distance
-// to the reference plus the error estimate of the reference.
+// The fastest solution with status ok and total error within the accuracy in every case: its
+// distance to the reference plus the error estimate of the reference.
 const Record* quickest(const std::vector<Record>& all, double accuracy, double known) {
   const Record* best = nullptr;
   for (const auto& record : all) {
@@ -244,8 +245,8 @@ Words whom_to_trust(const results::Run& run, const std::vector<Record>& all, con
       "with the smallest error estimate",
       names_of_references(run));
   if (known.contradicted > 0) {
-    first += fmt::format("; {} differs by more than the errors of both explain{}",
-                         known.second, in_cases(known.contradicted, cases));
+    first += fmt::format("; {} differs by more than the errors of both explain{}", known.second,
+                         in_cases(known.contradicted, cases));
   } else if (known.checked == cases) {
     first += fmt::format("; {} confirms these values", known.second);
   } else {

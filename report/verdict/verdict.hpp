@@ -21,7 +21,8 @@ struct Verdict {
   /// solutions that reproduce it.
   std::vector<std::string> answer;
   /// A line for each order of the closure with first-order impact (the paper's), each other
-  /// formulation, each approximate equation, and each external density or family of external densities.
+  /// formulation, each approximate equation, and each external density or family of external
+  /// densities.
   std::vector<VerdictLine> lines;
   /// The recommended method, the fastest method of sufficient accuracy, and the reasons.
   std::vector<std::string> trust;
