@@ -19,7 +19,7 @@ struct Level {
   const char* dash;  ///< dash style of plotly.js: "dot" or "dash"
 };
 
-/// L1 distances of one marginal density to the reference of a case, by family and order. Holds only
+/// L1 distances of a marginal density to the reference of a case, by family and order. Holds only
 /// solutions with a positive distance, as pointers into the case.
 struct Convergence {
   const results::Case* one;

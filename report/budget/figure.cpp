@@ -29,7 +29,7 @@ constexpr double kGroupWidth = 0.8;
 // The axis omits parts below this fraction of the largest total: they would only stretch it.
 constexpr double kSmallestShare = 1e-4;
 
-/// A panel for one marginal and one of the two distances: L1, or the mean log ratio in the tail.
+/// A panel for a marginal and a distance: L1, or the mean log ratio in the tail.
 struct BudgetPanel {
   const char* title;
   const char* label;

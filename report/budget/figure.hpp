@@ -11,7 +11,7 @@ namespace fpkcheck::report {
 bool has_budget(const results::Case& one);
 
 /// A gnuplot script that draws the error budget of a case on logarithmic axes, for each marginal in
-/// L1 and in the tail. Each closure has a group of bars, one per part, with a black line at the
+/// L1 and in the tail. Each closure has a group of bars, a bar per part, with a black line at the
 /// total. Bars of closures that are not ok are paler. In a single journal column the tails are
 /// omitted.
 /// @param file_stem name of script and picture without extension

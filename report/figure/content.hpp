@@ -11,7 +11,7 @@
 
 namespace fpkcheck::report {
 
-/// The curves of one marginal density, in drawing order.
+/// The curves of a marginal density, in drawing order.
 struct FigureSide {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
@@ -20,7 +20,7 @@ struct FigureSide {
   FigureRanges ranges;
 };
 
-/// The content of the figure of one case. Holds pointers into the case.
+/// The content of the figure of a case. Holds pointers into the case.
 struct FigureContent {
   /// Id of the solution subtracted from all others (compare::reference), or "".
   std::string reference;

@@ -26,7 +26,7 @@ std::set<std::string> chosen_curves(const results::Case& one,
 /// Checks that every requested item matches a solution.
 /// @param wanted as in select_curves
 /// @param there  identities of the available solutions
-/// @throws InputError with a one-line message for an item that matches no solution
+/// @throws InputError with a message of a single line for an item that matches no solution
 void require_curves(const std::vector<std::string>& wanted,
                     std::span<const transform::Identity> there);
 

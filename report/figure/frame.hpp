@@ -21,7 +21,7 @@ struct FigureSize {
 /// @param on_screen width of the picture on a screen, in pixels
 int figure_width(FigureWidth medium, int on_screen);
 
-/// Printed width in millimetres; 0 on a screen.
+/// Printed width in mm; 0 on a screen.
 double millimetres(FigureWidth medium);
 
 /// The first commands of a gnuplot script, which set terminal and output. The script draws

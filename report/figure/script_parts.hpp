@@ -7,14 +7,14 @@
 #include "transform/identity.hpp"
 #include "transform/marginal.hpp"
 
-/// Parts of gnuplot scripts: margins, data blocks, tics, point and dash types.
+/// Parts of gnuplot scripts: panel positions, data blocks, tics, point and dash types.
 namespace fpkcheck::report {
 
 /// The rectangle of the axes of a panel, in fractions of the picture.
 struct Place {
   double left, right, top, bottom;
 };
-/// Commands that set the margins of a panel.
+/// Commands that set the position of a panel.
 std::string margins(const Place& place);
 
 /// A named data block of a script.

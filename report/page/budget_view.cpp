@@ -23,13 +23,13 @@ using compare::BudgetRow;
 using compare::ClosureBudget;
 using transform::Variable;
 
-/// The budget of a closure in one marginal.
+/// The budget of a closure for a marginal.
 struct LabelledRow {
   std::string label;  ///< id of the closure, with kMark if not ok
   const BudgetRow* row;
 };
 
-/// The rows of one marginal, and the names of all parts in the order of the chain.
+/// The budgets for a marginal, and the names of all parts in the order of the chain.
 struct Side {
   Variable variable;
   std::vector<LabelledRow> rows;

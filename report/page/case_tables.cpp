@@ -43,7 +43,7 @@ class SolutionsTable {
                 const std::function<std::string(const Solution&)>& cell) {
     columns_.push_back({header, Align::left});
     for (const auto& s : one_.solutions) {
-      // The list with reasons replaces the row.
+      // The list entry with the reason replaces the row.
       if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
     }
   }

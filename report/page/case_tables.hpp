@@ -4,7 +4,7 @@
 
 #include "results/run.hpp"
 
-/// The tables of one case on the page, in HTML.
+/// The tables of a case on the page, in HTML.
 namespace fpkcheck::report {
 
 /// A row per solution: equation and impact, status, moments, distances to the reference and to the

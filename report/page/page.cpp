@@ -48,8 +48,7 @@ struct Part {
   std::string anchor, name;
 };
 
-/// The section of one case with the plots for page.js. The densities come first; details are
-/// folded.
+/// The section of a case with the plots for page.js. The densities come first; details are folded.
 class CaseSection {
  public:
   CaseSection(const results::Run& run, const results::Case& one, const std::string& id) : id_(id) {
@@ -160,7 +159,7 @@ std::string repetition(const results::Run& run) {
              escaped(run.program.name), escaped(run.program.version), escaped(run.program.command));
 }
 
-// Replaces the {{placeholders}} of the frame in one pass: inserted texts are not searched again.
+// Replaces the {{placeholders}} of the frame in a single pass: inserted texts are not searched.
 std::string filled(std::string_view frame, const std::map<std::string, std::string_view>& parts) {
   std::string page;
   while (true) {

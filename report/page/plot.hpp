@@ -28,7 +28,8 @@ std::string plots_json(const std::vector<Plot>& plots);
 /// Escapes a text for plotly.js, which interprets names, titles and labels as a subset of HTML.
 std::string plotly_text(std::string_view text);
 
-/// The name of a solution in legends, escaped for plotly.js: the id, with the status unless ok.
+/// The name of a solution in legends for plotly.js, see plotly_text: the id, with the status unless
+/// ok.
 std::string legend_name(const transform::Solution& solution);
 
 /// Converts a dash type of gnuplot, "(10,4)", to plotly.js: "10px,4px".

@@ -11,7 +11,7 @@ namespace fpkcheck::report {
 /// indistinguishable from the reference. A blank for any other solution with status ok.
 char mark_of(const Stand& stand);
 
-/// The meanings of the marks that occur in the records: "~ inaccurate".
+/// The meanings of the marks that occur in the rows: "~ inaccurate".
 std::vector<std::string> meanings_of_marks(const std::vector<Record>& records);
 
 }  // namespace fpkcheck::report

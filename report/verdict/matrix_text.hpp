@@ -8,7 +8,7 @@
 
 namespace fpkcheck::report {
 
-/// The answer of the verdict in plain text, wrapped.
+/// The answer of the verdict in plain text with line breaks.
 std::string answer_text(const Verdict& said, const TextFormat& format);
 
 /// The matrix of several cases: a row for each solution, and for each case both L1 distances to its

@@ -111,7 +111,7 @@ std::vector<Record> records(const results::Run& run) {
       record.stands.push_back(stand_in(one, record.identity->id));
     }
   }
-  // Solutions that apply to no case have no record.
+  // Solutions that apply to no case have no row.
   std::erase_if(all, [](const Record& record) {
     return std::ranges::all_of(record.stands, [](const Stand& stand) {
       return stand.solution == nullptr || stand.solution->status == transform::Status::not_offered;

@@ -23,7 +23,7 @@ enum class Standing {
   off                 ///< a marginal farther away than kCloseL1
 };
 
-/// A solution in one case and its agreement with the reference.
+/// A solution in a case and its agreement with the reference.
 struct Stand {
   Standing standing = Standing::absent;
   const transform::Solution* solution = nullptr;  ///< null where it is absent
@@ -39,7 +39,7 @@ struct Stand {
 /// single marginal is assessed by this marginal.
 Stand stand_in(const results::Case& one, std::string_view id);
 
-/// A solution over the cases of a run: a row of the matrix.
+/// A solution over the cases of a run: a row of the matrix of agreements.
 struct Record {
   const transform::Identity* identity;  ///< from the first case with the solution
   std::vector<Stand> stands;            ///< in the order of the cases
@@ -58,7 +58,7 @@ struct Record {
   double seconds() const;
 };
 
-/// The records of all solutions of a run, one per id, by increasing trust as in the cases.
+/// The rows of all solutions of a run, a row per id, by increasing trust as in the cases.
 std::vector<Record> records(const results::Run& run);
 
 }  // namespace fpkcheck::report

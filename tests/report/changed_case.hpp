@@ -15,7 +15,7 @@ inline transform::Solution& solution_of(results::Case& one, const std::string& i
   throw std::logic_error("no " + id);
 }
 
-/// Sets the L1 distances of one pair.
+/// Sets the L1 distances of a pair.
 inline void set_l1(results::Case& one, const std::string& a, const std::string& b, double y,
                    double ydot) {
   for (auto& pair : one.pairs) {

@@ -50,7 +50,7 @@ TEST(FigureRanges, LetTheLogarithmBeginBelowTheDataAndNoLowerThanTheFloor) {
     const results::Curve curve{"toy", Variable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
     return logarithmic_bottom(figure_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
   };
-  // A density between two walls: one decade suffices.
+  // A density between two walls: a single decade suffices.
   EXPECT_DOUBLE_EQ(bottom({0.35, 0.8, 0.5}), 0.1);
   EXPECT_DOUBLE_EQ(bottom({1.3, 1.4, 1.35}), 0.1);
   EXPECT_DOUBLE_EQ(bottom({2e-4, 1, 0.1}), 1e-4);
