@@ -54,15 +54,15 @@ std::string settings() {
          "set border 3\n\n";
 }
 
-/// A panel of the figure with its letter.
+/// A panel and its letter.
 struct PlacedPanel {
   Panel panel;
   std::size_t side;
   char letter;
 };
 
-// The panels row by row, with the letters of the paper. A single journal column has consecutive
-// letters, since panels are missing.
+// The panels row by row, lettered as in the paper. A single journal column has consecutive letters,
+// since panels are missing.
 std::vector<PlacedPanel> placed_panels(const FigureContent& content, FigureWidth width) {
   std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
   if (!content.reference.empty()) {
@@ -157,7 +157,7 @@ std::string figure_script(const problem::Problem& problem, const FigureContent& 
   }
   return figure_output(file_stem, grid.size()) +
          "dot = format eq 'svg' ? 0.45 : 0.6\nmark = format eq 'svg' ? 0.8 : 1.1\n"
-         // By default the box of a point erases the lines below an interval, in SVG far around.
+         // By default a point's box erases the lines below an interval, in SVG far around.
          "set pointintervalbox 0.0001\n\n" +
          data(content) + settings() + PanelGrid::kLabels + title.command + panels +
          legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
