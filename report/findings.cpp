@@ -238,7 +238,7 @@ std::string whether_explained(const MarginalDistances& gap, const MarginalDistan
       agree ? "agree" : "disagree");
 }
 
-/// The L1 error of one marginal, measured by a simulation with control variates.
+/// The L1 error of one marginal relative to a simulation with control variates.
 struct Measured {
   double l1, error, chance, stated;
   bool explained;  ///< l1 is within the errors of both solutions (compare/agreement.hpp)

@@ -10,10 +10,10 @@ namespace fpkcheck::report {
 namespace {
 
 constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
-// Height of letters: 11 points in pixels on a screen of 96 dots per inch, and points on paper,
-// where journals require at least 7.
+// Height of letters: 11 points in pixels on a screen of 96 dpi, and points on paper, where journals
+// require at least 7.
 constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
-// Resolution of a PNG for print, dots per inch.
+// Resolution of a PNG for print, in dpi.
 constexpr double kPrintedDots = 300;
 
 // Points per pixel of the layout on paper, and in a PDF for the screen, whose letters have the same

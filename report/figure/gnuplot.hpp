@@ -17,7 +17,7 @@ struct GnuplotOutcome {
 /// Runs a gnuplot script after assignments such as "format='svg'". The user's settings of gnuplot
 /// (initialisation files, GNUTERM) are ignored.
 /// @param program name on the PATH, or a path
-/// @param longest time limit; a process that exceeds the limit is killed, with a message
+/// @param longest a process that runs longer is killed; the message then states the limit
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script,
                            std::chrono::milliseconds longest = std::chrono::minutes(1));

@@ -46,7 +46,7 @@ std::string with_members(const FamilyLook& look) {
                      look.colour, look.points.open);
 }
 
-// An external density: a mark at its order, or a line across the panel without an order.
+// An external density: a mark at its order, or a horizontal line without an order.
 std::string with_guest(const Solution& guest) {
   const std::string colour = gnuplot_string(guest.identity.look.colour);
   if (!guest.identity.order) {

@@ -48,7 +48,8 @@ struct Part {
   std::string anchor, name;
 };
 
-/// The section of a case with the plots for page.js. The densities come first; details are folded.
+/// The section of a case with the plots for page.js. The densities come first; the rest is in closed
+/// <details> elements.
 class CaseSection {
  public:
   CaseSection(const results::Run& run, const results::Case& one, const std::string& id) : id_(id) {
