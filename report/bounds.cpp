@@ -27,9 +27,8 @@ std::string text(const Bound& bound) {
 std::string contradiction(const Outside& found) {
   const auto [lower, upper] = outward(found.bound->lower, found.bound->upper);
   return fmt::format(
-      "OUTSIDE THE BOUNDS: {} solves the problem itself and says {}, but has {} = {:.8g}, which is "
-      "guaranteed to lie in [{}, {}]: it is wrong by {:.1e} at least, more than the {:.1e} that it "
-      "states.",
+      "OUTSIDE THE BOUNDS: {} (full problem, status {}) has {} = {:.8g}, guaranteed to lie in "
+      "[{}, {}]. The error is at least {:.1e}, above the stated error of {:.1e}.",
       found.solution->id(), transform::name(found.solution->status), found.bound->functional,
       found.value, lower, upper, found.by, found.own_error);
 }
@@ -47,14 +46,15 @@ std::vector<std::string> bounds_findings(const results::Case& one) {
     sentences.push_back(contradiction(found));
   }
   for (const Outside& found : compare::outside(bounds, one.solutions)) {
-    // One of the problem itself that is out by less than it states is as good as it says.
+    // Here a solution of the full problem is outside by no more than its stated error: consistent.
     if (compare::solves_the_problem(*found.solution)) continue;
     if (ids.empty() || ids.back() != found.solution->id()) ids.push_back(found.solution->id());
   }
   for (const auto moment : {&transform::Moments::y2, &transform::Moments::v2}) {
     if (const Bound* bound = compare::bound_of(bounds, moment)) shown.push_back(text(*bound));
   }
-  sentences.push_back(fmt::format("Guaranteed: {}. Outside the bounds: {}.", fmt::join(shown, ", "),
+  sentences.push_back(fmt::format("Guaranteed bounds: {}. Outside the bounds: {}.",
+                                  fmt::join(shown, ", "),
                                   ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, ", "))));
   return sentences;
 }
@@ -62,7 +62,7 @@ std::vector<std::string> bounds_findings(const results::Case& one) {
 std::string bounds_table(const problem::Problem& problem, const Bounds& bounds,
                          const TextFormat& format) {
   std::string all = wrapped(case_title(problem), format.width, 2);
-  if (bounds.each.empty()) return all + wrapped("none: " + bounds.reason, format.width, 2);
+  if (bounds.each.empty()) return all + wrapped("no bounds: " + bounds.reason, format.width, 2);
   Column functional{"", "functional", true, kAlwaysShown}, lower{"", "lower", false, kAlwaysShown},
       upper{"", "upper", false, kAlwaysShown}, half{"", "half-width", false, 2},
       relative{"", "relative", false, 1};

@@ -21,11 +21,12 @@ std::vector<Level> levels(const Convergence& found) {
   for (const Solution* other : references(*found.one)) {
     const double l1 = found.l1(*other);
     if (l1 > 0)
-      all.push_back({fmt::format("{} to {}", other->id(), found.reference->id()), l1, "dot"});
+      all.push_back(
+          {fmt::format("distance of {} to {}", other->id(), found.reference->id()), l1, "dot"});
   }
   const double own = compare::own_error(*found.reference, found.variable);
   if (std::isfinite(own) && own > 0) {
-    all.push_back({"error of " + found.reference->id() + ", by its own account", own, "dash"});
+    all.push_back({"error estimate of " + found.reference->id(), own, "dash"});
   }
   return all;
 }

@@ -11,22 +11,22 @@
 
 namespace fpkcheck::report {
 
-/// How well the reference itself is known: how far others of the same problem are from it, and its
-/// own account.
+/// A horizontal line of the convergence plot that shows the uncertainty of the reference: the
+/// distance of another solution of the full problem, or the error estimate of the reference.
 struct Level {
   std::string name;
   double l1;
-  const char* dash;  ///< of plotly.js: "dot", "dash"
+  const char* dash;  ///< dash style of plotly.js: "dot" or "dash"
 };
 
-/// L1 distances of one variable to the reference of a case over the orders of families. Points into
-/// the case; has what is away from the reference.
+/// L1 distances of a marginal density to the reference of a case, by family and order. Holds only
+/// solutions with a positive distance, as pointers into the case.
 struct Convergence {
   const results::Case* one;
   const transform::Solution* reference;
   transform::Variable variable;
-  std::vector<Family> families;                    ///< members by order
-  std::vector<const transform::Solution*> guests;  ///< brought along, in none of these families
+  std::vector<Family> families;                    ///< members sorted by order
+  std::vector<const transform::Solution*> guests;  ///< external densities in no such family
   std::vector<Level> levels;
 
   double l1(const transform::Solution& solution) const;
@@ -34,7 +34,7 @@ struct Convergence {
   std::pair<int, int> orders() const;
 };
 
-/// Nothing where there is no reference, or no family has two orders.
+/// @return nothing without a reference or without a family of at least two orders
 std::optional<Convergence> convergence(const results::Case& one, transform::Variable variable);
 
 }  // namespace fpkcheck::report

@@ -45,12 +45,12 @@ std::optional<double> l1_standard_error(const Case& one, const Solution& a, cons
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
-/// Whether their distances are those over the smooth bins of one of them.
+/// Whether the distances of both marginals are over smooth bins: only these have standard errors.
 bool is_measured(const Case& one, const Solution& a, const Solution& b) {
   return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
 }
 
-// Of a solution of the problem itself.
+// Describes a solution of the full problem.
 std::string words_for(const Solution& solution) {
   return fmt::format(
       "the {} ({})",
@@ -64,7 +64,7 @@ std::string capitalised(std::string sentence) {
 }
 
 void say_discretisation_errors(const Case& one, Sentences& sentences) {
-  if (!one.budget.empty()) return;  // it has them
+  if (!one.budget.empty()) return;  // the error budget contains these errors
   Sentences ids;
   transform::StatedError largest;
   for (const auto& solution : one.solutions) {
@@ -114,7 +114,7 @@ void say_what_approximations_cost(const Case& one, Sentences& sentences) {
   of_equations.insert(of_equations.end(), of_impacts.begin(), of_impacts.end());
   if (of_equations.empty()) return;
   sentences.push_back(
-      fmt::format("What approximations cost in L1: {}.", fmt::join(of_equations, "; ")));
+      fmt::format("L1 error of each approximation: {}.", fmt::join(of_equations, "; ")));
 }
 
 void say_what_residuals_tell(const Case& one, Sentences& sentences) {
@@ -134,17 +134,17 @@ void say_what_residuals_tell(const Case& one, Sentences& sentences) {
     largest_gap = std::max({largest_gap, std::abs(solution.moments.y2 - first->corrected.y2),
                             std::abs(solution.moments.v2 - first->corrected.v2)});
   }
-  // As many as the simulation confirms; without it the usual ones.
+  // As many significant digits as the simulation confirms; the default number without one.
   const auto digits = [&](double value) {
     constexpr int kUsual = 7, kMost = 10;
     if (!(largest_gap > 0)) return kUsual;
-    // A double as long as it may be infinite.
+    // Clamped as a double: the number may be infinite.
     const double sure = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
     return sure > 2 ? static_cast<int>(std::min<double>(sure, kMost)) : 2;
   };
   sentences.push_back(fmt::format(
-      "By their own residuals E[y^2] and E[y'^2] are off by {}; corrected, those of {} are {:.{}g} "
-      "and {:.{}g}{}.",
+      "Errors of E[y^2] and E[y'^2], estimated from residuals: {}. Corrected moments of {}: "
+      "{:.{}g} and {:.{}g}{}.",
       fmt::join(parts, ", "), first->solution, first->corrected.y2, digits(first->corrected.y2),
       first->corrected.v2, digits(first->corrected.v2),
       largest_gap > 0 ? fmt::format(", within {:.0e} of the simulation", largest_gap) : ""));
@@ -157,19 +157,19 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
   if (reference == nullptr || !any) return;
   auto ranks = compare::closures_by_distance(one.solutions, one.pairs);
   if (ranks.empty()) {
-    sentences.emplace_back("No closure is ok.");
+    sentences.emplace_back("No closure has status ok.");
     return;
   }
   const auto nearest = ranks.front();
   std::erase_if(ranks, [](const auto& rank) { return std::max(rank.y, rank.ydot) > kCloseL1; });
   if (ranks.empty()) {
     sentences.push_back(
-        fmt::format("No closure that is ok is within L1 {} of {}: {}, the nearest, is off by {}.",
+        fmt::format("No closure with status ok is within L1 {} of {}: the closest, {}, has L1 {}.",
                     kCloseL1, reference->id(), nearest.solution->id(),
                     text_of(MarginalDistances{nearest.y, nearest.ydot})));
     return;
   }
-  // By family and formulation: the closest, and those that nobody can tell from it.
+  // For each family and formulation: the closest closure and those indistinguishable from it.
   std::map<std::pair<std::string, std::string>, std::vector<const compare::Rank*>> groups;
   bool several = false;
   for (const auto& rank : ranks) {
@@ -195,20 +195,22 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
                                 text_of(most)));
   }
   sentences.push_back(fmt::format(
-      "Closest to {} of the closures that are ok: {}.{}", reference->id(), fmt::join(parts, "; "),
-      several ? " Indistinguishable: their distances differ by no more than the reference's own "
-                "error."
-              : ""));
+      "Closest to {} among the closures with status ok: {}.{}", reference->id(),
+      fmt::join(parts, "; "),
+      several
+          ? " Indistinguishable: the distances differ by no more than the error estimate of the "
+            "reference."
+          : ""));
 }
 
-/// The errors of a solution by chance that are expected.
-/// @param smooth whether the difference is one over smooth bins
+/// Expected sampling errors of both marginals of a solution.
+/// @param smooth whether the distance is over smooth bins
 MarginalDistances chance_of(const Solution& solution, bool smooth = false) {
   const auto& stated = smooth ? best_sampling(solution) : solution.sampling;
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
-// The errors of a difference whose parts are independent.
+// Sampling errors of a difference of independent estimates: the variances add.
 MarginalDistances together(const MarginalDistances& one, const MarginalDistances& other) {
   const auto sum = [](const auto& a, const auto& b) {
     return a || b ? std::optional(std::hypot(a.value_or(0), b.value_or(0))) : std::nullopt;
@@ -221,7 +223,8 @@ MarginalDistances largest_explained(const Solution& one, const Solution& other, 
           compare::largest_explained(one, other, Variable::ydot, smooth)};
 }
 
-// "; WHOSE EXPECTED; all errors explain up to .. (1 run of 1000 is beyond), and so this".
+// "; WHOSE EXPECTED; all errors explain up to .. (exceeded by chance in 1 run of 1000): the
+// densities agree".
 std::string whether_explained(const MarginalDistances& gap, const MarginalDistances& expected,
                               const MarginalDistances& explained, const std::string& whose) {
   const auto within = [](const auto& difference, const auto& most) {
@@ -229,17 +232,18 @@ std::string whether_explained(const MarginalDistances& gap, const MarginalDistan
   };
   const bool agree = within(gap.y, explained.y) && within(gap.ydot, explained.ydot);
   return fmt::format(
-      "; {} {}; all errors explain up to {} (1 run of {:.0f} is beyond by chance), which {} that",
+      "; {} {}; all errors explain up to {} (exceeded by chance in 1 run of {:.0f}): the "
+      "densities {}",
       whose, text_of(expected), numbers(explained), 1 / compare::kAgreementLevel,
-      agree ? "explains" : "does not explain");
+      agree ? "agree" : "disagree");
 }
 
-/// What a measure finds of one marginal.
+/// The L1 error of one marginal relative to a simulation with control variates.
 struct Measured {
   double l1, error, chance, stated;
-  bool explained;  ///< by what both state (compare/agreement.hpp)
+  bool explained;  ///< l1 is within the errors of both solutions (compare/agreement.hpp)
 
-  /// Below that a distance is nearly all the measure's own noise.
+  /// A smaller distance is mostly the sampling error of the simulation.
   bool is_seen() const { return l1 > 3 * chance; }
   bool is_more_than_stated() const { return std::isfinite(stated) && !explained; }
 };
@@ -255,15 +259,14 @@ Measured measured(const Case& one, const Solution& solution, const Solution& mea
           .explained = !most || l1 <= *most};
 }
 
-// "2.7e-05 +- 5e-07 in p(y) (it states 2.8e-05)"
+// "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)"
 std::string measured_text(const Measured& found, Variable variable) {
-  const std::string stated = std::isfinite(found.stated)
-                                 ? fmt::format(" (it states {:.2g})", found.stated)
-                                 : std::string();
+  const std::string stated =
+      std::isfinite(found.stated) ? fmt::format(" (estimate {:.2g})", found.stated) : std::string();
   const char* density = variable == Variable::y ? "p(y)" : "p(y')";
   if (!found.is_seen()) {
-    return fmt::format("no more than the simulation's own {:.1g} in {}{}", 3 * found.chance,
-                       density, stated);
+    return fmt::format("at most {:.1g} (3 sampling errors of the simulation) in {}{}",
+                       3 * found.chance, density, stated);
   }
   return fmt::format("{:.2g} +- {:.0g} in {}{}", found.l1, found.error, density, stated);
 }
@@ -277,10 +280,10 @@ void say_what_is_measured(const Case& one, Sentences& sentences) {
     const Measured ydot = measured(one, *other, *measure, Variable::ydot);
     const bool more = y.is_more_than_stated() || ydot.is_more_than_stated();
     sentences.push_back(
-        fmt::format("{} is off by {} and {}, in L1 over smooth bins, as {} measures it{}.",
+        fmt::format("{} has an L1 error of {} and {} over smooth bins, measured by {}{}.",
                     capitalised(words_for(*other)), measured_text(y, Variable::y),
                     measured_text(ydot, Variable::ydot), words_for(*measure),
-                    more ? ": more than it states" : ""));
+                    more ? ": larger than the estimate" : ""));
   }
 }
 
@@ -302,8 +305,9 @@ void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
       chance = whether_explained(gap, together(own, others),
                                  largest_explained(reference, other, smooth), whose);
     }
-    sentences.push_back(capitalised(fmt::format("{} and {} differ by {}{}.", words_for(reference),
-                                                words_for(other), text_of(gap), chance)));
+    sentences.push_back(
+        capitalised(fmt::format("{} and {} differ by L1 {}{}.", words_for(reference),
+                                words_for(other), text_of(gap), chance)));
   }
 }
 
@@ -314,7 +318,7 @@ void say_how_far_files_are(const Case& one, Sentences& sentences) {
     for (const Solution* reference : all) {
       const MarginalDistances gap = l1_of(one, given, *reference);
       if (!gap.any()) continue;
-      // Only in the variables in which the file says how far off it may be.
+      // Only for the marginals of the external density that have standard errors.
       const bool smooth = is_measured(one, given, *reference);
       const MarginalDistances own = chance_of(given);
       MarginalDistances other = chance_of(*reference, smooth);
@@ -339,7 +343,7 @@ void say_how_far_files_are(const Case& one, Sentences& sentences) {
 void say_what_solvers_note(const Case& one, Sentences& sentences) {
   constexpr std::string_view kNotes = "notes[";
   for (const auto& solution : one.solutions) {
-    std::map<std::string, Sentences> notes;  // by what the path begins with
+    std::map<std::string, Sentences> notes;  // by the prefix of the path
     for (const auto& observation : solution.observations) {
       const auto mark = observation.path.rfind(kNotes);
       const auto* note = std::get_if<std::string>(&observation.value);
@@ -349,9 +353,10 @@ void say_what_solvers_note(const Case& one, Sentences& sentences) {
     }
     for (const auto& [place, own] : notes) {
       const auto file = transform::word(solution.observations, place + "file");
-      sentences.push_back(fmt::format(
-          "Of {}: {}.", file ? std::filesystem::path(*file).filename().string() : solution.id(),
-          fmt::join(own, "; ")));
+      sentences.push_back(
+          fmt::format("Note on {}: {}.",
+                      file ? std::filesystem::path(*file).filename().string() : solution.id(),
+                      fmt::join(own, "; ")));
     }
   }
 }

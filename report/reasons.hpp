@@ -7,9 +7,10 @@
 
 namespace fpkcheck::report {
 
-/// Why solutions of a case are not ok: those to which the same was not offered, together.
+/// Why solutions of a case are not ok. Solutions with status not_offered and the same reason share
+/// an entry.
 struct Reason {
-  std::vector<std::string> solutions;  ///< ids, in their order
+  std::vector<std::string> solutions;  ///< ids, in the order of the case
   transform::Status status;
   std::string text;
 };

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPageFile = "report.html";
 
-// The run that was saved there; nothing where there is none of ours: then the pictures are not ours
-// either.
+// The run saved in the directory. Nothing without a readable summary: then the pictures there may
+// belong to another program and are kept.
 std::optional<results::Run> earlier_run(const fs::path& directory) {
   std::error_code ignored;
   if (!fs::exists(directory / results::kSummaryFile, ignored)) return std::nullopt;
@@ -54,7 +54,7 @@ std::string terminal_text(const results::Run& run, const Supplement& supplement,
 ReportAgain report_again(const fs::path& directory, const results::Run& run,
                          const TextFormat& format, const FigureOptions& figures,
                          const Supplement& supplement) {
-  // All of it before anything is written.
+  // The text is made before any file is written: an exception then changes no file.
   ReportAgain again{terminal_text(run, supplement, format), {}};
   base::PendingFiles files;
   files.add(directory / kPageFile, page(run, supplement));

@@ -7,13 +7,14 @@
 
 namespace fpkcheck::report {
 
-/// The walls at which some solution of a case rests in contact, increasing; none in the paper.
+/// The walls at which a solution of the case has an atom (mass at rest in contact), in increasing
+/// order. Empty for the cases of the paper.
 std::vector<double> walls_of_rest(const results::Case& one);
 
-/// The head of a column: "P(rest)", or "P(rest at -0.5)" where there are several.
+/// The header of the column of a wall: "P(rest)", or "P(rest at -0.5)" if several walls have atoms.
 std::string rest_header(const results::Case& one, double wall);
 
-/// The probability of rest at a wall; NaN where the solution has no such atom.
+/// The probability of the atom at a wall; NaN if the solution has no atom there.
 double probability_of_rest(const transform::Solution& solution, double wall);
 
 }  // namespace fpkcheck::report

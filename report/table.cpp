@@ -36,10 +36,10 @@ std::string seconds_text(double x) {
 std::vector<Column> columns(const results::Case& one) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
   std::vector<Column> all;
-  // A column without a value, as the distances to the only solution, says nothing.
+  // Adds a column unless it has no value, such as the distances to the only solution.
   const auto add = [&](Column column, const auto& cell) {
     for (const auto& solution : one.solutions) {
-      // Its reason says all of it.
+      // The line of its reason replaces the row.
       if (solution.status == transform::Status::not_offered) continue;
       column.cells.push_back(cell(solution));
     }
@@ -122,8 +122,8 @@ std::string table(const results::Run& run, const TextFormat& format) {
   }
   if (!run.stopped.empty()) text += wrapped(run.stopped, width) + '\n';
   if (!missing.empty()) {
-    text += wrapped(fmt::format("Left out at {} columns: {} (a wider terminal, report.html and "
-                                "summary.json have them).",
+    text += wrapped(fmt::format("Omitted at {} characters per line: {}. A wider terminal, "
+                                "report.html and summary.json show these columns.",
                                 width, missing),
                     width);
   }

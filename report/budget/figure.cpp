@@ -24,19 +24,19 @@ using compare::ClosureBudget;
 using transform::Status;
 using transform::Variable;
 
-// Of the unit between two closures.
+// Fraction of the unit distance between two closures.
 constexpr double kGroupWidth = 0.8;
-// Parts that are smaller than this share of the largest total would stretch the axis for nothing.
+// The axis omits parts below this fraction of the largest total: they would only stretch it.
 constexpr double kSmallestShare = 1e-4;
 
-/// One panel: a variable, and one of the two measures.
+/// A panel for a marginal and a distance: L1, or the mean log ratio in the tail.
 struct BudgetPanel {
   const char* title;
   const char* label;
   Variable variable;
   double BudgetRow::*total;
   double BudgetPart::*part;
-  const char* block;  ///< its prefix of data blocks
+  const char* block;  ///< prefix of the names of its data blocks
 };
 constexpr std::array kPanels{
     BudgetPanel{"displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
@@ -54,12 +54,12 @@ std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {
 
 std::string totals_block(const BudgetPanel& panel) { return fmt::format("${}_total", panel.block); }
 
-/// A bar: where it stands among the closures 1, 2, .. and how wide it is.
+/// A bar: position on the axis of the closures 1, 2, .., width, value.
 struct Bar {
   double centre, width, value;
 };
 
-// The bars of a closure share the width of its group, whatever their number.
+// The bars of a closure, named by their parts, divide the width of its group equally.
 std::vector<std::pair<std::string, Bar>> bars(const BudgetPanel& panel, const ClosureBudget& budget,
                                               std::size_t place) {
   std::vector<std::pair<std::string, Bar>> result;
@@ -100,7 +100,7 @@ std::string data(const BudgetPanel& panel, const std::vector<ClosureBudget>& bud
   return text + "EOD\n";
 }
 
-/// The decades that hold all bars that matter.
+/// The range of decades that contains all bars above kSmallestShare.
 struct Range {
   double from, to;
 };
@@ -118,12 +118,12 @@ Range range(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets)
   }
   if (greatest == 0) return {1e-5, 1};
   const double from = std::max(least, kSmallestShare * greatest);
-  // The lowest bar keeps some height.
+  // The factors 0.8 and 1.2 leave space below the lowest and above the highest bar.
   return {std::pow(10, std::floor(std::log10(0.8 * from))),
           std::pow(10, std::ceil(std::log10(1.2 * greatest)))};
 }
 
-// Without the method's name; with an asterisk where the closure is not ok.
+// The id without the name of the method; an asterisk marks a closure that is not ok.
 std::string tic_label(const results::Case& one, const ClosureBudget& budget) {
   std::string label = budget.solution;
   const auto* solution = one.find(label);
@@ -190,7 +190,7 @@ std::string budget_script(const results::Case& one, const std::string& file_stem
       std::ranges::any_of(budgets, [](const auto& budget) { return budget.status != Status::ok; });
   const Legend entries = legend(names, any_not_ok);
   PanelGrid grid = panel_grid(width, kOnScreen);
-  // One column of a journal has no room for the tails as well.
+  // A single journal column has no room for the panels of the tails.
   const bool narrow = width == FigureWidth::one_column;
   grid.columns = narrow ? 1 : 2;
   grid.rows = 2;

@@ -9,11 +9,11 @@ namespace {
 
 struct PartLook {
   const char* colour;
-  const char* pattern;  ///< of plotly.js; "" for none
+  const char* pattern;  ///< fill pattern of plotly.js; "" for none
   int hatch;            ///< fill pattern of gnuplot; 0 for none
 };
 
-// Hues of Okabe and Ito, which colour-blind readers tell apart; hatched where grey would not.
+// Colours of Okabe and Ito, distinct for colour-blind readers; hatching distinguishes equal greys.
 PartLook look_of(const std::string& part) {
   using compare::Link;
   const auto links = compare::links_named(part);
@@ -45,7 +45,7 @@ std::string part_boxes(const std::string& part, bool faint) {
     return fmt::format("with boxes fillstyle solid {} border rgb '{}' linecolor rgb '{}'",
                        faint ? 0.3 : 1.0, colour, colour);
   }
-  // A hatching is not made fainter by its density: by white, of which it takes as much.
+  // A pattern has no fill density: its colour is mixed with white, 0.3 as for the solid bars.
   std::string shown = "#";
   for (const std::size_t at : {1, 3, 5}) {
     const int part_of_colour = std::stoi(std::string(colour).substr(at, 2), nullptr, 16);

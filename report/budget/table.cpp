@@ -37,8 +37,8 @@ bool shown_as_row(const std::vector<ClosureBudget>& budgets, const std::string& 
   });
 }
 
-/// Makes the columns of one variable, a cell for each closure and then one for each of the parts
-/// that are the same for all closures which have them.
+/// Builds the columns of a marginal: a cell for each closure, then a cell for each part with a row
+/// of its own, which is equal for all closures with this part.
 class VariableColumns {
  public:
   VariableColumns(const std::vector<ClosureBudget>& budgets, const std::vector<std::string>& below,

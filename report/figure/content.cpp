@@ -13,7 +13,8 @@ using results::Case;
 using results::Curve;
 using transform::Variable;
 
-// Where it knows itself in smooth bins, with intervals, else null.
+// The curve of the reference over smooth bins if it has confidence intervals in all bins, else
+// null.
 const Curve* smooth_reference(const Case& one, const std::string& reference, Variable variable) {
   const Curve* curve = one.smooth_curve(reference, variable);
   if (curve == nullptr) return nullptr;
@@ -23,7 +24,7 @@ const Curve* smooth_reference(const Case& one, const std::string& reference, Var
   return whole(curve->lower) && whole(curve->upper) ? curve : nullptr;
 }
 
-// Nothing where it lacks one of the curves.
+// Empty if the reference lacks the curve of a marginal.
 std::string reference_id(const Case& one) {
   const auto* reference = compare::reference(one.solutions);
   if (reference == nullptr) return "";

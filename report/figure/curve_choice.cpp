@@ -29,7 +29,7 @@ bool has_curve(const results::Case& one, const transform::Solution& solution) {
   });
 }
 
-// All of them, what is to be shown first first.
+// All solutions with a curve, by decreasing priority.
 std::vector<const transform::Solution*> by_interest(const results::Case& one) {
   std::vector<const transform::Solution*> order;
   const auto add = [&](const transform::Solution& solution) {
@@ -82,9 +82,8 @@ void require_curves(const std::vector<std::string>& wanted, std::span<const Iden
     for (const auto& identity : there) {
       if (std::ranges::count(ids, identity.id) == 0) ids.push_back(identity.id);
     }
-    throw InputError(
-        fmt::format("--curves: {} is none of the solutions (use all, a family, or of {})",
-                    base::in_quotes(item), fmt::join(ids, ", ")));
+    throw InputError(fmt::format("--curves: {} matches no solution; use all, a family or one of {}",
+                                 base::in_quotes(item), fmt::join(ids, ", ")));
   }
 }
 

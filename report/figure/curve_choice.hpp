@@ -9,22 +9,24 @@
 
 namespace fpkcheck::report {
 
-/// More curves than these are not told apart where they nearly coincide.
+/// Maximum number of curves by default: more curves that nearly coincide are indistinguishable.
 inline constexpr std::size_t kMostCurves = 6;
 
-/// Ids of the solutions that a case's picture shows.
+/// Ids of the solutions shown in the picture of a case.
 ///
-/// With nothing wanted these: what came from files, always; and with them, up to kMostCurves in
-/// all, the reference, the other solutions of the problem itself (report/references.hpp), the
-/// closest closure of each formulation, then other equations by decreasing trust, then other
-/// closures, those that are ok and closest first.
-/// @param wanted ids, families or solvers, all of whose curves are shown; or "all"
+/// The default selection has all external densities. Up to kMaxCurves curves in all follow by
+/// priority: the reference, the other solutions of the full problem (report/references.hpp), the
+/// closest closure of each formulation, other equations by decreasing trust, other closures (ok and
+/// closest first).
+/// @param wanted ids, families or solvers, all of whose curves are shown; or "all"; empty for the
+///               default selection
 std::set<std::string> chosen_curves(const results::Case& one,
                                     const std::vector<std::string>& wanted = {});
 
-/// @param wanted as of chosen_curves
-/// @param there  whose curves there are to choose from
-/// @throws InputError on one line for an item that means none of them
+/// Checks that every requested item matches a solution.
+/// @param wanted as in select_curves
+/// @param there  identities of the available solutions
+/// @throws InputError with a message of a single line for an item that matches no solution
 void require_curves(const std::vector<std::string>& wanted,
                     std::span<const transform::Identity> there);
 

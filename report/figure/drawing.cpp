@@ -24,7 +24,7 @@ namespace {
 std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
   return start == std::string::npos
-             ? "it said nothing"
+             ? "no message"
              : base::shown(text.substr(start, text.find('\n', start) - start));
 }
 
@@ -33,8 +33,9 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// @param target that gnuplot writes
-// @param picture that messages name
+// Runs gnuplot on a script.
+// @param target file that gnuplot writes
+// @param picture file named in messages
 void let_draw(const std::string& gnuplot, const fs::path& script, const std::string& format,
               const fs::path& target, const fs::path& picture) {
   const auto outcome = run_gnuplot(gnuplot,
@@ -45,14 +46,14 @@ void let_draw(const std::string& gnuplot, const fs::path& script, const std::str
   std::error_code error;
   const auto size = fs::file_size(target, error);
   if (outcome.exit_code != 0 || error || size == 0) {
-    throw std::runtime_error(fmt::format("{} was not drawn: gnuplot ended with code {} ({})",
+    throw std::runtime_error(fmt::format("{} was not drawn: gnuplot exited with code {} ({})",
                                          picture.string(), outcome.exit_code,
                                          first_line(outcome.message)));
   }
 }
 
-// gnuplot counts an SVG in pixels, and scales neither tics nor marks: so its picture is for a
-// screen, and told here how large it is on paper.
+// Sets the printed size of an SVG. gnuplot measures an SVG in pixels and does not scale tics and
+// marks, so that the picture itself is drawn for a screen.
 std::string in_millimetres(std::string svg, double across) {
   int width = 0, height = 0;
   const auto at = svg.find(" width=\"");
@@ -66,12 +67,14 @@ std::string in_millimetres(std::string svg, double across) {
       fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", across, across * height / width));
 }
 
-/// A directory of the system's for temporary files, with nothing in it.
+/// A new temporary directory, removed by the destructor.
 class Workplace {
  public:
   Workplace() {
     std::string name = (fs::temp_directory_path() / "fpkcheck-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error("cannot create a temporary directory: check TMPDIR");
+    }
     path_ = name;
   }
   Workplace(const Workplace&) = delete;
@@ -86,8 +89,9 @@ class Workplace {
   fs::path path_;
 };
 
-// gnuplot would call what a STEM.tex includes STEM.pdf, as the picture in that format, and names it
-// with its directory: here it is STEM-tex.pdf, and LaTeX's \graphicspath finds it.
+// gnuplot names the graphics included by STEM.tex STEM.pdf, as the picture in format pdf, and
+// writes the name with its directory. Here the graphics are STEM-tex.pdf without directory, for
+// LaTeX's \graphicspath.
 void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
   const Workplace workplace;
   const fs::path drawn = workplace.path() / "drawn.tex", art = workplace.path() / "drawn.pdf";
@@ -123,7 +127,7 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
 
 std::vector<std::string> draw_all(const std::string& gnuplot, const fs::path& figures,
                                   const std::string& stem, const FigureOptions& options) {
-  // What went wrong, or nothing.
+  // Draws one format; returns a warning if this failed.
   const auto attempt = [&](FigureFormat format) -> std::vector<std::string> {
     try {
       draw(gnuplot, figures / (stem + ".gp"), figures / fmt::format("{}.{}", stem, name(format)),
@@ -154,7 +158,7 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
     auto warnings = draw_all(gnuplot, figures, stem, options);
     return base::stop_requested() ? std::vector<std::string>() : warnings;
   } catch (const GnuplotMissing& missing) {
-    return {fmt::format("no picture: {} (install gnuplot, then `cd {} && gnuplot {}.gp` draws it)",
+    return {fmt::format("no picture: {}; install gnuplot, then run `cd {} && gnuplot {}.gp`",
                         missing.what(), figures.string(), stem)};
   }
 }

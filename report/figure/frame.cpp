@@ -10,14 +10,14 @@ namespace fpkcheck::report {
 namespace {
 
 constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
-// Letters of 11 points are these pixels high on a screen of 96 dots per inch, and so many points on
-// paper: 7 are the least that journals print.
+// Height of letters: 11 points in pixels on a screen of 96 dpi, and points on paper, where journals
+// require at least 7.
 constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
-// Pixels of a PNG for print, an inch.
+// Resolution of a PNG for print, in dpi.
 constexpr double kPrintedDots = 300;
 
-// Points that a pixel of the layout takes on paper; on a screen, of which a PDF has the size that
-// its letters ask for.
+// Points per pixel of the layout on paper, and in a PDF for the screen, whose letters have the same
+// size.
 constexpr double kPoint = kLetterPoints / kLetterPixels;
 
 double dots(FigureWidth medium) {
@@ -41,7 +41,7 @@ std::string png_terminal(const FigureSize& size) {
       scale * size.width, scale * size.height, scaled);
 }
 
-// In inches. Cairo takes fonts for those of a screen, and half the width for that of a line.
+// Sizes in inches. Cairo draws lines at half their width, hence the factor 2.
 std::string cairo_scale(const FigureSize& size) {
   return fmt::format("size {:.4f},{:.4f} linewidth {:.4g} pointscale {:.4g}",
                      size.width * kPoint / kPointsPerInch, size.height * kPoint / kPointsPerInch,
@@ -104,7 +104,7 @@ std::string figure_output(const std::string& file_stem, const FigureSize& size) 
 
 FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
   constexpr int kLine = 24, kFirstLine = 36;
-  // Smaller on paper, where room is dear.
+  // A smaller font on paper saves space.
   const int points = size.medium == FigureWidth::screen ? 14 : 11;
   const double letter = 0.6 * points * 96 / kPointsPerInch;
   std::vector<std::string> lines{""};
@@ -113,7 +113,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
     if (!lines.back().empty() && letters * letter > size.width) lines.emplace_back();
     lines.back() += part;
   }
-  // The end of a line is one in double quotes alone.
+  // gnuplot reads \n as a line break only within double quotes.
   std::vector<std::string> shown;
   for (auto& line : lines) {
     line.erase(line.find_last_not_of(' ') + 1);
@@ -124,7 +124,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
       kFirstLine + static_cast<int>(lines.size() - 1) * kLine};
 }
 
-// Upright: viewers of SVG drop the spaces beside a change of font.
+// All upright, without italics: viewers of SVG drop the spaces beside a change of font.
 FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
   std::vector<std::string> parts{problem.name + ": "};
   const std::string parameters = problem::parameters_text(problem, true);

@@ -31,11 +31,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The reading end of the child's standard error; of standard input there is nothing.
+/// A pipe from standard output and standard error of the child; its standard input is empty.
 class ErrorPipe {
  public:
   ErrorPipe() {
-    if (pipe2(ends_.data(), O_CLOEXEC) != 0) fail(errno, "pipe");  // two may run at once
+    // Close on exec: a second child of another thread must not inherit the ends.
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
@@ -54,16 +55,16 @@ class ErrorPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  /// Its beginning; nothing where there is no end before the deadline, or before the program is told
-  /// to stop.
+  /// Reads to the end of the output and returns its beginning. Nothing after the deadline or a stop
+  /// request.
   std::optional<std::string> read_to_the_end(Clock::time_point deadline) {
-    constexpr std::size_t kMost = 10000;  // the first line is what is told
-    close(ends_[1]);                      // else the end never comes
+    constexpr std::size_t kMost = 10000;  // callers report only the first line
+    close(ends_[1]);                      // the read returns end of file only without open writers
     ends_[1] = -1;
     std::string text;
     std::array<char, 4096> buffer;
     for (;;) {
-      constexpr int kMilliseconds = 50;  // between looks at the clock and at the signals
+      constexpr int kMilliseconds = 50;  // interval of the checks of deadline and stop request
       if (base::stop_requested() || Clock::now() > deadline) return std::nullopt;
       pollfd end{.fd = ends_[0], .events = POLLIN, .revents = 0};
       const int ready = poll(&end, 1, kMilliseconds);
@@ -82,7 +83,8 @@ class ErrorPipe {
   posix_spawn_file_actions_t actions_;
 };
 
-/// What this program does with signals is not for its children: it ignores SIGPIPE.
+/// Spawn attributes that reset SIGPIPE: this program ignores the signal, and a child would inherit
+/// that.
 class UsualSignals {
  public:
   UsualSignals() {
@@ -103,7 +105,7 @@ class UsualSignals {
   posix_spawnattr_t attributes_;
 };
 
-/// @return its exit code, -1 where a signal ended it; nothing as long as it runs
+/// @return the exit code of the child, -1 if a signal ended the child; nothing while the child runs
 std::optional<int> look_after(pid_t child, int options) {
   int status = 0;
   pid_t ended = 0;
@@ -115,8 +117,8 @@ std::optional<int> look_after(pid_t child, int options) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// The same for one that has closed its output, and so is about to end: if it does not before the
-/// deadline, nor before the program is told to stop, nothing.
+/// Waits for the exit of a child that has closed its output.
+/// @return the exit code; nothing after the deadline or a stop request
 std::optional<int> wait_for(pid_t child, Clock::time_point deadline) {
   constexpr std::chrono::milliseconds kFirstPause(1), kLongestPause(20);
   for (auto pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
@@ -126,7 +128,7 @@ std::optional<int> wait_for(pid_t child, Clock::time_point deadline) {
   }
 }
 
-// Ended by a null, as C wants them.
+// A null-terminated array, for the C interface.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (auto& text : texts) pointers.push_back(text.data());
@@ -148,8 +150,8 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                            const std::filesystem::path& script, std::chrono::milliseconds longest) {
   std::string before;
   for (const auto& assignment : assignments) before += assignment + "; ";
-  // Without a shell: no path needs quoting. Yet gnuplot takes a name that begins with '<' for a
-  // command: absolute ones begin with '/'.
+  // No shell is involved, so that paths need no quotes. gnuplot runs a name that begins with '<' as
+  // a command: the absolute path begins with '/'.
   std::vector<std::string> arguments{program, "-d", "-e", before,
                                      std::filesystem::absolute(script).string()};
   auto argv = pointers_to(arguments);
@@ -162,7 +164,7 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
   const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(),
                                  signals.attributes(), argv.data(), envp.data());
   if (error == ENOENT || error == EACCES) return {false, -1, ""};
-  if (error != 0) fail(error, "starting gnuplot");
+  if (error != 0) fail(error, "cannot start gnuplot");
   const auto deadline = Clock::now() + longest;
   auto message = error_pipe.read_to_the_end(deadline);
   const auto exit_code = message ? wait_for(child, deadline) : std::nullopt;
@@ -171,7 +173,7 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
     look_after(child, 0);
     return {
         true, -1,
-        fmt::format("it took longer than {} s", std::chrono::duration<double>(longest).count())};
+        fmt::format("time limit of {} s exceeded", std::chrono::duration<double>(longest).count())};
   }
   return {true, *exit_code, *std::move(message)};
 }
@@ -180,7 +182,7 @@ std::string gnuplot_string(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (std::iscntrl(static_cast<unsigned char>(c))) {
-      quoted += ' ';  // a string ends at the end of its line, and what follows would be a command
+      quoted += ' ';  // a string ends with its line: the next line would be run as a command
     } else {
       quoted += c == '\'' ? "''" : std::string(1, c);
     }

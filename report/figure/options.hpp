@@ -7,10 +7,10 @@
 
 #include "base/options/names.hpp"
 
-/// What whoever asks for pictures may choose.
+/// Options of pictures.
 namespace fpkcheck::report {
 
-/// `tex` is LaTeX: STEM.tex with the texts, for \input, and what they stand on in STEM-tex.pdf.
+/// `tex` is LaTeX: STEM.tex with the texts, for \input, and the graphics in STEM-tex.pdf.
 enum class FigureFormat { png, svg, pdf, tex };
 inline constexpr base::Named<FigureFormat> kFigureFormatNames[] = {{FigureFormat::png, "png"},
                                                                    {FigureFormat::svg, "svg"},
@@ -21,7 +21,7 @@ constexpr std::span<const base::Named<FigureFormat>> names(FigureFormat) {
 }
 constexpr std::string_view name(FigureFormat format) { return base::name_of(format); }
 
-/// Where a picture is to stand: what is narrow has fewer panels beside one another.
+/// The medium of a picture: a narrow picture has fewer panels side by side.
 enum class FigureWidth { screen, two_columns, one_column };
 inline constexpr base::Named<FigureWidth> kFigureWidthNames[] = {
     {FigureWidth::screen, "screen"},
@@ -33,8 +33,8 @@ constexpr std::string_view name(FigureWidth width) { return base::name_of(width)
 struct FigureOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureWidth width = FigureWidth::screen;
-  /// Of a case's picture: ids, families or solvers, or "all"; empty for the usual choice
-  /// (report/figure/curve_choice.hpp).
+  /// Curves in the picture of a case: ids, families or solvers, or "all"; empty for the default
+  /// selection (report/figure/curve_selection.hpp).
   std::vector<std::string> curves = {};
 };
 

@@ -25,7 +25,7 @@ using transform::Solution;
 constexpr const char* kTitles[] = {"displacement", "velocity"};
 constexpr const char* kOfLevels = "#555555";
 
-/// A family as its middle member looks, members that are not ok open.
+/// Style of a family: that of its middle member. Members that are not ok have open marks.
 struct FamilyLook {
   std::string colour;
   PointTypes points;
@@ -46,7 +46,7 @@ std::string with_members(const FamilyLook& look) {
                      look.colour, look.points.open);
 }
 
-// A density that was brought along, at its order or across the panel.
+// An external density: a mark at its order, or a horizontal line without an order.
 std::string with_guest(const Solution& guest) {
   const std::string colour = gnuplot_string(guest.identity.look.colour);
   if (!guest.identity.order) {
@@ -66,7 +66,7 @@ std::string name_of_block(transform::Variable variable, const char* what, std::s
   return fmt::format("{}_{}{}", name(variable), what, number);
 }
 
-/// What a panel shows, and its data.
+/// Data and commands of a panel.
 class OrderPanel {
  public:
   explicit OrderPanel(const Convergence& found) : found_(found) {
@@ -94,7 +94,7 @@ class OrderPanel {
   }
 
  private:
-  // Members that are not ok are drawn over their filled marks.
+  // Members that are not ok get a white filled mark, then an open mark, over the filled mark.
   void add(const Family& family) {
     std::string all, hollow;
     for (const Solution* member : family.solutions) {

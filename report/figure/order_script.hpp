@@ -7,10 +7,11 @@
 
 namespace fpkcheck::report {
 
-/// Whether some family has two orders whose distances to the reference are known.
+/// Whether a family has at least two orders with known distances to the reference.
 bool has_orders(const results::Case& one);
 
-/// The gnuplot script that draws L1 distances of families over their orders (report/convergence.hpp).
+/// A gnuplot script that draws the L1 distances of families to the reference over the order
+/// (report/convergence.hpp).
 std::string order_script(const results::Case& one, const std::string& file_stem, FigureWidth width);
 
 }  // namespace fpkcheck::report

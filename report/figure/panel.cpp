@@ -59,7 +59,7 @@ std::string axes(Panel panel, const FigureSide& side) {
           logarithmic_bottom(r), kPowersOfTen, logarithmic_top(r));
       break;
     case Panel::difference: {
-      // Nothing but the reference itself: any range shows it.
+      // If all differences are 0, as for the reference alone, any range will do.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       text += fmt::format("set yrange [{:.4g}:{:.4g}]\n", -half, half);
       density = "Δ" + density;
@@ -91,7 +91,7 @@ std::string using_columns(Panel panel, bool with_interval) {
 }
 
 std::string plot(Panel panel, const FigureSide& side, const std::string& reference) {
-  // More points than these would hide the lines; of marks, fewer do.
+  // More points would hide the lines; marks on a line need to be fewer.
   constexpr std::size_t kPointsOnACurve = 35, kMarksOnACurve = 8;
   std::vector<std::string> parts;
   const bool of_differences = panel == Panel::difference || panel == Panel::smooth_difference;
@@ -99,7 +99,7 @@ std::string plot(Panel panel, const FigureSide& side, const std::string& referen
       std::max<std::size_t>(1, std::ranges::count_if(side.curves, [](const DrawnCurve& drawn) {
                               return is_marked(drawn.solution->identity);
                             }));
-  std::size_t place = 0;  // among those that are marked
+  std::size_t place = 0;  // index among the curves with marks
   for (const auto& drawn : side.curves) {
     const Difference& difference = drawn.difference;
     if (of_differences && difference.empty()) continue;
@@ -117,7 +117,7 @@ std::string plot(Panel panel, const FigureSide& side, const std::string& referen
                                 using_columns(panel, with_interval),
                                 own_width ? kOwnWidth : drawn_with(drawn.look(), with_interval)));
     if (as_points || own_width || !is_marked(drawn.solution->identity)) continue;
-    // Curves that nearly coincide take turns.
+    // The marks of different curves are shifted: curves may nearly coincide.
     const auto between = std::max<std::size_t>(1, points / kMarksOnACurve);
     parts.push_back(fmt::format("{} every {}::{} using {} with points {} linecolor rgb {} notitle",
                                 block, between, place++ * between / marked,
@@ -130,7 +130,8 @@ std::string plot(Panel panel, const FigureSide& side, const std::string& referen
 }  // namespace
 
 std::string block_name(const FigureSide& side, const DrawnCurve& drawn) {
-  // Begins with a letter, as it must; the place tells ids apart that differ in other marks alone.
+  // gnuplot requires a letter first. The index keeps ids distinct that differ only in replaced
+  // characters.
   std::string name = fmt::format("{}{}_{}", transform::name(side.variable),
                                  &drawn - side.curves.data(), drawn.curve->solution);
   std::ranges::replace_if(
@@ -143,7 +144,8 @@ std::string difference_block_name(const FigureSide& side, const DrawnCurve& draw
 }
 
 std::string drawn_with(const transform::Look& look, bool with_interval) {
-  // A look may come from a file: it must not end its string, nor be a command.
+  // A style may come from a file: quoting prevents the end of the string and the injection of
+  // commands.
   const std::string colour = gnuplot_string(look.colour);
   if (look.as_points) {
     return fmt::format("with {} pointtype 6 pointsize dot linewidth {} linecolor rgb {}",

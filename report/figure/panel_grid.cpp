@@ -3,7 +3,7 @@
 namespace fpkcheck::report {
 namespace {
 
-// Of a panel with a label of its own, and of one without.
+// Left margin of a panel with tics and axis label, and with tics only.
 constexpr int kLeft = 92, kTicsAlone = 52;
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
 std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
 std::string order_stem(const std::string& stem) { return stem + "-order"; }
 
-// @param warnings gets a line for each case of which there is nothing to draw
+// @param warnings receives a line for each case without a density to draw
 std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& options,
                                  std::vector<std::string>& warnings) {
   std::vector<Picture> pictures;
@@ -29,11 +29,11 @@ std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& o
     const std::string stem = results::file_stem(one.name());
     if (content.sides.empty()) {
       warnings.push_back(fmt::format(
-          "no picture of {}: none of its solutions {}", one.name(),
-          content.left_out == 0 ? "has a density" : "that --curves names has a density"));
+          "no picture of {}: no solution {}", one.name(),
+          content.left_out == 0 ? "has a density" : "selected by --curves has a density"));
       continue;
     }
-    if (!options.curves.empty()) content.left_out = 0;  // whoever chose knows
+    if (!options.curves.empty()) content.left_out = 0;  // the selection is the user's own
     const auto width = options.width;
     pictures.push_back({stem, figure_script(one.problem, content, stem, width)});
     if (has_budget(one)) {
@@ -81,10 +81,10 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
     }
   } catch (const GnuplotMissing& missing) {
     warnings.push_back(
-        fmt::format("no pictures: {} (install gnuplot, then `fpkcheck report {}` draws them)",
+        fmt::format("no pictures: {}; install gnuplot, then run `fpkcheck report {}`",
                     missing.what(), directory.string()));
   }
-  // What did not become of the last one is no news then.
+  // After a stop request the last picture is missing by intention: no warning.
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

@@ -22,8 +22,8 @@ struct Extent {
 
 constexpr double kVisiblePart = 1.0 / 500;
 
-// Bin centres start half a bin beside the wall: the end of the bins is drawn where it is the wall at
-// y = 0, and where the density does not fade out before it.
+// Extends the ranges to the walls, half a bin beyond the bin centres: to the wall at y = 0, and to
+// either end of the bins if the density has not decayed there.
 void include_walls(const results::Curve& curve, double peak, Extent& linear, Extent& logarithmic) {
   const auto widths = results::bin_widths(curve);
   if (widths.empty()) return;
@@ -60,7 +60,7 @@ std::pair<double, double> difference_decades(const FigureRanges& r) {
 }
 
 double logarithmic_bottom(const FigureRanges& ranges, double floor) {
-  // The lowest point keeps some height.
+  // The factor 0.8 leaves space below the lowest point.
   const double least = std::min(0.8 * ranges.least_density, logarithmic_top(ranges) / 10);
   return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
 }

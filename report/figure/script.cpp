@@ -54,14 +54,15 @@ std::string settings() {
          "set border 3\n\n";
 }
 
-/// A panel of the figure, and the letter that it is known by.
+/// A panel and its letter.
 struct PlacedPanel {
   Panel panel;
   std::size_t side;
   char letter;
 };
 
-// Row by row. Letters as in the paper; where it is not all that the paper shows, in their order.
+// The panels row by row, lettered as in the paper. A single journal column has consecutive letters,
+// since panels are missing.
 std::vector<PlacedPanel> placed_panels(const FigureContent& content, FigureWidth width) {
   std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
   if (!content.reference.empty()) {
@@ -98,9 +99,9 @@ std::string legend_label(const DrawnCurve& drawn) {
   const auto& solution = *drawn.solution;
   std::string label = solution.id();
   if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
-  // No curve shows atoms.
+  // Curves do not show atoms: the label has their probabilities.
   for (const auto& atom : solution.atoms) {
-    label += fmt::format(", {:.3g} at rest at {:g}", atom.probability, atom.y);
+    label += fmt::format(", probability {:.3g} of rest at y = {:g}", atom.probability, atom.y);
   }
   if (!drawn.curve->lower.empty()) label += ", with 95 % intervals";
   return label;
@@ -127,12 +128,12 @@ Legend legend(const FigureContent& content, FigureWidth width) {
   }
   if (content.smooth_differences && listed.contains(content.reference)) {
     legend.entries.push_back({fmt::format("NaN {}", kOwnWidth),
-                              fmt::format("half of the interval of {}", content.reference)});
+                              fmt::format("half-width of the interval of {}", content.reference)});
   }
-  // Print has no command line.
+  // Only on a screen: the hint names a command-line option.
   if (content.left_out > 0 && width == FigureWidth::screen) {
-    legend.entries.push_back(
-        {"NaN with lines linetype nodraw", fmt::format("{} more: --curves all", content.left_out)});
+    legend.entries.push_back({"NaN with lines linetype nodraw",
+                              fmt::format("{} more curves: --curves all", content.left_out)});
   }
   return legend;
 }
@@ -156,7 +157,7 @@ std::string figure_script(const problem::Problem& problem, const FigureContent& 
   }
   return figure_output(file_stem, grid.size()) +
          "dot = format eq 'svg' ? 0.45 : 0.6\nmark = format eq 'svg' ? 0.8 : 1.1\n"
-         // Else intervals wipe out what lies beneath their points, in SVG far around them.
+         // By default a point's box erases the lines below an interval, in SVG far around.
          "set pointintervalbox 0.0001\n\n" +
          data(content) + settings() + PanelGrid::kLabels + title.command + panels +
          legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";

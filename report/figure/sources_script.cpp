@@ -22,8 +22,8 @@ using results::ErrorSource;
 using transform::Moments;
 
 constexpr std::size_t kMostMaps = 4, kMostInAColumn = 2;
-constexpr int kColourBar = 12, kBesideMap = 80;  // pixels: a colour bar, and with its tics
-// Cells farther out than this share of the largest value add nothing that is seen.
+constexpr int kColourBar = 12, kBesideMap = 80;  // width of a colour bar, and with tics, in pixels
+// Outer cells below this fraction of the largest value are invisible and omitted.
 constexpr double kVisibleShare = 1e-3;
 
 struct MapRow {
@@ -49,7 +49,7 @@ std::vector<std::string> shown_sources(const Case& one, std::size_t most = kMost
       add(*rank.solution);
     }
   }
-  std::ranges::reverse(ids);  // the better, the further to the right
+  std::ranges::reverse(ids);  // by increasing accuracy from left to right
   for (const auto& solution : one.solutions) {
     if (compare::solves_the_problem(solution)) add(solution);
   }
@@ -66,8 +66,8 @@ double largest_value(const ErrorSource& source) {
   return most;
 }
 
-/// The cells in which some map is visible: from y = 0 on where the cells begin there, and to both
-/// sides of rest.
+/// The range of cells with a visible value in some map. The range includes y = 0 if the cells begin
+/// there, and is symmetric in y'.
 struct VisiblePart {
   std::size_t y_begin = 0, y_end = 1, v_begin = 0, v_end = 0;
 };
@@ -94,14 +94,14 @@ VisiblePart visible_part(const Case& one, const std::vector<std::string>& ids) {
   return part;
 }
 
-// The root keeps what is small beside the wall's share in sight.
+// The square root keeps values visible that are small relative to those at the wall.
 double signed_root(double value, double limit) {
   return std::copysign(std::sqrt(std::abs(value) / limit), value);
 }
 
 double limit_of(const ErrorSource& source) { return std::max(largest_value(source), 1e-300); }
 
-// A line for each y'.
+// The data block of a map, with a row for each y'.
 std::string source_block(const ErrorSource& source, const std::string& name,
                          const VisiblePart& part) {
   std::string text = name + " << EOD\n";
@@ -115,10 +115,10 @@ std::string source_block(const ErrorSource& source, const std::string& name,
   return text + "EOD\n";
 }
 
-// Values at equal steps, each where the root puts it, in units of the power of ten that the label
-// has.
+// Tics of the colour bar at equal steps of the value, placed by the signed root, in units of the
+// power of ten in the label.
 std::string colour_axis(double limit) {
-  constexpr int kMostSteps = 5;  // to either side; then there are two at least
+  constexpr int kMostSteps = 5;  // on either side of 0; then at least two tics are on each side
   const double step = tic_step(0, limit, kMostSteps);
   const auto power = static_cast<int>(std::floor(std::log10(step)));
   std::vector<std::string> tics;
@@ -135,7 +135,7 @@ std::string colour_axis(double limit) {
 std::string source_panel(const Case& one, const std::string& id, std::size_t column,
                          const MapRow& what, const VisiblePart& part, const PanelGrid& grid,
                          std::size_t panel) {
-  constexpr int kMostTics = 4;  // that a map of the screen has room for
+  constexpr int kMostTics = 4;  // fit under a map on a screen
   const Place place = grid.place(panel);
   const auto* own = one.own_error(id);
   const double error = own == nullptr ? 0 : own->error.*what.member;
@@ -157,8 +157,8 @@ std::string source_panel(const Case& one, const std::string& id, std::size_t col
       source_block_name(column, what), y[part.y_begin] + dy / 2, dy, v[part.v_begin] + dv / 2, dv);
 }
 
-// A column for each density on a screen, where one alone has its maps beside each other; on paper a
-// row, or a map below another.
+// On a screen each density has a column, but a single density has a row of two maps. On paper each
+// density has a row, and in a single journal column all maps are stacked.
 PanelGrid grid_for(std::size_t densities, FigureWidth width) {
   constexpr int kColumnOnScreen = 375, kMoments = static_cast<int>(std::size(kRows));
   const int count = static_cast<int>(densities);

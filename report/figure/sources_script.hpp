@@ -7,12 +7,12 @@
 
 namespace fpkcheck::report {
 
-/// True when there is something to draw.
+/// Whether a case has error sources to draw.
 bool has_sources(const results::Case& one);
 
-/// Heat maps of where the errors of E[y^2] (above, or at the left on paper) and E[y'^2] come from,
-/// in the closest closure of each formulation and the solutions of the problem itself, four at
-/// most; in one column of a journal two.
+/// A gnuplot script with heat maps of the error sources of E[y^2] (top, or left on paper) and
+/// E[y'^2] in the phase plane. Shown are the closest closure of each formulation and the solutions
+/// of the full problem, at most four; two in a single journal column.
 std::string sources_script(const results::Case& one, const std::string& file_stem,
                            FigureWidth width = FigureWidth::screen);
 

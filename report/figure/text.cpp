@@ -20,7 +20,7 @@ constexpr std::pair<std::string_view, std::string_view> kOfLatex[] = {
     {"#", "\\#"},       {"$", "\\$"},       {"%", "\\%"},        {"&", "\\&"},
     {"~", "\\~{}"},     {"--", "-{}-"},
 };
-// What stands after a backslash in enhanced text, as LaTeX has it.
+// LaTeX code for the character after a backslash in enhanced text.
 constexpr std::pair<char, std::string_view> kEscaped[] = {
     {'_', "\\_"}, {'^', "\\^{}"}, {'{', "\\{"},   {'}', "\\}"},
     {'@', "@"},   {'&', "\\&"},   {'~', "\\~{}"}, {'\\', "\\textbackslash{}"},
@@ -33,7 +33,7 @@ std::string_view escaped(char c) {
   return "";
 }
 
-// What is within the braces that `at` is at, or the letter there; `at` comes to stand behind.
+// The text within braces that begin here, or a single letter; advances the position behind both.
 std::string_view argument(std::string_view text, std::size_t& at) {
   const bool in_braces = at < text.size() && text[at] == '{';
   const auto from = in_braces ? at + 1 : at;

@@ -23,13 +23,13 @@ using compare::BudgetRow;
 using compare::ClosureBudget;
 using transform::Variable;
 
-/// A closure's row of the budget in one variable.
+/// The budget of a closure for a marginal.
 struct LabelledRow {
-  std::string label;  ///< the closure's id, marked where it is not ok
+  std::string label;  ///< id of the closure, with kMark if not ok
   const BudgetRow* row;
 };
 
-/// The rows of one variable, and the names of all parts in the order of the chain.
+/// The budgets for a marginal, and the names of all parts in the order of the chain.
 struct Side {
   Variable variable;
   std::vector<LabelledRow> rows;
@@ -76,7 +76,7 @@ Json bars(const Side& side, const std::string& name) {
   Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
   for (const auto& [label, row] : side.rows) {
     const BudgetPart* part = row->find(name);
-    // Nothing is drawn on a logarithmic axis of what is not positive.
+    // A logarithmic axis has positive values only.
     if (part == nullptr || !(part->l1 > 0)) continue;
     x.push_back(part->l1);
     y.push_back(plotly_text(label));
@@ -132,10 +132,10 @@ std::string figure(const Side& side) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// One cell of a table: of a part, which may be missing.
+/// Makes the cell of a part.
 using PartCell = std::function<std::string(const BudgetPart&)>;
 
-// A column for the total and one for each part.
+// The columns of closures, totals and parts.
 std::vector<HtmlColumn> columns_of(const Side& side, const std::function<std::string(double)>& text,
                                    double BudgetRow::*total, const PartCell& cell) {
   std::vector<HtmlColumn> columns{{"solution", Align::left}, {"total"}};
@@ -154,7 +154,7 @@ std::vector<HtmlColumn> columns_of(const Side& side, const std::function<std::st
   return columns;
 }
 
-// The last step's own account of what chance does.
+// A column with a sampling error of the last step of the chain.
 HtmlColumn chance_column(const Side& side, const std::string& header,
                          std::optional<double> BudgetPart::*member) {
   HtmlColumn column{header};
@@ -170,8 +170,9 @@ std::string l1_table(const Side& side) {
     return part.uncertainty ? l1 + " \u00b1 " + l1_cell(part.uncertainty) : l1;
   };
   auto columns = columns_of(side, l1_cell, &BudgetRow::total, with_uncertainty);
-  columns.push_back(chance_column(side, "L1 that chance alone makes: mean", &BudgetPart::expected));
-  columns.push_back(chance_column(side, "exceeded in 1 run of 100", &BudgetPart::in_99));
+  columns.push_back(chance_column(side, "L1 of sampling error alone: mean", &BudgetPart::expected));
+  columns.push_back(
+      chance_column(side, "L1 of sampling error alone: 99 % quantile", &BudgetPart::in_99));
   return table_html(fmt::format("Error budget of {}: L1", density_text(side.variable)),
                     std::move(columns));
 }
@@ -191,9 +192,9 @@ std::string tail_table(const Side& side) {
 std::string budget_introduction(const results::Case& one) {
   if (one.budget.empty()) return "";
   return fmt::format(
-      "<p>What each step adds on the way from a closure to {}: L1, and in the tail the mean "
-      "|\u0394 log<sub>10</sub> p|. The total is at most the sum of the parts; it is less where "
-      "they cancel. (<a href=\"#budget-terms\">What the parts are</a>)</p>\n",
+      "<p>Contribution of each step of the chain from a closure to {}: L1, and in the tail the "
+      "mean |\u0394 log<sub>10</sub> p|. The total is at most the sum of the parts, and smaller if "
+      "parts cancel. (<a href=\"#budget-terms\">Definition of the parts</a>)</p>\n",
       escaped(one.budget.front().reference));
 }
 

@@ -32,7 +32,7 @@ constexpr std::pair<const char*, double Moments::*> kShownMoments[] = {
     {"E[y\u2074]", &Moments::y4},
     {"E[y\u2032\u2074]", &Moments::v4}};
 
-/// A table with a row for each solution, and a column for each question put to them.
+/// A table with a row for each solution; each call adds a column.
 class SolutionsTable {
  public:
   explicit SolutionsTable(const results::Case& one) : one_(one) {
@@ -43,7 +43,7 @@ class SolutionsTable {
                 const std::function<std::string(const Solution&)>& cell) {
     columns_.push_back({header, Align::left});
     for (const auto& s : one_.solutions) {
-      // Its reason says all of it.
+      // The list entry with the reason replaces the row.
       if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
     }
   }
@@ -57,7 +57,7 @@ class SolutionsTable {
     add_text(header, cell);
     columns_.back().align = Align::right;
   }
-  /// A number that only a density has.
+  /// Adds a number that exists only for a density.
   void add_of_density(const std::string& header, int digits,
                       const std::function<double(const Solution&)>& number) {
     add_number(header, [&](const Solution& s) {
@@ -65,7 +65,7 @@ class SolutionsTable {
     });
   }
   void add_mass_and_energy() {
-    // Of a mass, what tells anything is how far it is from one.
+    // Only the deviation from 1 is informative.
     add_of_density("mass \u2212 1", 1, [](const Solution& s) { return s.mass - 1; });
     add_of_density("energy residual", 1, [](const Solution& s) { return s.energy_residual; });
   }
@@ -79,7 +79,7 @@ class SolutionsTable {
   std::vector<HtmlColumn> columns_;
 };
 
-// Of what only some solutions have.
+// A number from a part that some solutions lack.
 template <class Part, class Number>
 std::optional<double> of(const std::optional<Part>& part, const Number& number) {
   if (!part) return std::nullopt;
@@ -121,7 +121,7 @@ std::string own_errors_table(const results::Case& one) {
       return own == nullptr ? std::string(kNoValue) : number_text(own->error.*member, 2);
     });
   }
-  return std::move(table).html("Errors of moments, by each density's own residuals");
+  return std::move(table).html("Errors of moments, estimated from residuals");
 }
 
 std::string moment_errors_table(const results::Case& one) {
@@ -139,7 +139,7 @@ std::string moment_errors_table(const results::Case& one) {
     };
     table.add_number(fmt::format("{} in [{}, {}]", header, lower, upper), error);
   }
-  return std::move(table).html("Errors of moments, by the guaranteed bounds");
+  return std::move(table).html("Errors of moments, from the guaranteed bounds");
 }
 
 std::string reasons_html(const results::Case& one) {
@@ -156,36 +156,37 @@ std::string diagnostics_tables(const results::Case& one) {
   using transform::StandardErrors;
   SolutionsTable table(one);
   table.add_status();
-  table.add_of_density("least density / peak", 1, [](const Solution& s) { return s.min_density; });
+  table.add_of_density("minimum density / peak", 1,
+                       [](const Solution& s) { return s.min_density; });
   table.add_mass_and_energy();
-  table.add_number("its standard error", [](const Solution& s) {
+  table.add_number("standard error of the energy residual", [](const Solution& s) {
     return number_text(of(s.standard_errors, &StandardErrors::energy_residual), 1);
   });
-  table.add_number("stated error of p(y), L1", [](const Solution& s) {
+  table.add_number("error estimate of p(y), L1", [](const Solution& s) {
     return l1_cell(of(s.error, &transform::StatedError::y_l1));
   });
-  table.add_number("of p(y\u2032)", [](const Solution& s) {
+  table.add_number("error estimate of p(y\u2032), L1", [](const Solution& s) {
     return l1_cell(of(s.error, &transform::StatedError::ydot_l1));
   });
   table.add_number("sampling error of p(y), L1", [](const Solution& s) {
     return l1_cell(s.sampling ? s.sampling->y : std::nullopt);
   });
-  table.add_number("of p(y\u2032)", [](const Solution& s) {
+  table.add_number("sampling error of p(y\u2032), L1", [](const Solution& s) {
     return l1_cell(s.sampling ? s.sampling->ydot : std::nullopt);
   });
-  table.add_number("in smooth bins: of p(y)", [](const Solution& s) {
+  table.add_number("sampling error of p(y), smooth bins", [](const Solution& s) {
     return l1_cell(s.smooth_sampling ? s.smooth_sampling->y : std::nullopt);
   });
-  table.add_number("of p(y\u2032)", [](const Solution& s) {
+  table.add_number("sampling error of p(y\u2032), smooth bins", [](const Solution& s) {
     return l1_cell(s.smooth_sampling ? s.smooth_sampling->ydot : std::nullopt);
   });
   table.add_number("standard error of E[y\u00b2]", [](const Solution& s) {
     return number_text(of(s.standard_errors, [](const auto& e) { return e.moments.y2; }), 2);
   });
-  table.add_number("of E[y\u2032\u00b2]", [](const Solution& s) {
+  table.add_number("standard error of E[y\u2032\u00b2]", [](const Solution& s) {
     return number_text(of(s.standard_errors, [](const auto& e) { return e.moments.v2; }), 2);
   });
-  return std::move(table).html("Mass, energy, errors by their own account") + family_tables(one);
+  return std::move(table).html("Mass, energy and error estimates") + family_tables(one);
 }
 
 }  // namespace fpkcheck::report

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 using transform::Solution;
 using transform::Variable;
 
-// What both plots share. Solutions that are not ok are hollow.
+// The common part of the traces of both kinds of plots. Solutions that are not ok have open marks.
 template <class L1>
 Json base_trace(const Family& family, const L1& l1, LogRange& range) {
   Json l1s = Json::array(), names = Json::array(), symbols = Json::array(), colours = Json::array();
@@ -37,7 +37,7 @@ Json base_trace(const Family& family, const L1& l1, LogRange& range) {
 }
 
 Json log_axis(const std::string& title, const LogRange& range) {
-  // With room for marks and their names at both ends.
+  // The range leaves room for marks and names at both ends.
   return {{"type", "log"},
           {"range", range.exponents(0.3, 0.4)},
           {"exponentformat", "power"},
@@ -49,7 +49,7 @@ Json log_axis(const std::string& title, const LogRange& range) {
 std::string figure(const Json& data, const Json& x_axis, Variable variable,
                    const Solution& reference, const LogRange& l1s) {
   const std::string y_title =
-      fmt::format("L1 of {} to {}", density_text(variable), plotly_text(reference.id()));
+      fmt::format("L1 distance of {} to {}", density_text(variable), plotly_text(reference.id()));
   const Json json{
       {"height", 340},
       {"arrays", Json::object()},
@@ -70,7 +70,7 @@ Json level_trace(const std::string& name, double l1, const Json& line, double fr
           {"hovertemplate", "%{y:.3g}"}};
 }
 
-/// A guest at its order, or as a level where it has none.
+/// An external density: a mark at its order, or a horizontal line without an order.
 Json guest_trace(const Solution& guest, double l1, double from, double to) {
   const auto& look = guest.identity.look;
   Json trace = level_trace(legend_name(guest), l1,
@@ -118,8 +118,8 @@ std::string order_figure(const Convergence& found) {
   return figure(data, x_axis, found.variable, *found.reference, l1s);
 }
 
-// The side of a mark on which its name stands: neighbours, in a family and between families, have
-// different ones, so that fewer names fall upon each other.
+// Position of the name beside a mark: it differs between neighbours within a family and between
+// families, so that fewer names overlap.
 const char* text_position(std::size_t place_of_family, std::size_t place_in_it) {
   constexpr std::array kSides{"top center", "bottom center", "top left", "bottom right"};
   return kSides[(place_of_family + place_in_it) % kSides.size()];
@@ -151,7 +151,7 @@ std::string cost_figure(const std::vector<Family>& away, const results::Case& on
     trace["hovertemplate"] = "%{customdata}: %{y:.3g} in %{x:.2g} s<extra></extra>";
     data.push_back(trace);
   }
-  return figure(data, log_axis("seconds", times), variable, reference, l1s);
+  return figure(data, log_axis("computing time in seconds", times), variable, reference, l1s);
 }
 
 }  // namespace
@@ -161,10 +161,10 @@ std::vector<Plot> order_plots(const results::Case& one, const std::string& prefi
   for (const Variable variable : transform::kVariables) {
     const auto found = convergence(one, variable);
     if (!found) continue;
-    plots.push_back(
-        {fmt::format("{}-order-{}", prefix, name(variable)),
-         fmt::format("Convergence of the closures in {}; hollow: not ok", density_text(variable)),
-         order_figure(*found)});
+    plots.push_back({fmt::format("{}-order-{}", prefix, name(variable)),
+                     fmt::format("Convergence of the closures in {}; open marks: not ok",
+                                 density_text(variable)),
+                     order_figure(*found)});
   }
   return plots;
 }
@@ -180,9 +180,10 @@ std::vector<Plot> cost_plots(const results::Case& one, const std::string& prefix
         away.push_back(&solution);
     }
     if (away.empty()) continue;
-    plots.push_back({fmt::format("{}-cost-{}", prefix, name(variable)),
-                     fmt::format("Distance in {} against cost", density_text(variable)),
-                     cost_figure(families(away), one, *reference, variable)});
+    plots.push_back(
+        {fmt::format("{}-cost-{}", prefix, name(variable)),
+         fmt::format("L1 distance in {} against computing time", density_text(variable)),
+         cost_figure(families(away), one, *reference, variable)});
   }
   return plots;
 }

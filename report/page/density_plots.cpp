@@ -19,11 +19,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSmallestShown = 1e-7;
-// Ends of intervals at or below zero have no logarithm; this is far below the axis.
+// Replaces ends of intervals at or below zero, which have no logarithm; far below the axis.
 constexpr double kFarBelow = 1e-12;
 
-/// The rows of a plot: axes "", "2", "3" of plotly.js. What differs stands at the top, curves that
-/// cannot be told from each other at the bottom.
+/// The rows of a plot, axes "", "2", "3" of plotly.js, from the bottom. The differences are at the
+/// top, since the densities nearly coincide.
 enum Row { kLinear, kLogarithmic, kDifference };
 
 std::string axis(char letter, Row row) {
@@ -37,7 +37,7 @@ std::vector<double> at_least(std::vector<double> values, double least) {
 
 class DensityPlot {
  public:
-  /// @param shown ids of the solutions that are not hidden at first
+  /// @param shown ids of the initially visible solutions
   DensityPlot(const results::Case& one, const FigureSide& side, const FigureContent& content,
               const std::set<std::string>& shown)
       : one_(one),
@@ -82,14 +82,15 @@ class DensityPlot {
     add_curve(drawn, kDifference, "difference");
   }
 
-  // Nearly always the same bins: then the first curve's serve all.
+  // Name of the array of abscissae. Curves on the bins of the first curve share its array.
   std::string x_of(const DrawnCurve& drawn) const {
     const results::Curve& first = *side_.curves.front().curve;
     const bool same = drawn.curve->abscissa == first.abscissa;
     return (same ? first.solution : drawn.curve->solution) + " x";
   }
 
-  // The same for all that have one; where the first curve has none, each brings its own.
+  // Name of the array of abscissae of a difference. Differences on the bins of the first curve's
+  // difference share its array.
   std::string difference_x_of(const DrawnCurve& drawn) const {
     const DrawnCurve& first = side_.curves.front();
     const bool same = drawn.difference.abscissa == first.difference.abscissa;
@@ -103,7 +104,7 @@ class DensityPlot {
   Json trace(const DrawnCurve& drawn, Row row, const std::string& array) const {
     const std::string& id = drawn.curve->solution;
     const std::string x = row == kDifference ? difference_x_of(drawn) : x_of(drawn);
-    // In legends as in tables, whatever is drawn first.
+    // Legends have the order of the tables, not the drawing order.
     const auto rank = drawn.solution - one_.solutions.data();
     Json json{{"type", "scatter"},           {"name", legend_name(*drawn.solution)},
               {"legendgroup", id},           {"legendrank", rank},
@@ -120,7 +121,7 @@ class DensityPlot {
     const auto& look = drawn.solution->identity.look;
     if (look.as_points) {
       json["mode"] = "markers";
-      // More points than these would hide the lines.
+      // More than 40 points would hide the lines.
       json["marker"] = {
           {"color", look.colour}, {"symbol", "circle-open"}, {"size", 6}, {"maxdisplayed", 40}};
     } else {
@@ -207,7 +208,7 @@ class DensityPlot {
     return json;
   }
 
-  // Of the axis of differences: what is hidden at first does not set it.
+  // The range of the axis of differences: initially hidden curves do not affect it.
   FigureRanges ranges_of_shown() const {
     std::vector<DrawnCurve> curves;
     std::ranges::copy_if(side_.curves, std::back_inserter(curves), [&](const DrawnCurve& drawn) {
@@ -218,8 +219,8 @@ class DensityPlot {
 
   const results::Case& one_;
   const FigureSide& side_;
-  const std::string& reference_;  // "" without one
-  bool smooth_;                   // differences of averages over smooth bins
+  const std::string& reference_;  // id, or "" without reference
+  bool smooth_;                   // differences between averages over smooth bins
   const std::set<std::string>& shown_;
   Json arrays_ = Json::object(), traces_ = Json::array();
 };
@@ -236,7 +237,7 @@ std::vector<Plot> density_plots(const results::Case& one, const FigureContent& c
     if (!content.reference.empty()) {
       caption += "difference from " + content.reference;
       if (content.smooth_differences) {
-        caption += " over smooth bins, and half the width of its own 95 % intervals";
+        caption += " over smooth bins, with the half-width of its 95 % confidence intervals";
       }
       caption += "; ";
     }

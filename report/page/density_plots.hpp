@@ -10,14 +10,14 @@
 
 namespace fpkcheck::report {
 
-/// p(y) and p(y'): for each variable one plot with the density linear and logarithmic and its
-/// difference from the reference; the simulation as points in its 95 % band.
-/// @param prefix how the ids of the plots begin
+/// A plot for each marginal with three rows: the density on a linear and on a logarithmic axis, and
+/// the difference from the reference. The simulation is shown as points in a 95 % band.
+/// @param prefix of the ids of the plots
 std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix);
 
-/// The same of some of its curves.
-/// @param content of the case
-/// @param shown   ids of the solutions that are not switched off at first
+/// The same plots for given curves.
+/// @param content the curves of the case
+/// @param shown   ids of the initially visible solutions
 std::vector<Plot> density_plots(const results::Case& one, const FigureContent& content,
                                 const std::set<std::string>& shown, const std::string& prefix);
 

@@ -15,9 +15,9 @@ namespace {
 
 using transform::Solution;
 
-// In units of the drawing, which the page scales to its width.
+// Lengths in units of the SVG, which the page scales to its width.
 constexpr double kWidth = 560, kNames = 132, kRight = 14, kTop = 22, kRow = 22, kBottom = 42;
-constexpr double kLeast = 1e-9;  // what is nearer is drawn there
+constexpr double kLeast = 1e-9;  // smaller distances are drawn here
 
 class Strip {
  public:
@@ -72,13 +72,14 @@ class Strip {
         kTop, bottom());
   }
 
-  // What is nearer to the references than they know themselves.
+  // The rectangle of distances within the error estimate of the references.
   std::string what_is_known() const {
     if (!(known_ > 0)) return "";
     const double end = x_of(known_);
     return fmt::format("<rect class=\"known\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"/>\n",
                        kNames, kTop, end - kNames, bottom() - kTop) +
-           (end - kNames > 60 ? text((kNames + end) / 2, kTop - 7, "middle", "not known") : "");
+           (end - kNames > 60 ? text((kNames + end) / 2, kTop - 7, "middle", "reference error")
+                              : "");
   }
 
   std::string axis() const {
@@ -94,7 +95,7 @@ class Strip {
     svg += upright(x_of(kCloseL1), "close") +
            text(x_of(kCloseL1), kTop - 7, "middle", fmt::format("close: {}", kCloseL1));
     return svg + text((kNames + kWidth - kRight) / 2, bottom() + 36, "middle",
-                      "L1 to the reference, the larger of p(y) and p(y\u2032)");
+                      "L1 distance to the reference, the larger of p(y) and p(y\u2032)");
   }
 
   std::string rows() const {
@@ -124,7 +125,7 @@ class Strip {
     return "";
   }
 
-  // Full: ok; hollow: another status; a cross: no density.
+  // Filled circle: ok; open circle: another status; cross: no admissible density.
   std::string mark(const Record& record, std::size_t c, double y) const {
     const Stand& stand = record.stands[c];
     const auto l1 = stand.farthest();
@@ -146,7 +147,7 @@ class Strip {
   const std::vector<Record>& all_;
   bool any_ = false;
   double from_ = 0, to_ = 0;  // decades
-  double known_ = 0;          // largest own error of a reference
+  double known_ = 0;          // largest error estimate of a reference
 };
 
 }  // namespace
@@ -156,9 +157,9 @@ std::string distance_strip(const results::Run& run, const std::vector<Record>& r
   if (strip.empty()) return "";
   return "<figure class=\"strip\">\n" + strip.svg() +
          fmt::format(
-             "<figcaption>{}: full when <b>ok</b>, hollow when not, a cross where it is no "
-             "density.</figcaption>\n</figure>\n",
-             run.cases.size() > 1 ? "A mark for each case" : "How far each method is");
+             "<figcaption>{}: filled for status <b>ok</b>, open for another status, a cross "
+             "without an admissible density.</figcaption>\n</figure>\n",
+             run.cases.size() > 1 ? "A mark for each case" : "A mark for each method");
 }
 
 }  // namespace fpkcheck::report

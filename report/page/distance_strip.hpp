@@ -8,10 +8,10 @@
 
 namespace fpkcheck::report {
 
-/// The picture of the matrix, as SVG in the page: a row for each solution and a mark for each case at
-/// the larger of both L1 distances, on a logarithmic axis, with the line up to which an answer is
-/// called close and the error that the references know themselves to. Colours of text and lines are
-/// those of the page. Empty where nothing has a distance.
+/// The matrix of the verdict as an SVG picture: a row for each solution, and for each case a mark
+/// at the larger of both L1 distances to the reference, on a logarithmic axis. A line shows
+/// kCloseL1, a rectangle the error estimate of the references. Text and lines have the colours of
+/// the page. Empty without distances.
 std::string distance_strip(const results::Run& run, const std::vector<Record>& records);
 
 }  // namespace fpkcheck::report

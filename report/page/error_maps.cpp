@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 using results::Case;
 using transform::Moments;
 
-// Colours, and what a reader is told of a cell, are no finer.
+// Resolution of the colours and of the value shown for a cell.
 constexpr int kErrorLevels = 127;
 
 struct ShownMoment {
@@ -30,7 +30,7 @@ struct ShownMoment {
 constexpr ShownMoment kMapped[] = {{"y2", "E[y\u00b2]", &Moments::y2},
                                    {"v2", "E[y\u2032\u00b2]", &Moments::v2}};
 
-// The closures that are ok, the closest first, then all others.
+// Ids of the closures that are ok, closest first, then of all others.
 std::vector<std::string> in_order(const Case& one) {
   std::vector<std::string> ids;
   for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
@@ -64,7 +64,8 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
   const bool same = std::ranges::all_of(one.error_sources, [&](const auto& source) {
     return source.density.y_edges == cells.y_edges && source.density.v_edges == cells.v_edges;
   });
-  // The window of any density on these cells: all but the wildest have the same.
+  // The window of the reference, or of the first joint density without a reference: nearly all
+  // densities have the same window.
   const auto* measure = compare::reference(one.solutions);
   const auto joint = std::ranges::find_if(one.joints, [&](const auto& candidate) {
     return measure == nullptr || candidate.solution == measure->id();
@@ -96,15 +97,15 @@ std::string error_maps_html(const ErrorMaps& maps, const std::string& prefix) {
   }
   std::string html = fmt::format(
       "<p class=\"controls\"><label>Errors of: <select id=\"{}-errors-choice\">{}</select></label>"
-      "</p>\n<p>The moment of a density less the true one is the integral of such a map: minus the "
-      "solution of the backward equation, tested against what the density leaves of its own "
-      "equation there. No other density is needed.</p>\n<div class=\"maps\">\n",
+      "</p>\n<p>The integral of a map is the error of the moment (dual-weighted residual). The map "
+      "shows minus the solution of the backward equation times the residual of the density in the "
+      "stationary equation. No other density is needed.</p>\n<div class=\"maps\">\n",
       prefix, options);
   for (std::size_t k = 0; k < std::size(kMapped); ++k) {
     html += fmt::format(
         "<figure>\n<figcaption id=\"{0}-errors-caption{1}\"></figcaption>\n<div class=\"plot\" "
-        "id=\"{0}-errors-map{1}\" role=\"img\" aria-label=\"Heat map of where the error of {2} "
-        "comes from\"></div>\n</figure>\n",
+        "id=\"{0}-errors-map{1}\" role=\"img\" aria-label=\"Heat map of the sources of the error "
+        "of {2}\"></div>\n</figure>\n",
         prefix, k, kMapped[k].text);
   }
   return html + "</div>\n";

@@ -25,14 +25,14 @@ bool repeats_an_option(const Observation& observation, const Solution& solution)
          solution.options.end();
 }
 
-// "support" of "support.edge_density"; nothing of a path that stands by itself.
+// "support" for "support.edge_density"; empty for a path without group.
 std::string_view group_of(const std::string& path) {
   const auto dot = path.find('.');
   return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
 }
 
-// Paths of what tells anything, each where it stands in the solution that has it first; groups
-// after the others, by name, since a file keeps the order within a group only.
+// Paths of the metrics with a value that repeats no option, in the order of the first solution with
+// the metric. Groups follow, sorted by name, since a file keeps the order only within a group.
 std::vector<std::string> told_paths(const Family& family) {
   std::vector<std::string> paths;
   std::set<std::string> told;
@@ -52,7 +52,7 @@ std::vector<std::string> told_paths(const Family& family) {
   return paths;
 }
 
-// "support.edge_density" is "support: edge density".
+// "support.edge_density" becomes "support: edge density".
 std::string readable(const std::string& path) {
   std::string text;
   for (const char c : path) {
@@ -62,14 +62,14 @@ std::string readable(const std::string& path) {
   return text;
 }
 
-// Where Q_n rises but a fixed term holds the exponent down, the radius alone would read like the reason
-// for a rejection.
+// Text of a metric. In a confined closure Q_n may rise while a fixed term keeps the exponent
+// decreasing: the radius alone would look like the reason for status inadmissible.
 std::string told(const Solution& solution, const std::string& path) {
   const Observation* found = find(solution.observations, path);
   std::string text = value_text(found ? found->value : base::Value(), kDigits);
   const bool is_confined = transform::word(solution.observations, "tail.kind") == "confined";
   if (path == "support.rises_from" && is_confined && text != kNoValue) {
-    text = fmt::format("confined (Q_n from {})", text);
+    text = fmt::format("confined (Q_n rises from {})", text);
   }
   return text;
 }
@@ -84,7 +84,7 @@ std::string family_table(const Family& family) {
       table.back().cells.push_back(told(*solution, path));
     }
   }
-  return table_html(fmt::format("What {} says of itself", family.name), std::move(table));
+  return table_html(fmt::format("Metrics of {}", family.name), std::move(table));
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 namespace fpkcheck::report {
 
-/// Ids of the solutions that a plot shows before anybody has chosen: those of the problem itself
-/// (report/references.hpp) and the closest closure of each family; all that there are when that
-/// leaves fewer than two.
+/// Ids of the solutions that are initially visible in a plot: the solutions of the full problem
+/// (report/references.hpp), the closest closure of each family and external densities; all
+/// solutions if these are fewer than two.
 std::set<std::string> first_shown(const results::Case& one);
 
 }  // namespace fpkcheck::report

@@ -12,7 +12,7 @@ std::string_view css_class(const HtmlColumn& column) {
   return column.align == Align::right ? " class=\"number\"" : "";
 }
 
-// A status in a frame of its colour: by a class of its letters.
+// A status in a coloured frame. The name of the status is the CSS class, which sets the colour.
 std::string chip(const std::string& status) {
   std::string letters = status;
   std::ranges::replace_if(

@@ -22,8 +22,8 @@ using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
 
-// Of a difference a map shows what is above 1e-8 of its largest: in the tails, where it draws ratios,
-// less than a density has there.
+// Resolves differences down to 1e-8 of the largest. Logarithmic maps show ratios in the tails,
+// where densities are larger than this resolution.
 constexpr int kLevels = 4096;
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
@@ -51,7 +51,7 @@ const JointDensity* find(const results::Case& one, const std::string& solution) 
   return found == one.joints.end() ? nullptr : &*found;
 }
 
-// Closures, the closest first, then the others that are ok.
+// Ids of the closures, closest first, then of the other solutions that are ok.
 std::vector<std::string> compared(const results::Case& one, const std::string& reference) {
   std::vector<std::string> ids;
   for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
@@ -68,8 +68,9 @@ bool on_the_same_cells(const GridDensity& a, const GridDensity& b) {
   return a.y_edges == b.y_edges && a.v_edges == b.v_edges;
 }
 
-// The reference, but a simulation's cells have all the noise that its smooth bins have lost: then
-// the solution known best among the others that have a joint density.
+// The reference of the joint densities: the solution of the full problem with the smallest error
+// estimate. Control variates reduce the sampling error of smooth bins, not of cells: a simulation
+// with control variates comes last.
 const transform::Solution* joint_reference(const results::Case& one) {
   const transform::Solution* best = nullptr;
   const auto error = [](const transform::Solution& solution) {
@@ -103,7 +104,7 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
     const JointDensity* joint = find(one, id);
     if (joint == nullptr || !on_the_same_cells(joint->density, density)) continue;
     maps.differences.push_back(difference(*joint, *reference, window));
-    // Atoms of rest are at different points of the plane.
+    // The atoms are points of the plane, outside the integral over cells.
     maps.differences.back().l1 += compare::atom_distance(
         transform::find_solution(one.solutions, id)->atoms, measure->atoms, transform::Variable::y);
   }
@@ -124,7 +125,7 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
       "</label>\n"
       "<label>Colours: <select id=\"{1}-joint-scale\"><option value=\"linear\">linear</option>"
       "<option value=\"logarithmic\">logarithmic</option></select></label></p>\n"
-      "<p>L1 is here the integral of |p(y, y\u2032) \u2212 reference| over the plane.</p>\n"
+      "<p>Here L1 is the integral of |p(y, y\u2032) \u2212 reference| over the plane.</p>\n"
       "<div class=\"maps\">\n",
       reference, prefix, options);
   const std::string parts[][2] = {
@@ -134,8 +135,8 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
       {"difference",
        fmt::format("<span id=\"{}-joint-caption\">{} \u2212 {}</span>", prefix, first, reference)}};
   const char* const spoken[] = {"Heat map of the joint density of the reference",
-                                "Heat map of the joint density of the solution chosen",
-                                "Heat map of the difference of both joint densities"};
+                                "Heat map of the joint density of the selected solution",
+                                "Heat map of the difference between both joint densities"};
   for (std::size_t k = 0; k < std::size(parts); ++k) {
     html += fmt::format(
         "<figure>\n<figcaption>{}</figcaption>\n<div class=\"plot\" id=\"{}-joint-{}\" "

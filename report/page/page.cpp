@@ -32,24 +32,24 @@ std::string list_html(const std::vector<std::string>& sentences) {
 }
 
 constexpr const char* kSimulationHint =
-    "<p>Circles in a grey band: the simulation with its 95 % intervals, before any noise is taken "
-    "out of it.</p>\n";
+    "<p>Circles in a grey band: the simulation with its 95 % confidence intervals, without control "
+    "variates.</p>\n";
 constexpr const char* kLegendHint =
-    "<p class=\"on-screen\">A click on a name in a legend switches that solution off or on in all "
-    "plots of this case, a double click shows it alone.</p>\n";
+    "<p class=\"on-screen\">A click on a name in a legend hides or shows the solution in all plots "
+    "of this case; a double click hides all other solutions.</p>\n";
 bool has_a_simulation(const results::Case& one) {
   return std::ranges::any_of(one.solutions, [](const transform::Solution& solution) {
     return solution.identity.role == transform::Role::simulation && solution.is_ok();
   });
 }
 
-/// A part of a case's section that the menu leads to.
+/// A part of the section of a case, with a link in the menu.
 struct Part {
   std::string anchor, name;
 };
 
-/// The section of one case, and what page.js draws in it. First what differs; what most readers can do
-/// without is folded.
+/// The section of a case with the plots for page.js. The densities come first; the rest is in closed
+/// <details> elements.
 class CaseSection {
  public:
   CaseSection(const results::Run& run, const results::Case& one, const std::string& id) : id_(id) {
@@ -59,11 +59,11 @@ class CaseSection {
     html_ = fmt::format("<section id=\"{}\" class=\"case\">\n<h2>{} <small>{}</small></h2>\n", id,
                         escaped(one.name()), escaped(parameters));
     const std::string hint = has_a_simulation(one) ? kSimulationHint : "";
-    add_plots("densities", "What differs", hint + kLegendHint, density_plots(one, id));
+    add_plots("densities", "Densities and differences", hint + kLegendHint, density_plots(one, id));
     begin("results", "Results");
     html_ += element("p", reference) + results_table(one) + reasons_html(one);
     auto said = findings(one);
-    std::erase(said, reference);  // stands above the table
+    std::erase(said, reference);  // already above the table
     if (!one.limits.empty()) said.push_back(one.limits);
     html_ += list_html(said);
     add_plots("budget", "Error budget", budget_introduction(one), budget_plots(one, id));
@@ -74,11 +74,11 @@ class CaseSection {
       maps_ = joint_maps_json(*maps, id);
     }
     if (const auto maps = error_maps(one)) {
-      fold("sources", "Where the errors of moments come from", error_maps_html(*maps, id));
+      fold("sources", "Sources of the errors of moments", error_maps_html(*maps, id));
       errors_ = error_maps_json(*maps, id);
     }
     const auto cost = cost_plots(one, id);
-    if (!cost.empty()) fold("cost", "Distance against cost", plots_html(cost));
+    if (!cost.empty()) fold("cost", "L1 distance against computing time", plots_html(cost));
     plots_.insert(plots_.end(), cost.begin(), cost.end());
     fold("diagnostics", "Diagnostics",
          moment_errors_table(one) + own_errors_table(one) + diagnostics_tables(one));
@@ -88,7 +88,7 @@ class CaseSection {
   const std::string& html() const { return html_; }
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// In JSON.
+  /// The plots and maps of the section in JSON.
   std::string plots() const {
     return fmt::format(R"({{"plots":{},"maps":{},"errors":{}}})", plots_json(plots_), maps_,
                        errors_);
@@ -129,7 +129,7 @@ std::string section_html(const PageSection& section) {
          element("h2", section.heading) + section.html + "</section>\n";
 }
 
-// Few cases stand beside each other; all of them, with parameters and parts, in a menu.
+// Links to the sections: a few cases directly, all cases with parameters and parts in a menu.
 std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections,
                        const std::vector<PageSection>& others) {
   constexpr std::size_t kBesideEachOther = 6;
@@ -150,18 +150,17 @@ std::string navigation(const results::Run& run, const std::vector<CaseSection>& 
              "<details class=\"menu\"><summary>{}</summary>\n<ul>\n{}</ul>\n</details>\n",
              sections.size() == 1 ? "Contents" : fmt::format("All {} cases", sections.size()),
              menu) +
-         link("repeat", "Timings, command") + "\n</nav>\n";
+         link("repeat", "Timings and command") + "\n</nav>\n";
 }
 
 std::string repetition(const results::Run& run) {
-  return "<section id=\"repeat\">\n" + element("h2", "Timings, and how to repeat this") +
-         timings_table(run) +
-         fmt::format("<p>Made by {} {} with</p>\n<pre><code>{}</code></pre>\n</section>\n",
-                     escaped(run.program.name), escaped(run.program.version),
-                     escaped(run.program.command));
+  return "<section id=\"repeat\">\n" + element("h2", "Timings and command") + timings_table(run) +
+         fmt::format(
+             "<p>Command of this run, by {} {}:</p>\n<pre><code>{}</code></pre>\n</section>\n",
+             escaped(run.program.name), escaped(run.program.version), escaped(run.program.command));
 }
 
-// The frame with its {{places}} filled, in one pass: what is put in is not searched again.
+// Replaces the {{placeholders}} of the frame in a single pass: inserted texts are not searched.
 std::string filled(std::string_view frame, const std::map<std::string, std::string_view>& parts) {
   std::string page;
   while (true) {
@@ -203,9 +202,9 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       (supplement.summary.empty() ? "" : answer_html(supplement.summary.front())) +
       verdict_html(run, anchors) + others + "<section id=\"problem\">\n" +
       element("h2", "The problem") + problem_html(run) +
-      folded("names", "What the names mean", glossary_html(run)) + "</section>\n" + cases +
-      repetition(run) + "</main>\n";
-  // It does not change while the program runs.
+      folded("names", "Glossary", glossary_html(run)) + "</section>\n" + cases + repetition(run) +
+      "</main>\n";
+  // Compressed once per process: plotly.js is constant.
   static const std::string plotly = gzip_base64(plotly_script());
   return filled(page_frame(), {{"title", title},
                                {"style", page_style()},

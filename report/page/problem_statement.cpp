@@ -16,7 +16,7 @@ using problem::Problem;
 using problem::SystemCoefficients;
 
 constexpr const char* kOriginal =
-    R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by random
+    R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is driven by random
 impulses:</p>
 <p class="formula">y″ + c y′ + k y + μ y³ = Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>) &nbsp; for y &gt; 0,
 &emsp; y′<sub>+</sub> = −r y′<sub>−</sub> &nbsp; at y = 0.</p>
@@ -26,8 +26,8 @@ constexpr const char* kImpulses =
     "follow one law. ";
 constexpr const char* kNoise = "W is Gaussian white noise of unit intensity. ";
 constexpr const char* kSought =
-    "Sought is the\nstationary probability density p(y, y′) of displacement and velocity, and from "
-    "it p(y) and p(y′). All quantities are\nnon-dimensional.";
+    "The unknown is the\nstationary probability density p(y, y′) of displacement and velocity, "
+    "with the marginal densities p(y) and p(y′). All quantities are\nnon-dimensional.";
 
 struct Term {
   double SystemCoefficients::*coefficient;
@@ -91,7 +91,7 @@ class Statement {
   bool right() const {
     return any([](const Problem& p) { return p.system.right().has_value(); });
   }
-  // A file of the old form has its wall at 0 and r.
+  // A problem without wall parameters has the single wall of the base class, at y = 0 with r.
   bool only_at_zero() const {
     return !right() && !any([](const Problem& p) { return !p.system.wall_parameters().empty(); });
   }
@@ -115,7 +115,7 @@ class Statement {
   }
   static std::string excitation_in_words(bool impulses, bool noise) {
     if (impulses && noise) return "under random impulses and white noise";
-    return impulses ? "kicked by random impulses" : "under white noise";
+    return impulses ? "under random impulses" : "under white noise";
   }
 
   std::span<const Problem* const> problems_;

@@ -20,21 +20,24 @@ using problem::ShownParameter;
 using transform::Solution;
 
 constexpr const char* kColumns =
-    R"html(<dt>L1</dt><dd>Integral of |p − other p|: 0 for equal densities, 2 for disjoint ones.</dd>
-<dt>energy residual</dt><dd>Of the balance of power between impulses, damping and impacts, relative to the input.</dd>
+    R"html(<dt>L1</dt>
+<dd>Integral of the absolute difference of two densities: 0 for equal, 2 for disjoint densities.</dd>
+<dt>energy residual</dt>
+<dd>Residual of the power balance of impulses, damping and impacts, relative to the input.</dd>
 )html";
 
 constexpr const char* kUncertainty =
-    R"html(<dt>±</dt><dd>Discretisation errors of both ends of a step, added: a part below it may be nought. If all else is right,
-the step to the simulation is chance alone, which makes the mean L1 of the last columns; to a simulation without noise it is the
-discretisation as measured, over smooth bins.</dd>
+    R"html(<dt>±</dt><dd>Sum of the discretisation errors of both ends of a step: a smaller part may be
+zero. The step to a simulation is sampling error alone if all else is exact; the last columns have the
+mean and the 99 % quantile of this L1. The step to a simulation with control variates is the measured
+discretisation error over smooth bins.</dd>
 )html";
 
 std::string term(std::string_view name, const std::string& meaning) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(meaning));
 }
 
-/// The solutions of all cases, the first of each id.
+/// The first solution of each id, over all cases.
 std::vector<const Solution*> distinct_solutions(const results::Run& run) {
   std::vector<const Solution*> all;
   for (const auto& one : run.cases) {
@@ -57,7 +60,7 @@ std::string families_html(const std::vector<const Solution*>& solutions) {
   return html;
 }
 
-// The values of an enum that some solution has, under "solves".
+// Glossary entries of the values of an enum that occur in the column "solves".
 template <class Enum>
 std::string solved_html(const std::vector<const Solution*>& solutions,
                         std::optional<Enum> transform::Identity::*member, const char* form,
@@ -90,7 +93,7 @@ std::string parts_html() {
   return html + kUncertainty + "</dl>\n";
 }
 
-// The value of a parameter in another problem; nothing where it has none.
+// The value of the same parameter in another problem, if present.
 std::optional<base::Value> value_in(const Problem& other, const ShownParameter& parameter) {
   for (const auto& candidate : problem::shown_parameters(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {
@@ -106,7 +109,7 @@ bool varies(const results::Run& run, const ShownParameter& parameter) {
   });
 }
 
-// "λ, impulses per unit of time"; a word has no symbol.
+// "λ, impulses per unit of time", or the meaning alone for a parameter without symbol.
 std::string label(const ShownParameter& parameter) {
   return parameter.typeset.empty() ? parameter.meaning
                                    : parameter.typeset + ", " + parameter.meaning;
@@ -135,10 +138,11 @@ std::string problem_html(const results::Run& run) {
   for (const auto& one : run.cases) problems.push_back(&one.problem);
   std::string html = problem_statement(problems);
   if (!same.empty()) {
-    html += element("p", fmt::format("{}: {}.", run.cases.size() > 1 ? "In all cases" : "Here",
-                                     fmt::join(same, "; ")));
+    html += element(
+        "p", fmt::format("{}: {}.", run.cases.size() > 1 ? "Parameters of all cases" : "Parameters",
+                         fmt::join(same, "; ")));
   }
-  return html + table_html("What varies", std::move(columns));
+  return html + table_html("Parameters that differ between cases", std::move(columns));
 }
 
 std::string what_varies(const results::Run& run, const results::Case& one) {
@@ -160,8 +164,8 @@ std::string glossary_html(const results::Run& run) {
   const auto given = std::ranges::find_if(
       solutions, [](const Solution* s) { return !s->identity.equation || !s->identity.impact; });
   if (given != solutions.end()) {
-    html += term("solves " + solves_text((*given)->identity),
-                 "Its equation or its impact is not known.");
+    html +=
+        term("solves " + solves_text((*given)->identity), "The equation or the impact is unknown.");
   }
   return html + kColumns + statuses_html() + "</dl>\n" + parts_html();
 }

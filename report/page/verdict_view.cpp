@@ -15,7 +15,7 @@
 namespace fpkcheck::report {
 namespace {
 
-// By which a cell is coloured.
+// CSS class of a cell, which sets the colour.
 std::string_view class_of(Standing standing) {
   switch (standing) {
     case Standing::reference:
@@ -32,7 +32,7 @@ std::string_view class_of(Standing standing) {
   }
 }
 
-// What the colours mean, of those that the cells have.
+// Key of the colours that occur in the cells.
 std::string key_html(const std::vector<Record>& all) {
   struct Entry {
     Standing standing;
@@ -41,8 +41,8 @@ std::string key_html(const std::vector<Record>& all) {
   const Entry entries[] = {
       {Standing::reference, "the reference"},
       {Standing::close, fmt::format("within L1 {:g} of the reference", kCloseL1)},
-      {Standing::off, "a density farther away"},
-      {Standing::no_density, "no probability density, or none found"}};
+      {Standing::off, "farther from the reference"},
+      {Standing::no_density, "no admissible density found"}};
   std::string html;
   for (const auto& [standing, meaning] : entries) {
     const auto colour = class_of(standing);
@@ -124,8 +124,8 @@ std::string verdict_html(const results::Run& run, const std::vector<std::string>
   for (const auto& sentence : said.answer) html += answer_html(sentence);
   html += "<div class=\"front\">\n<div>\n" + matrix_html(run, said.records, anchors) + "</div>\n";
   html += distance_strip(run, said.records) + "</div>\n";
-  html += element("h2", "What became of each method") + lines_html(said.lines);
-  html += element("h2", "Which method to trust here, and why");
+  html += element("h2", "Outcome of each method") + lines_html(said.lines);
+  html += element("h2", "Recommendation");
   for (const auto& sentence : said.trust) html += element("p", sentence);
   return html + "</section>\n";
 }

@@ -4,11 +4,12 @@
 
 namespace fpkcheck::report {
 
-/// The ends of an interval in decimals, rounded outwards, with two digits of its width; so many
-/// that the ends differ.
+/// The decimal texts of the ends of an interval.
 struct IntervalText {
   std::string lower, upper;
 };
+/// Rounds the ends of an interval outwards to decimals. The number of decimals resolves two digits
+/// of the width, so that the texts of the ends differ.
 IntervalText outward(double lower, double upper);
 
 }  // namespace fpkcheck::report

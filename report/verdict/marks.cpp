@@ -38,8 +38,8 @@ std::vector<std::string> meanings_of_marks(const std::vector<Record>& records) {
     if (stands_somewhere(mark)) meanings.push_back(fmt::format("{} {}", mark, name(status)));
   }
   if (stands_somewhere(kSame)) {
-    meanings.push_back(
-        fmt::format("{} indistinguishable: nearer to the reference than that knows itself", kSame));
+    meanings.push_back(fmt::format(
+        "{} indistinguishable: distance within the error estimate of the reference", kSame));
   }
   return meanings;
 }

@@ -7,11 +7,11 @@
 
 namespace fpkcheck::report {
 
-/// What stands beside the distances of a solution in the matrix: of its status, or that it cannot be
-/// told from the reference; a blank where it is ok.
+/// The mark beside the distances of a solution in the matrix: for its status, or for a solution
+/// indistinguishable from the reference. A blank for any other solution with status ok.
 char mark_of(const Stand& stand);
 
-/// What the marks mean that stand somewhere in the records: "~ inaccurate".
+/// The meanings of the marks that occur in the rows: "~ inaccurate".
 std::vector<std::string> meanings_of_marks(const std::vector<Record>& records);
 
 }  // namespace fpkcheck::report

@@ -14,7 +14,7 @@
 namespace fpkcheck::report {
 namespace {
 
-// "0.0043", "7.2e-4": two digits in six characters, so that four cases fit into 80 columns.
+// "0.0043", "7.2e-4": two digits in six characters, so that four cases fit into 80 characters.
 std::string short_l1(const std::optional<double>& l1) {
   if (!l1) return kAbsent;
   if (*l1 == 0 || *l1 >= 0.001) return fmt::format("{:.2g}", *l1);
@@ -29,7 +29,7 @@ Column names_of_records(const std::vector<Record>& all) {
   return column;
 }
 
-// Both marginals of one case.
+// The columns of both marginals for case k.
 std::pair<Column, Column> columns_of_case(const std::vector<Record>& all, std::size_t k,
                                           const std::string& name) {
   Column y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
@@ -48,7 +48,7 @@ std::size_t total_width_of(const std::vector<Column>& columns) {
   return total - 1;
 }
 
-// As many cases beside each other as fit, and the rest below.
+// As many cases as fit into the width form a block; further blocks follow below.
 std::string matrix_blocks(const results::Run& run, const std::vector<Record>& all,
                           const TextFormat& format) {
   std::string text;
@@ -83,7 +83,7 @@ std::string verdict_text(const results::Run& run, const Verdict& said, const Tex
   if (run.cases.size() > 1) {
     text += matrix_blocks(run, said.records, format);
     auto marks = meanings_of_marks(said.records);
-    marks.insert(marks.begin(), "L1 to the reference (ref) of each case");
+    marks.insert(marks.begin(), "L1 distance to the reference (ref) of each case");
     text += wrapped(fmt::format("{}.", fmt::join(marks, "; ")), format.width) + '\n';
   }
   std::size_t longest = 0;

@@ -11,7 +11,7 @@ namespace {
 
 using transform::Status;
 
-// Of a status that leaves no density.
+// Meaning of a status without a density.
 std::string_view words_for(Status status) {
   switch (status) {
     case Status::not_converged:
@@ -19,22 +19,22 @@ std::string_view words_for(Status status) {
     case Status::inadmissible:
       return "no probability density";
     case Status::ill_posed:
-      return "the discrete problem grows without bound";
+      return "the discrete solution grows without bound";
     case Status::not_offered:
-      return "does not treat such a problem";
+      return "the method does not apply to the problem";
     default:
       return "the solver broke down";
   }
 }
 
-// "off by up to .. in 2 of 4 cases", of those that stand so.
+// "L1 distance up to .. in 2 of 4 cases", over the cases with this agreement.
 std::string distance_text(const Record& record, Standing standing, const char* how, int cases) {
   MarginalDistances most{};
   for (const auto& stand : record.stands) {
     if (stand.standing == standing) most.widen(stand.y, stand.ydot);
   }
   const int count = record.count(standing);
-  return fmt::format("off by {}{}{}", cases == 1 ? "" : how, text_of(most),
+  return fmt::format("L1 distance {}{}{}", cases == 1 ? "" : how, text_of(most),
                      count == cases ? "" : in_cases(count, cases));
 }
 
@@ -80,7 +80,7 @@ std::string outcome(const Record& record, const std::string& reference, int case
   const int same = record.count(Standing::indistinguishable) + record.count(Standing::reference);
   std::vector<std::string> parts;
   if (same > 0) {
-    parts.push_back(fmt::format("nearer to {} than that knows itself{}", reference,
+    parts.push_back(fmt::format("within the error estimate of {}{}", reference,
                                 same == cases ? "" : in_cases(same, cases)));
   }
   if (close > 0) parts.push_back(distance_text(record, Standing::close, "at most ", cases));
@@ -88,7 +88,7 @@ std::string outcome(const Record& record, const std::string& reference, int case
     parts.push_back(distance_text(record, Standing::off, "up to ", cases));
   }
   if (const int unjudged = record.count(Standing::unjudged); unjudged > 0) {
-    parts.push_back("nothing to measure it by" + in_cases(unjudged, cases));
+    parts.push_back("no reference" + in_cases(unjudged, cases));
   }
   std::ranges::move(without_density(record, cases), std::back_inserter(parts));
   const bool all = record.reproduced() == record.present();

@@ -17,7 +17,7 @@ std::optional<double> larger_of(std::optional<double> one, std::optional<double>
   return one ? one : other;
 }
 
-// Distances by no more than what the reference knows of itself say nothing.
+// Distances within the error estimate of the reference are not significant.
 bool within_what_is_known(const Solution& reference, const Stand& stand) {
   const auto within = [&](const std::optional<double>& l1, Variable variable) {
     const double known = compare::own_error(reference, variable);
@@ -102,7 +102,7 @@ std::vector<Record> records(const results::Run& run) {
         place = known + 1;
         continue;
       }
-      // After the one that precedes it where it is met first.
+      // Inserted behind the solution that precedes it in the case where it first occurs.
       place = all.insert(place, Record{&solution.identity, {}}) + 1;
     }
   }
@@ -111,7 +111,7 @@ std::vector<Record> records(const results::Run& run) {
       record.stands.push_back(stand_in(one, record.identity->id));
     }
   }
-  // What is offered in no case has no standing.
+  // Solutions that apply to no case have no row.
   std::erase_if(all, [](const Record& record) {
     return std::ranges::all_of(record.stands, [](const Stand& stand) {
       return stand.solution == nullptr || stand.solution->status == transform::Status::not_offered;

@@ -5,56 +5,60 @@
 
 #include "results/run.hpp"
 
-/// The verdict on a run: what is known, who reproduces it, and whom to trust.
+/// The verdict on a run: accuracy of the reference, solutions that reproduce it, recommendation.
 namespace fpkcheck::report {
 
-/// Above this L1 distance of either marginal nobody is called close: the accuracy that closures are
-/// held to unless told otherwise.
+/// A solution is close if neither marginal exceeds this L1 distance: the default accuracy required
+/// of closures.
 inline constexpr double kCloseL1 = 0.02;
 
-/// How a solution stands to the reference of its case.
+/// Agreement of a solution with the reference of its case.
 enum class Standing {
   absent,             ///< the case has no such solution
-  no_density,         ///< nothing that could be called one: not found, or not admissible
-  unjudged,           ///< a density, but nothing to measure it by
-  reference,          ///< what the others are measured by
-  indistinguishable,  ///< nearer to the reference than that knows itself
+  no_density,         ///< no admissible density: none found, or inadmissible
+  unjudged,           ///< a density, but no distance to a reference
+  reference,          ///< the solution is the reference
+  indistinguishable,  ///< distances within the error estimate of the reference
   close,              ///< both marginals within kCloseL1
-  off                 ///< farther away
+  off                 ///< a marginal farther away than kCloseL1
 };
 
+/// A solution in a case and its agreement with the reference.
 struct Stand {
   Standing standing = Standing::absent;
   const transform::Solution* solution = nullptr;  ///< null where it is absent
   std::optional<double> y{}, ydot{};              ///< L1 distances to the reference, where known
 
-  /// The larger distance of those that are known.
+  /// The larger of the known distances.
   std::optional<double> farthest() const;
-  /// Whether the solution is as good as the reference or within kCloseL1 of it.
+  /// Whether the solution is the reference, indistinguishable from it or within kCloseL1 of it.
   bool reproduces() const;
 };
 
-/// How the solution `id` stands in a case. A guest of one marginal is judged by that one.
+/// The agreement of the solution `id` with the reference of a case. An external density with a
+/// single marginal is assessed by this marginal.
 Stand stand_in(const results::Case& one, std::string_view id);
 
-/// A solution over the cases of a run, as a row of the matrix.
+/// A solution over the cases of a run: a row of the matrix of agreements.
 struct Record {
-  const transform::Identity* identity;  ///< of the first case that has it
+  const transform::Identity* identity;  ///< from the first case with the solution
   std::vector<Stand> stands;            ///< in the order of the cases
 
-  /// Of the cases that have it: how many there are, and in how many it reproduces the reference.
+  /// Number of cases with the solution.
   int present() const;
+  /// Number of cases in which the solution reproduces the reference.
   int reproduced() const;
+  /// Number of cases with this agreement.
   int count(Standing standing) const;
-  /// Largest distances of any case, where there are any of a density.
+  /// Largest distance of a marginal over the cases with a density, if any.
   std::optional<double> largest(std::optional<double> Stand::*marginal) const;
-  /// The larger of both.
+  /// Largest distance of both marginals.
   std::optional<double> farthest() const;
-  /// Longest time of any case.
+  /// Longest time over the cases.
   double seconds() const;
 };
 
-/// All solutions of a run, each once: by increasing trust, as they stand in the cases.
+/// The rows of all solutions of a run, a row per id, by increasing trust as in the cases.
 std::vector<Record> records(const results::Run& run);
 
 }  // namespace fpkcheck::report

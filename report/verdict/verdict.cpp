@@ -40,14 +40,14 @@ std::string names_of_references(const results::Run& run) {
   return text;
 }
 
-/// What the run knows, at its worst case.
+/// Accuracy of the references of a run, as maxima over the cases.
 struct Known {
-  int judged = 0;           ///< cases with a reference
-  double y = 0, ydot = 0;   ///< own errors of the references
-  std::string second = {};  ///< the other solution of the problem itself, if it is always the same
-  int checked = 0;          ///< cases that have it
-  int contradicted = 0;     ///< cases in which it and the reference do not agree
-  MarginalDistances apart{};  ///< its distances to the reference
+  int judged = 0;             ///< cases with a reference
+  double y = 0, ydot = 0;     ///< error estimates of the references
+  std::string second = {};    ///< id of a second solution of the full problem
+  int checked = 0;            ///< cases with this second solution
+  int contradicted = 0;       ///< cases in which the second solution and the reference disagree
+  MarginalDistances apart{};  ///< distances of the second solution to the reference
 };
 
 Known known_of(const results::Run& run) {
@@ -73,16 +73,17 @@ Known known_of(const results::Run& run) {
 std::string what_is_known(const results::Run& run, const Known& known) {
   const int cases = static_cast<int>(run.cases.size());
   if (known.judged == 0) {
-    return "Nothing here solves the problem itself and is ok, so that no answer can be judged by "
-           "another: each states its own error at best.";
+    return "There is no reference: no solution of the full problem has status ok. Only the error "
+           "estimate of each solution is available.";
   }
   std::string text =
       fmt::format("The reference{} is {}", in_cases(known.judged, cases), names_of_references(run));
   if (std::isfinite(known.y + known.ydot)) {
-    text += fmt::format(", known to L1 {:.1g} in p(y) and {:.1g} in p(y')", known.y, known.ydot);
+    text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", known.y,
+                        known.ydot);
   }
   if (known.checked > 0 && known.apart.any()) {
-    text += fmt::format("; {}, which shares nothing with it but the problem, is {} from it",
+    text += fmt::format(". The L1 distance of the independent solution {} to the reference is {}",
                         known.second, text_of(known.apart));
   }
   return text + '.';
@@ -119,18 +120,19 @@ std::vector<std::vector<const Record*>> families_of(const std::vector<Record>& a
   return families;
 }
 
-// The closure of the paper solves the equations of an impact to first order.
+// The closure of the paper has the impact to first order in 1-r.
 bool is_the_papers(const Record& record) {
   return is_by_order(record) && !transform::is_guest(*record.identity) &&
          record.identity->impact == problem::Impact::delta;
 }
 
-// Brought along, in no family of several orders.
+// An external density that belongs to no family of several orders.
 bool is_single_guest(const Record& record) {
   return transform::is_guest(*record.identity) && !is_by_order(record);
 }
 
-// "epc-gaussian (the paper's) at n = 6, not at 2, 4, 8", and whether any order does.
+// "epc-gaussian (the paper's closure) at n = 6, not at n = 2, 4, 8".
+// @param any set to whether some order reproduces the references
 std::string orders_that_do(const std::vector<const Record*>& members, bool& any) {
   std::vector<const Record*> good, bad;
   for (const Record* record : members) {
@@ -142,7 +144,7 @@ std::string orders_that_do(const std::vector<const Record*>& members, bool& any)
                   is_the_papers(*members.front()) ? " (the paper's closure)" : "");
   if (good.empty()) return fmt::format("{} at n = {}", subject, orders_text(members));
   return fmt::format("{} at n = {}{}", subject, orders_text(good),
-                     bad.empty() ? "" : fmt::format(", not at {}", orders_text(bad)));
+                     bad.empty() ? "" : fmt::format(", not at n = {}", orders_text(bad)));
 }
 
 std::string who_reproduces_it(const results::Run& run, const std::vector<Record>& all) {
@@ -158,7 +160,8 @@ std::string who_reproduces_it(const results::Run& run, const std::vector<Record>
   }
   if (yes.empty() && no.empty()) return "";
   const int cases = static_cast<int>(run.cases.size());
-  const std::string within = fmt::format("Within L1 {} of it{}", kCloseL1, in_cases(cases, cases));
+  const std::string within =
+      fmt::format("Within L1 {} of the reference{}", kCloseL1, in_cases(cases, cases));
   if (yes.empty()) return fmt::format("{}: none of {}.", within, fmt::join(no, "; "));
   return fmt::format("{}: {}{}.", within, fmt::join(yes, "; "),
                      no.empty() ? "" : fmt::format("; not {}", fmt::join(no, "; ")));
@@ -169,7 +172,8 @@ VerdictLine line_of(const Record& record, const std::string& reference, int case
           outcome(record, reference, cases)};
 }
 
-// Of a formulation: how far each order comes, "n = 4 is off by at most 0.0089, 8 by 0.0017".
+// The largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089, 8 has
+// 0.0017".
 VerdictLine line_of(const std::vector<const Record*>& members, int cases) {
   Words parts;
   bool all = true, first = true;
@@ -177,9 +181,9 @@ VerdictLine line_of(const std::vector<const Record*>& members, int cases) {
     all = all && record->reproduced() == record->present();
     const auto farthest = record->farthest();
     const std::string order = fmt::format("{}{}", first ? "n = " : "", *record->identity->order);
-    parts.push_back(farthest
-                        ? fmt::format("{}{} by {:.2g}", order, first ? " is off" : "", *farthest)
-                        : fmt::format("{} {}", order, brief_outcome(*record, cases)));
+    parts.push_back(
+        farthest ? fmt::format("{} has {}{:.2g}", order, first ? "L1 distance " : "", *farthest)
+                 : fmt::format("{} is {}", order, brief_outcome(*record, cases)));
     first = false;
   }
   return {members.front()->identity->family, all,
@@ -211,7 +215,8 @@ std::vector<VerdictLine> lines_of(const results::Run& run, const std::vector<Rec
   return lines;
 }
 
-// The quickest that says ok in every case and is within the accuracy of the reference there.
+// The fastest solution with status ok and total error within the accuracy in every case: its
+// distance to the reference plus the error estimate of the reference.
 const Record* quickest(const std::vector<Record>& all, double accuracy, double known) {
   const Record* best = nullptr;
   for (const auto& record : all) {
@@ -230,22 +235,22 @@ Words whom_to_trust(const results::Run& run, const std::vector<Record>& all, con
   const int cases = static_cast<int>(run.cases.size());
   if (known.judged < cases) {
     return {
-        fmt::format("Trust nothing{} further than it states of itself: add fd-kf and mcs to the "
-                    "methods, or raise what they may take (--max-seconds, --time).",
+        fmt::format("There is no reference{}: rely on the error estimate of each solution. Add "
+                    "fd-kf and mcs to --methods, or raise their limits (--max-seconds, --time).",
                     in_cases(cases - known.judged, cases))};
   }
   Words sentences;
   std::string first = fmt::format(
-      "For the values themselves {}: it solves the problem as it stands, all jumps and "
-      "the exact impact, and of those that do it is known best",
+      "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
+      "with the smallest error estimate",
       names_of_references(run));
   if (known.contradicted > 0) {
-    first += fmt::format("; but {} differs from it by more than the errors of both explain{}",
-                         known.second, in_cases(known.contradicted, cases));
+    first += fmt::format("; {} differs by more than the errors of both explain{}", known.second,
+                         in_cases(known.contradicted, cases));
   } else if (known.checked == cases) {
-    first += fmt::format("; {} confirms it", known.second);
+    first += fmt::format("; {} confirms these values", known.second);
   } else {
-    first += "; nothing independent confirms it in this run";
+    first += "; no independent solution in this run confirms these values";
   }
   sentences.push_back(first + '.');
   const double error = std::max(known.y, known.ydot);
@@ -260,7 +265,8 @@ Words whom_to_trust(const results::Run& run, const std::vector<Record>& all, con
     last = found;
   }
   if (!parts.empty()) {
-    sentences.push_back(fmt::format("The quickest that is ok: {}.", fmt::join(parts, "; ")));
+    sentences.push_back(
+        fmt::format("Fastest solution with status ok: {}.", fmt::join(parts, "; ")));
   }
   return sentences;
 }

@@ -13,7 +13,7 @@ using tests::contains;
 using tests::made_up_case;
 using tests::solution_of;
 
-/// Bounds about the moments of fd-kf.
+/// Bounds centred at the moments of fd-kf.
 results::Case bounded_case(double half_width = 1e-4) {
   auto one = made_up_case();
   const auto& m = one.find("fd-kf")->moments;
@@ -28,7 +28,7 @@ TEST(BoundsFindings, AreTheFirstAndNameWhoIsOutside) {
   solution_of(one, "fd-white").moments.y2 += 0.01;
   solution_of(one, "fd-white").moments.v2 += 0.01;
   const auto all = findings(one);
-  EXPECT_TRUE(all.at(0).starts_with("Guaranteed: E[y^2] in [")) << all[0];
+  EXPECT_TRUE(all.at(0).starts_with("Guaranteed bounds: E[y^2] in [")) << all[0];
   EXPECT_TRUE(contains(all[0], "fd-white")) << all[0];
   EXPECT_EQ(all[0].find("fd-white"), all[0].rfind("fd-white"));
   EXPECT_FALSE(contains(all[0], "fd-kf")) << all[0];
@@ -39,7 +39,7 @@ TEST(BoundsFindings, CallASolutionWrongThatContradictsThemAndItself) {
   auto& kf = solution_of(one, "fd-kf");
   kf.moments.y2 += 3e-4;
   kf.error.emplace().moments.y2 = 1e-4;
-  EXPECT_TRUE(findings(one).at(0).starts_with("OUTSIDE THE BOUNDS: fd-kf solves the problem"));
+  EXPECT_TRUE(findings(one).at(0).starts_with("OUTSIDE THE BOUNDS: fd-kf (full problem"));
   kf.error->moments.y2 = 3e-4;
   EXPECT_FALSE(contains(findings(one).at(0), "OUTSIDE"));
 }

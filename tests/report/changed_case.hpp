@@ -5,7 +5,7 @@
 
 #include "made_up_solutions.hpp"
 
-/// A made-up case in which something is otherwise.
+/// Modifications of the synthetic case, and a helper for wrapped text.
 namespace fpkcheck::tests {
 
 inline transform::Solution& solution_of(results::Case& one, const std::string& id) {
@@ -15,7 +15,7 @@ inline transform::Solution& solution_of(results::Case& one, const std::string& i
   throw std::logic_error("no " + id);
 }
 
-/// Sets the L1 distances of one pair.
+/// Sets the L1 distances of a pair.
 inline void set_l1(results::Case& one, const std::string& a, const std::string& b, double y,
                    double ydot) {
   for (auto& pair : one.pairs) {
@@ -25,7 +25,7 @@ inline void set_l1(results::Case& one, const std::string& a, const std::string& 
   }
 }
 
-/// The case with the first of its solutions alone, and what follows of them.
+/// The case with only its first `count` solutions and their comparisons.
 inline results::Case with_first(std::size_t count) {
   auto problem = paper_case(1);
   const auto axes = compare::comparison_axes(problem);
@@ -34,7 +34,8 @@ inline results::Case with_first(std::size_t count) {
   return results::make_case(problem, axes, std::move(solutions));
 }
 
-/// The text with every run of blanks and line ends as one blank: lines break anywhere.
+/// Replaces each sequence of blanks and line ends by a single blank, since wrapped lines may break
+/// anywhere.
 inline std::string words(const std::string& text) {
   std::string joined;
   for (const char c : text) {

@@ -8,8 +8,8 @@
 
 namespace fpkcheck::tests {
 
-/// The whole case with copies of epc-gaussian-n6 that somebody brought along in files, as "chi" of these
-/// orders; the first of them is not ok.
+/// The whole case with copies of epc-gaussian-n6 as external densities from files: family "chi"
+/// with these orders; the first copy is not ok.
 inline results::Case case_with_guest_family(const std::vector<int>& orders) {
   const auto known = whole_case();
   auto problem = known.problem;

@@ -20,7 +20,7 @@ std::string legend_of(const results::Case& one, std::size_t width) {
   return words(text.substr(text.find("\n\n")));
 }
 
-// Every name of an equation or impact that a table can show is explained below it.
+// The legend explains every name of an equation or impact in the table.
 TEST(Legend, ExplainsEveryEquationAndImpact) {
   auto one = made_up_case();
   for (const auto& equation : problem::kEquationNames) {
@@ -38,7 +38,7 @@ TEST(Legend, ExplainsEveryEquationAndImpact) {
   }
   one.solutions[0].identity.equation.reset();
   one.solutions[0].identity.impact.reset();
-  EXPECT_TRUE(contains(legend_of(one, 100), " / given: from a file."));
+  EXPECT_TRUE(contains(legend_of(one, 100), " / given: an external density."));
 }
 
 TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
@@ -55,7 +55,7 @@ TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
 
   const std::string single = legend_of(tests::with_first(1), 100);
   EXPECT_TRUE(contains(single, "km4: Kramers-Moyal")) << single;
-  for (const char* absent : {"L1", "reference", "error budget", "white noise", "kf:", "*"}) {
+  for (const char* absent : {"L1", "- reference|", "error budget", "white noise", "kf:", "*"}) {
     EXPECT_FALSE(contains(single, absent)) << absent << "\n" << single;
   }
 }
@@ -67,7 +67,7 @@ TEST(Legend, OfABudgetExplainsEveryLinkOfTheChain) {
     const std::string text = budget_legend({names, part});
     EXPECT_TRUE(contains(text, fmt::format("; {}: {}", part.header, meaning))) << text;
   }
-  // Of several links that share a column, each.
+  // Each of several links that share a column.
   const Column shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
   const std::string text = budget_legend({names, shared});
   EXPECT_TRUE(contains(text, "; closure: ") && contains(text, "; trunc.: ")) << text;

@@ -52,7 +52,7 @@ results::Case with_not_offered() {
   for (const char* id : {"fd-white", "fd-kf"}) {
     auto& solution = solution_of(one, id);
     solution.status = transform::Status::not_offered;
-    solution.reason = "it knows no such wall";
+    solution.reason = "this wall is not supported";
     solution.density.reset();
   }
   return one;
@@ -61,7 +61,7 @@ results::Case with_not_offered() {
 TEST(Table, WhatIsNotOfferedHasOneLineForAllThatSayTheSame) {
   const auto one = with_not_offered();
   const std::string text = words(table({results::this_program("fpkcheck run"), {one}}));
-  EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: it knows no such wall")) << text;
+  EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: this wall is not supported")) << text;
   EXPECT_FALSE(contains(text, "fd-white white/map")) << text;  // no row
   EXPECT_TRUE(contains(reasons_html(one), "fd-white, fd-kf not_offered"));
 }

@@ -18,7 +18,7 @@ std::vector<std::string> ids(const results::Case& one) {
 
 TEST(References, AreTheSolutionsOfTheProblemItselfTheReferenceFirst) {
   auto one = made_up_case();
-  EXPECT_EQ(ids(one), (std::vector<std::string>{"mcs", "fd-kf"}));  // which says nothing of errors
+  EXPECT_EQ(ids(one), (std::vector<std::string>{"mcs", "fd-kf"}));  // fd-kf has no error estimate
   solution_of(one, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
   EXPECT_EQ(ids(one), (std::vector<std::string>{"fd-kf", "mcs"}));
   solution_of(one, "fd-kf").status = transform::Status::failed;

@@ -39,7 +39,7 @@ TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
   EXPECT_TRUE(warnings.empty()) << warnings.front();
   EXPECT_EQ(
       std::distance(fs::directory_iterator(directory.path() / "figures"), {}),
-      6);  // the densities, the error budget and the closures over their orders: a PNG and its script
+      6);  // a PNG and a script each for the densities, the error budget and the orders of closures
 }
 
 TEST(Report, AgainIsTheSameReport) {
@@ -72,12 +72,12 @@ TEST(Report, ThatCannotBeWrittenLeavesTheEarlierRunWholeAndNothingHalf) {
   write_report(directory.path(), made_up_run("earlier"));
   const auto before = files_of(directory.path());
   auto damaged = made_up_run("later");
-  // Two under one path: known when the summary is made, after the curves.
+  // Two metrics with the same path fail when the summary is made, after the curves.
   damaged.cases[0].solutions[0].observations.assign(2, {.path = "same", .value = 1.0});
   EXPECT_THROW(write_report(directory.path(), damaged), std::logic_error);
   EXPECT_TRUE(files_of(directory.path()) == before);
 
-  // The page's place is taken: known only when the files are renamed.
+  // A directory with the name of the page makes the renaming of the files fail.
   fs::remove(directory.path() / "report.html");
   fs::create_directories(directory.path() / "report.html" / "inside");
   auto without_page = before;
@@ -86,7 +86,7 @@ TEST(Report, ThatCannotBeWrittenLeavesTheEarlierRunWholeAndNothingHalf) {
   EXPECT_TRUE(files_of(directory.path()) == without_page);
 }
 
-// A figure that an observation or a distance cannot give is a dash, and no crash, everywhere.
+// Missing metrics and distances appear as dashes and cause no crash.
 TEST(Report, OfAnOlderRunWithoutBudgetIdentityOrJointDensitiesIsMade) {
   const tests::TemporaryDirectory directory;
   auto run = made_up_run();

@@ -44,7 +44,7 @@ std::vector<std::string> cells_of(const std::string& text, const std::string& st
   return cells;
 }
 
-// The two lines of headers over the rows of solutions.
+// The two header lines above the rows of solutions.
 std::string headers_of(const std::string& text) {
   const auto all = lines(text);
   const auto below =
@@ -77,8 +77,9 @@ TEST(Table, ShowsEveryColumnAt100AndTheImportantOnesAt80) {
   }
   EXPECT_TRUE(contains(headers_of(narrow), "E[y'^2]"));
   EXPECT_FALSE(contains(headers_of(narrow), "L1 to fd-kf"));
-  EXPECT_FALSE(contains(wide, "Left out"));
-  EXPECT_TRUE(contains(words(narrow), "Left out at 80 columns: L1 to fd-kf, energy ("));
+  EXPECT_FALSE(contains(wide, "Omitted"));
+  EXPECT_TRUE(
+      contains(words(narrow), "Omitted at 80 characters per line: L1 to fd-kf, energy. A wider"));
 }
 
 TEST(Table, PutsEachNumberUnderItsHeader) {

@@ -6,8 +6,9 @@
 
 namespace fpkcheck::tests {
 
-/// made_up_case() with errors of the second moments and where they come from: of epc-gaussian-n6
-/// .001 and -.002, of fd-kf a thousandth of that, all in the two cells on the wall about rest.
+/// made_up_case() with errors of the second moments and their sources: 0.001 and -0.002 in
+/// epc-gaussian-n6, a thousandth of these in fd-kf. All sources are in the two cells at the wall
+/// next to y' = 0.
 inline results::Case case_with_sources() {
   auto one = made_up_case();
   const auto axes = compare::comparison_axes(one.problem);

@@ -105,14 +105,14 @@ TEST_F(GivenMethods, TheirErrorsExplainTheDifferenceOrNot) {
     }
     return own;
   };
-  EXPECT_TRUE(contains(sentence(1e-2), "which explains that")) << sentence(1e-2);
-  EXPECT_FALSE(contains(sentence(1e-2), "does not")) << sentence(1e-2);
+  EXPECT_TRUE(contains(sentence(1e-2), "the densities agree")) << sentence(1e-2);
+  EXPECT_FALSE(contains(sentence(1e-2), "disagree")) << sentence(1e-2);
   EXPECT_TRUE(contains(sentence(1e-2), "from the full jump equation (fd-kf) by L1"));
   // Chance of the file and of the simulation (0.0011) together.
   const auto who = solutions_.back().identity;
   solutions_.back() = solutions_[0];
   solutions_.back().identity = who;
-  EXPECT_TRUE(contains(sentence(1e-5), "which does not explain that")) << sentence(1e-5);
+  EXPECT_TRUE(contains(sentence(1e-5), "the densities disagree")) << sentence(1e-5);
   EXPECT_FALSE(contains(sentence(0), "explain")) << sentence(0);
 }
 
@@ -141,8 +141,8 @@ TEST_F(GivenMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
     }
     return std::string();
   };
-  EXPECT_TRUE(contains(sentence(0), "which explains that")) << sentence(0);
-  EXPECT_TRUE(contains(sentence(0.02), "which does not explain that")) << sentence(0.02);
+  EXPECT_TRUE(contains(sentence(0), "the densities agree")) << sentence(0);
+  EXPECT_TRUE(contains(sentence(0.02), "the densities disagree")) << sentence(0.02);
 }
 
 TEST_F(GivenMethods, SayWhatLiesBeyondTheAxes) {
@@ -159,7 +159,7 @@ TEST_F(GivenMethods, SayWhatLiesBeyondTheAxes) {
   const auto note = [&](const results::Case& one) {
     std::string all;
     for (const auto& text : report::findings(one)) {
-      if (text.starts_with("Of far.csv")) all += text;
+      if (text.starts_with("Note on far.csv")) all += text;
     }
     return all;
   };
@@ -206,7 +206,7 @@ TEST_F(GivenMethods, AreReportedOnAgainFromTheSavedRun) {
   const std::string again = report::report_again(saved, results::load_run(saved), 80).text;
   EXPECT_EQ(again, report::table(run, 80));
   EXPECT_TRUE(contains(again, "given/-"));
-  EXPECT_TRUE(contains(again, "given: from a file."));
+  EXPECT_TRUE(contains(again, "given: an external density."));
   EXPECT_FALSE(contains(report::table(tests::made_up_run(), 80), "given"));
   std::istringstream lines(again);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;

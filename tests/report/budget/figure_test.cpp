@@ -20,7 +20,7 @@ TEST(BudgetFigure, HasABarForEachPartAndALineForTheTotal) {
   one.budget[0].parts[0].l1 = 0.04321;
   one.budget[0].total = 0.01234;
   const std::string script = budget_script(one, "stem");
-  // epc-gaussian-n2 is the first of the groups; its bars share 0.8 of the unit.
+  // epc-gaussian-n2 has the first group; its bars divide a width of 0.8.
   EXPECT_TRUE(contains(script, "$y_l1_0 << EOD\n0.7333 0.04321 0.2667\n")) << script;
   EXPECT_TRUE(contains(script, "$y_l1_total << EOD\n0.6000 0.01234 0.8000\n")) << script;
   EXPECT_TRUE(contains(script, part_colour("closure + impact")));

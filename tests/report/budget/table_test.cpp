@@ -41,7 +41,7 @@ results::Case with_known_numbers() {
 
 TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
   const std::string text = budget_table(with_known_numbers(), 120);
-  // Names, then total, closure + impact, truncation of p(y), of p(y'), and the tails.
+  // Columns: names; total, closure + impact, truncation of p(y), then of p(y'); the tails.
   const auto n6 = cells_after(text, "epc-gaussian-n6");
   ASSERT_EQ(n6.size(), 9u) << text;
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
@@ -57,7 +57,7 @@ TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsWhatIsTheSameForAllBelow) {
   const auto below = cells_after(text, "discretisation + sampling");
   ASSERT_GT(below.size(), 4u) << text;
   EXPECT_EQ(below[3], "0.00777") << text;
-  EXPECT_EQ(below[4], "-") << text;  // of no column of a part
+  EXPECT_EQ(below[4], "-") << text;  // the row has no value in the column of a part
 }
 
 TEST(BudgetTable, ShowsADashForWhatIsNoNumberAndForAMissingVariable) {

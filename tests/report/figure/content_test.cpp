@@ -44,7 +44,7 @@ TEST(FigureContent, HasTheSizesOfDifferencesOverSmoothBins) {
                                                 : std::abs(own.density[k] - simulated.density[k]));
     }
   }
-  // Where another is known better there are the sharp ones.
+  // With another reference the differences are over sharp bins.
   solution_of(one, "fd-kf").error = {.y_l1 = 1e-7, .ydot_l1 = 1e-7};
   EXPECT_EQ(figure_content(one).reference, "fd-kf");
   EXPECT_FALSE(figure_content(one).smooth_differences);
@@ -82,7 +82,7 @@ TEST(FigureContent, RangesFollowOnlySolutionsThatAreOk) {
 }
 
 TEST(FigureContent, TheAxisOfDifferencesHoldsWhatIsDrawn) {
-  // An inaccurate curve, farther from the reference than all others.
+  // An inaccurate curve with the largest distance to the reference.
   for (auto one : {made_up_case(), tests::made_up_case_without_noise()}) {
     solution_of(one, "fd-white").status = Status::inaccurate;
     const auto raise = [&](std::vector<results::Curve>& curves) {
@@ -93,7 +93,7 @@ TEST(FigureContent, TheAxisOfDifferencesHoldsWhatIsDrawn) {
     raise(one.curves);
     raise(one.smooth);
     EXPECT_GT(figure_content(one).sides[0].ranges.largest_difference, 0.2);
-    // Not where it is left out.
+    // The range shrinks without this curve.
     const auto without = figure_content(one, std::set<std::string>{"fd-kf", "fd-km4", "mcs"});
     EXPECT_LT(without.sides[0].ranges.largest_difference, 0.2);
   }

@@ -57,7 +57,7 @@ TEST(CurveChoice, OfWhatIsNotThereIsRefusedByName) {
     require_curves({"mcs", "fd-kv"}, there);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("--curves: 'fd-kv' is none of the solutions"))
+    EXPECT_TRUE(std::string(error.what()).starts_with("--curves: 'fd-kv' matches no solution"))
         << error.what();
   }
 }

@@ -50,7 +50,7 @@ TEST(Frame, DrawsMinusSignsNotHyphens) {
   EXPECT_FALSE(tests::contains(svg, ">-2</tspan>"));
 }
 
-// 85 mm are 241 points and, at 300 to the inch, 1004 pixels; its letters are of 7.5 points.
+// 85 mm are 241 points, or 1004 pixels at 300 dots per inch; letters have 7.5 points.
 TEST(Frame, DrawsForPrintInItsSize) {
   constexpr auto kColumn = FigureWidth::one_column;
   EXPECT_EQ(figure_width(kColumn, 1500), 471);

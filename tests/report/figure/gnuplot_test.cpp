@@ -19,12 +19,12 @@ using tests::gnuplot_exists;
 
 TEST(GnuplotString, QuotesAndEscapes) {
   EXPECT_EQ(gnuplot_string("it's"), "'it''s'");
-  // A string ends with its line: what came after would be a command.
+  // A string ends with its line: gnuplot would run the next line as a command.
   EXPECT_EQ(gnuplot_string("x'\nsystem(\"rm\")\r#\x1b"), "'x'' system(\"rm\") # '");
   EXPECT_EQ(without_marks("a_b^{c}"), "a\\_b\\^\\{c\\}");
 }
 
-/// A directory with a program that writes down its arguments and its environment.
+/// A directory with a program that prints its arguments and its environment.
 class Gnuplot : public testing::Test {
  protected:
   Gnuplot() {
@@ -56,9 +56,9 @@ TEST_F(Gnuplot, ThatDoesNotEndIsEnded) {
   std::ofstream(program_) << "#!/bin/sh\nexec sleep 100\n";
   const auto silent = run_gnuplot(program_, {}, "script", 200ms);
   EXPECT_EQ(silent.exit_code, -1);
-  EXPECT_EQ(silent.message, "it took longer than 0.2 s");
+  EXPECT_EQ(silent.message, "time limit of 0.2 s exceeded");
   std::ofstream(program_) << "#!/bin/sh\nexec yes\n";
-  EXPECT_EQ(run_gnuplot(program_, {}, "script", 200ms).message, "it took longer than 0.2 s");
+  EXPECT_EQ(run_gnuplot(program_, {}, "script", 200ms).message, "time limit of 0.2 s exceeded");
 }
 
 TEST_F(Gnuplot, ThatClosesItsOutputAndDoesNotEndIsEnded) {
@@ -68,7 +68,7 @@ TEST_F(Gnuplot, ThatClosesItsOutputAndDoesNotEndIsEnded) {
   const auto silent = run_gnuplot(program_, {}, "script", 200ms);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
   EXPECT_EQ(silent.exit_code, -1);
-  EXPECT_EQ(silent.message, "it took longer than 0.2 s");
+  EXPECT_EQ(silent.message, "time limit of 0.2 s exceeded");
 }
 
 TEST_F(Gnuplot, IsHeardInPartAndReadsNothing) {

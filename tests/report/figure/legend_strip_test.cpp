@@ -29,7 +29,7 @@ Legend legend_of(int entries, std::size_t letters) {
   return legend;
 }
 
-/// How many entries gnuplot shows.
+/// The number of entries shown by gnuplot.
 std::size_t shown(const Legend& legend, const fs::path& directory) {
   const FigureSize size{.width = 1500, .height = 500 + legend_height(legend, 1500)};
   const fs::path script = directory / "stem.gp", svg = directory / "stem.svg";
@@ -57,7 +57,7 @@ TEST(LegendStrip, TakesMoreRoomForMoreAndLongerEntries) {
   EXPECT_LT(legend_height(legend_of(4, 10), 1500), legend_height(legend_of(5, 10), 1500));
   EXPECT_LT(legend_height(legend_of(4, 10), 1500), legend_height(legend_of(4, 40), 1500));
   EXPECT_LT(legend_height(legend_of(4, 10), 1500), legend_height(legend_of(4, 10), 600));
-  // Longer than the figure is wide: one column.
+  // Entries longer than the width of the figure: a single column.
   EXPECT_EQ(legend_height(legend_of(4, 500), 1500), legend_height(legend_of(4, 1000), 1500));
 }
 

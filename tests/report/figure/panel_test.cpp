@@ -23,7 +23,7 @@ TEST(Panel, DrawsEverythingAsItIsTold) {
   EXPECT_TRUE(drawn_with(points, false).starts_with("with points pointtype 6"));
 }
 
-// A summary may come from anybody.
+// A summary from an untrusted source must not inject commands.
 TEST(Panel, ALookThatIsNoneRunsNothing) {
   EXPECT_EQ(drawn_with({.colour = "x'; system('rm')\n#", .dash = "solid; system('rm')", .width = 1},
                        false),

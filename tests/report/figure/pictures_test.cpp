@@ -48,7 +48,7 @@ TEST(Pictures, AreAPngAndAnSvg) {
   }
 }
 
-/// The made-up case with this many closures more.
+/// The synthetic case with additional closures.
 results::Case with_closures(int count) {
   auto problem = tests::paper_case(1);
   problem.name = "case1";
@@ -75,7 +75,7 @@ TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
     std::string label = solution.id();
     if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
     if (solution.identity.look.as_points) label += ", with 95 % intervals";
-    // Titles that are not shown are there too, as comments.
+    // The SVG contains hidden titles as comments.
     const bool shown = contains(svg, " >" + label + "</tspan></text>");
     EXPECT_EQ(shown, one.curve(solution.id(), transform::Variable::y) != nullptr) << label;
   }
@@ -110,11 +110,11 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
   }
   run.cases[0].budget.clear();
   draw_pictures(directory.path(), run);
-  EXPECT_FALSE(fs::exists(figures / "case1-budget.png"));  // of the run before
+  EXPECT_FALSE(fs::exists(figures / "case1-budget.png"));  // from the earlier run
   EXPECT_TRUE(fs::exists(figures / "case1.png"));
 }
 
-/// Makes a directory the current one.
+/// Changes the current directory; the destructor restores it.
 class WorkingIn {
  public:
   explicit WorkingIn(const fs::path& directory) { fs::current_path(directory); }
@@ -124,7 +124,7 @@ class WorkingIn {
   fs::path before_ = fs::current_path();
 };
 
-// gnuplot takes what begins with '<' or '|' for a command.
+// gnuplot runs a file name that begins with '<' or '|' as a command.
 TEST(Pictures, TheNameOfADirectoryRunsNothing) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
@@ -152,7 +152,7 @@ TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
 
 TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   const tests::TemporaryDirectory directory;
-  for (const char* broken : {"false", "true"}) {  // an exit code; no picture in spite of success
+  for (const char* broken : {"false", "true"}) {  // exit code 1; exit code 0 without a picture
     const auto warnings = draw_pictures(directory.path(), made_up_run(), kBothFormats, broken);
     ASSERT_EQ(warnings.size(), 6u);
     EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
@@ -183,7 +183,7 @@ TEST(Pictures, ShowTheCurvesThatAreAskedFor) {
   EXPECT_FALSE(contains(script, " title 'fd-"));
 }
 
-// Whoever chose knows, and print has no command line.
+// No hint at more curves after a selection by the user, or in print.
 TEST(Pictures, SayHowManyMoreThereAreOnAScreenWhereNobodyChose) {
   const auto run = made_up_run();
   const std::vector<std::string> chosen{"epc", "mcs"};

@@ -50,18 +50,18 @@ TEST(FigureRanges, LetTheLogarithmBeginBelowTheDataAndNoLowerThanTheFloor) {
     const results::Curve curve{"toy", Variable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
     return logarithmic_bottom(figure_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
   };
-  // Between two walls: a decade holds it, not six.
+  // A density between two walls: a single decade suffices.
   EXPECT_DOUBLE_EQ(bottom({0.35, 0.8, 0.5}), 0.1);
   EXPECT_DOUBLE_EQ(bottom({1.3, 1.4, 1.35}), 0.1);
   EXPECT_DOUBLE_EQ(bottom({2e-4, 1, 0.1}), 1e-4);
-  // What fades out, and what is empty somewhere, is shown down to the floor.
+  // A density that decays, or with an empty bin, is shown down to the floor.
   EXPECT_DOUBLE_EQ(bottom({1e-9, 1, 0.1}), kSmallestDrawnDensity);
   EXPECT_DOUBLE_EQ(bottom({0, 1, 0.1}), kSmallestDrawnDensity);
 }
 
 TEST(FigureRanges, LeaveASpikeInNarrowBinsToTheLogarithm) {
   const transform::Solution solution;
-  // The first of even bins of width 1 is divided at 1/4.
+  // Bins of width 1, the first divided at 1/4.
   const results::Curve curve{"toy", Variable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1},
                              {},    {}};
   const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {-70, 0.1, 0.3, 0.2}, {}, {}}};

@@ -19,7 +19,7 @@ TEST(ScriptParts, SeriesLookAsTheirMethodsDo) {
   EXPECT_EQ(looks[1].colour, "#CC79A7");
   EXPECT_EQ(looks[0].dash, "(10,4)");
   EXPECT_EQ(looks[1].dash, "(2,4)");
-  EXPECT_EQ(looks[1].filled, 5);  // of gnuplot
+  EXPECT_EQ(looks[1].filled, 5);  // point type of gnuplot
   EXPECT_EQ(looks[1].open, 4);
 }
 

@@ -66,7 +66,7 @@ TEST(FigureScript, HasDifferencesWhereThereIsAReference) {
   EXPECT_FALSE(contains(script_of(one), "_difference"));
 }
 
-// A summary may come from anybody: an id is text, and never ends its line.
+// A summary from an untrusted source: an id is plain text and cannot end its line.
 TEST(FigureScript, AnIdRunsNothing) {
   auto one = made_up_case();
   const std::string id = "x\nsystem 'touch PWNED'\n#";

@@ -22,7 +22,7 @@ TEST(SourcesScript, HasAMapForEachMomentOfTheClosestClosureAndTheEquation) {
   const auto one = tests::case_with_sources();
   ASSERT_TRUE(has_sources(one));
   const std::string script = sources_script(one, "stem");
-  // Letters row by row, as the panels stand: a density has a column.
+  // Letters follow the panels row by row; each density has a column.
   EXPECT_TRUE(contains(script, "(a) E[{/:Italic y}²] of epc-gaussian-n6: +1.0 × 10^{−3}"))
       << script;
   EXPECT_TRUE(contains(script, "(c) E[{/:Italic y}''²] of epc-gaussian-n6: −2.0 × 10^{−3}"));
@@ -32,7 +32,7 @@ TEST(SourcesScript, HasAMapForEachMomentOfTheClosestClosureAndTheEquation) {
   EXPECT_FALSE(has_sources(tests::made_up_case()));
 }
 
-// Values and places of the colour bar's tics of each panel.
+// Values and positions of the tics of the colour bar of each panel.
 std::vector<std::vector<std::pair<double, double>>> colour_tics(const std::string& script) {
   std::vector<std::vector<std::pair<double, double>>> panels;
   const std::regex tic("'((?:−)?)([0-9]+)'(?:, '[^']*'\\))? (-?[0-9.]+)");
@@ -58,7 +58,7 @@ TEST(SourcesScript, LabelsColoursAtEqualStepsWhereTheRootPutsThem) {
     const double step = tics[1].first - tics[0].first;
     const auto [last, top] = tics.back();
     EXPECT_LE(top, 1);
-    EXPECT_GT(top * top * (1 + step / last), 1);  // another step would be beyond the bar
+    EXPECT_GT(top * top * (1 + step / last), 1);  // a further step would exceed the bar
     for (std::size_t k = 0; k < tics.size(); ++k) {
       const auto [value, place] = tics[k];
       EXPECT_NEAR(value - tics.front().first, static_cast<double>(k) * step, 1e-9);
@@ -73,7 +73,7 @@ TEST(SourcesScript, LabelsColoursAtEqualStepsWhereTheRootPutsThem) {
   EXPECT_EQ(labels, 4u);
 }
 
-// A summary may come from anybody.
+// A summary from an untrusted source must not inject commands.
 TEST(SourcesScript, AnIdRunsNothing) {
   auto one = tests::case_with_sources();
   const std::string id = "x`touch PWNED`\"_'";

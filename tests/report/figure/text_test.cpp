@@ -20,7 +20,7 @@ TEST(FigureText, HasNumbersWithMinusSigns) {
   EXPECT_EQ(power_text(0), "0");
 }
 
-// A name may hold what LaTeX would take for a command.
+// A name may contain characters with a meaning in LaTeX.
 TEST(FigureText, ThatIsPlainIsSetLetterByLetter) {
   EXPECT_EQ(gnuplot_literal("a_b"), "'a\\_b'");
   EXPECT_EQ(gnuplot_literal("\\input{x}$%#"),

@@ -13,7 +13,7 @@ namespace {
 
 using compare::Link;
 
-/// The budget of two closures in both variables; the second of them is not ok.
+/// A case with the budgets of two closures in both marginals; the second closure is not ok.
 results::Case budgeted() {
   auto one = tests::whole_case();
   one.budget.clear();
@@ -79,8 +79,8 @@ TEST(BudgetView, TablesHaveTheNumbersOfEveryPart) {
   const std::string html = budget_tables(budgeted());
   const std::string l1 = "Error budget of p(y): L1";
   EXPECT_EQ(tests::headers_in(html, l1),
-            "solution|total|closure|sampling|L1 that chance alone makes: mean|exceeded in 1 run of "
-            "100");
+            "solution|total|closure|sampling|L1 of sampling error alone: mean|L1 of sampling error "
+            "alone: 99 % quantile");
   EXPECT_EQ(tests::row_in(html, l1, "epc-gaussian-n6"),
             "0.0024|0.0023 \u00b1 4.0e-5|0.00047|0.00059|0.00081");
   EXPECT_EQ(tests::row_in(html, "Error budget of the tail of p(y\u2032): mean |\u0394 log10 p|",

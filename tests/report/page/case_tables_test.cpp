@@ -39,7 +39,7 @@ TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
   one.bounds = compare::Bounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
   solution_of(one, "fd-white").moments.y2 = y2 + 5e-3;
   const std::string html = moment_errors_table(one);
-  const std::string caption = "Errors of moments, by the guaranteed bounds";
+  const std::string caption = "Errors of moments, from the guaranteed bounds";
   EXPECT_TRUE(tests::contains(headers_in(html, caption), "solution|E[y\u00b2] in ["));
   EXPECT_FALSE(tests::contains(html, "w1"));
   EXPECT_EQ(row_in(html, caption, "fd-kf"), "within");
@@ -61,11 +61,13 @@ TEST(Diagnostics, SayOfAllSolutionsHowWellTheyKnowThemselves) {
   auto one = whole_case();
   solution_of(one, "fd-kf").min_density = -3e-11;
   const std::string html = diagnostics_tables(one);
-  const std::string caption = "Mass, energy, errors by their own account";
-  EXPECT_EQ(headers_in(html, caption),
-            "solution|status|least density / peak|mass \u2212 1|energy residual|its standard error|"
-            "stated error of p(y), L1|of p(y\u2032)|sampling error of p(y), L1|of p(y\u2032)|"
-            "standard error of E[y\u00b2]|of E[y\u2032\u00b2]");
+  const std::string caption = "Mass, energy and error estimates";
+  EXPECT_EQ(
+      headers_in(html, caption),
+      "solution|status|minimum density / peak|mass \u2212 1|energy residual|standard error of "
+      "the energy residual|error estimate of p(y), L1|error estimate of p(y\u2032), L1|"
+      "sampling error of p(y), L1|sampling error of p(y\u2032), L1|"
+      "standard error of E[y\u00b2]|standard error of E[y\u2032\u00b2]");
   const auto row = [&](const std::string& id) {
     std::string text = row_in(html, caption, id);
     for (auto at = text.find("\u2013"); at != std::string::npos; at = text.find("\u2013")) {
@@ -79,7 +81,7 @@ TEST(Diagnostics, SayOfAllSolutionsHowWellTheyKnowThemselves) {
 }
 
 TEST(Diagnostics, HoldWhatTheFamiliesSay) {
-  EXPECT_TRUE(tests::contains(diagnostics_tables(whole_case()), "What mcs says of itself"));
+  EXPECT_TRUE(tests::contains(diagnostics_tables(whole_case()), "Metrics of mcs"));
 }
 
 }  // namespace

@@ -20,13 +20,13 @@ TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(plots[0].id, "case-1-order-y");
   EXPECT_EQ(names_in(plots[0]),
-            (Names{"epc-gaussian", "mcs to fd-kf", "error of fd-kf, by its own account"}));
+            (Names{"epc-gaussian", "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json curve = trace_of(plots[0], "epc-gaussian");
   EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
   EXPECT_EQ(curve.at("y")[2], *one.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y));
   EXPECT_EQ(curve.at("marker").at("symbol"), Json({"circle", "circle-open", "circle"}));
   EXPECT_EQ(curve.at("customdata")[1], "epc-gaussian-n4 (inadmissible)");
-  EXPECT_EQ(trace_of(plots[1], "error of fd-kf, by its own account").at("y")[0], 3e-5);
+  EXPECT_EQ(trace_of(plots[1], "error estimate of fd-kf").at("y")[0], 3e-5);
 }
 
 TEST(OrderPlots, HaveGuestsAtTheirOrdersOrAsLevels) {
@@ -41,8 +41,8 @@ TEST(OrderPlots, HaveGuestsAtTheirOrdersOrAsLevels) {
   with_order.identity.family = "file";
   const auto plots = order_plots(one, "case-1");
   ASSERT_EQ(plots.size(), 2u);
-  EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4", "mcs to fd-kf",
-                                       "error of fd-kf, by its own account"}));
+  EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4",
+                                       "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json level = trace_of(plots[0], "fd-white"), mark = trace_of(plots[0], "fd-km4");
   const double l1 = *one.l1("fd-white", "fd-kf", transform::Variable::y);
   EXPECT_EQ(level.at("y"), Json({l1, l1}));
@@ -57,7 +57,7 @@ TEST(OrderPlots, HaveACurveForAFamilyOfGuests) {
   const auto plots = order_plots(tests::case_with_guest_family({6, 2, 4}), "case-1");
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(names_in(plots[0]),
-            (Names{"chi", "epc-gaussian", "mcs to fd-kf", "error of fd-kf, by its own account"}));
+            (Names{"chi", "epc-gaussian", "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json curve = trace_of(plots[0], "chi");
   EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
   EXPECT_EQ(curve.at("mode"), "lines+markers");
@@ -67,7 +67,7 @@ TEST(OrderPlots, SayHowWellASimulationIsKnownToo) {
   auto one = whole_case();
   tests::solution_of(one, "fd-kf").error.reset();
   EXPECT_EQ(names_in(order_plots(one, "case-1")[0]),
-            (Names{"epc-gaussian", "fd-kf to mcs", "error of mcs, by its own account"}));
+            (Names{"epc-gaussian", "distance of fd-kf to mcs", "error estimate of mcs"}));
 }
 
 TEST(OrderPlots, NeedTwoClosuresOfOneFamilyAndAReference) {

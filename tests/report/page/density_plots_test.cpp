@@ -45,7 +45,7 @@ TEST(DensityPlots, DrawEverySolutionThatHasADensityInThreeRows) {
   }
 }
 
-// What fades out is shown down to 1e-7, what is cut off by walls as far as it goes.
+// A density that decays is shown down to 1e-7, a density between walls down to its minimum.
 TEST(DensityPlots, BeginTheirLogarithmBelowTheData) {
   auto one = tests::whole_case();
   const auto bottom = [&](std::size_t plot) {
@@ -88,7 +88,7 @@ TEST(DensityPlots, LegendsHaveTheOrderOfTheTables) {
 
 TEST(DensityPlots, EveryArrayThatATraceNamesIsThere) {
   auto one = tests::whole_case();
-  one.curves.front().abscissa.back() += 1;  // another one than the reference's
+  one.curves.front().abscissa.back() += 1;  // bins different from those of the reference
   const auto plots = density_plots(one, "case-1");
   const Json figure = tests::figure_of(plots[0]), &arrays = figure.at("arrays");
   int curves = 0;
@@ -100,7 +100,7 @@ TEST(DensityPlots, EveryArrayThatATraceNamesIsThere) {
     }
     curves += trace.at("legendgroup") == one.curves.front().solution ? 1 : 0;
   }
-  EXPECT_EQ(curves, 2);  // no difference where the bins are others
+  EXPECT_EQ(curves, 2);  // no difference on different bins
 }
 
 TEST(DensityPlots, BandsOfASimulationAreInAllRows) {

@@ -24,7 +24,7 @@ TEST(ErrorMaps, AreOfAllThatHaveTheirSourcesClosuresFirst) {
     EXPECT_EQ(moments[1].error, -2e-3 * size);
     for (const auto& map : moments) {
       EXPECT_EQ(map.values.roots.size(), (maps->y_edges.size() - 1) * (maps->v_edges.size() - 1));
-      // On the wall, the larger one above rest.
+      // The largest value is at the wall, at y' > 0.
       const auto largest = std::ranges::find_if(
           map.values.roots, [&](auto root) { return std::abs(root) == map.values.levels; });
       const auto place = static_cast<std::size_t>(largest - map.values.roots.begin());

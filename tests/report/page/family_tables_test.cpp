@@ -11,9 +11,9 @@ using tests::contains;
 using tests::row_in;
 using transform::Observer;
 
-const std::string kCaption = "What epc-gaussian says of itself";
+const std::string kCaption = "Metrics of epc-gaussian";
 
-/// A case of two closures with these observations.
+/// A case of two closures with these metrics.
 results::Case observed(transform::Observations first, transform::Observations second) {
   auto one = tests::whole_case();
   one.solutions.resize(2);
@@ -50,7 +50,7 @@ TEST(FamilyTables, LeaveOutWhatOnlyRepeatsAnOption) {
   one.solutions[1].options = {{"order", std::int64_t{4}}, {"nodes", 5.0}};
   const std::string html = family_tables(one);
   EXPECT_EQ(row_in(html, kCaption, "order"), "no row");
-  EXPECT_EQ(row_in(html, kCaption, "nodes"), "3|5");  // chosen by the first
+  EXPECT_EQ(row_in(html, kCaption, "nodes"), "3|5");  // the option of the first is automatic
 }
 
 TEST(FamilyTables, KeepTheirOrderWithGroupsBehind) {
@@ -68,7 +68,7 @@ TEST(FamilyTables, AreOneForEachFamily) {
   one.solutions[1].identity.family = "<toy>";
   const std::string html = family_tables(one);
   EXPECT_TRUE(contains(html, kCaption));
-  EXPECT_TRUE(contains(html, "What &lt;toy&gt; says of itself"));
+  EXPECT_TRUE(contains(html, "Metrics of &lt;toy&gt;"));
   EXPECT_EQ(family_tables(observed({}, {})), "");
 }
 

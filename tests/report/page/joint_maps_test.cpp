@@ -50,14 +50,14 @@ TEST(JointMaps, GiveTheDifferenceBackFromItsRoots) {
   const auto one = whole_case();
   const auto maps = joint_maps(one);
   const auto& simulated = maps->differences.back();
-  ASSERT_EQ(simulated.solution, "mcs");  // 2 % more on y' > 0
+  ASSERT_EQ(simulated.solution, "mcs");  // 2 % above the reference for y' > 0
   EXPECT_NEAR(simulated.l1, 0.02 / 2, 1e-4);
   const std::size_t ny = maps->y_edges.size() - 1;
   for (std::size_t k = 0; k < simulated.values.roots.size(); ++k) {
     const double q = static_cast<double>(simulated.values.roots[k]) / simulated.values.levels;
     const double back = std::copysign(q * q, q) * simulated.values.largest;
     const double expected = maps->v_edges[k / ny] > -1e-9 ? 0.02 * maps->reference_density[k] : 0;
-    // The root is rounded by half a unit: d((q/n)^2) = 2 q/n dq.
+    // The root is rounded by half a unit: d((q/n)^2) = 2 q/n^2 dq.
     const double n = simulated.values.levels;
     const double rounding =
         std::sqrt(expected * simulated.values.largest) / n + simulated.values.largest / (4 * n * n);
@@ -65,7 +65,7 @@ TEST(JointMaps, GiveTheDifferenceBackFromItsRoots) {
   }
 }
 
-// Atoms are at points of their own, so that what they differ by adds up.
+// Differences of atoms add to the L1 distance.
 TEST(JointMaps, CountWhatAtomsOfRestDifferBy) {
   auto one = whole_case();
   const double before = joint_maps(one)->differences.back().l1;

@@ -24,12 +24,13 @@ TEST(Page, HasTheSectionsOfAWholeRun) {
   const std::string html = page(run);
   for (const char* heading :
        {"<section id=\"verdict\">", "<h2>The problem</h2>", "<h2>case1 <small>c = 0.1",
-        ">What differs</h3>", ">Results</h3>", ">Error budget</h3>", ">Convergence</h3>",
-        "<summary>Joint densities</summary>", "<summary>Distance against cost</summary>",
-        "<summary>Diagnostics</summary>", "<h2>Timings, and how to repeat this</h2>"}) {
+        ">Densities and differences</h3>", ">Results</h3>", ">Error budget</h3>",
+        ">Convergence</h3>", "<summary>Joint densities</summary>",
+        "<summary>L1 distance against computing time</summary>", "<summary>Diagnostics</summary>",
+        "<h2>Timings and command</h2>"}) {
     EXPECT_EQ(occurrences(html, heading), 1u) << heading;
   }
-  // The answer stands before the problem, and that before the cases.
+  // The answer precedes the problem, the problem the cases.
   EXPECT_LT(html.find("class=\"answer\""), html.find("<h2>The problem"));
   EXPECT_LT(html.find("class=\"strip\""), html.find("<h2>The problem"));
   EXPECT_LT(html.find("<h2>The problem"), html.find("<h2>case1"));
@@ -66,7 +67,7 @@ TEST(Page, ShowsNamesLetterByLetter) {
     solution.reason = "because 1 < 2 " + hostile;
     solution.observations = transform::Observer().text(hostile, hostile).take();
   }
-  // A solution under another name, wherever it is named.
+  // Renames a solution wherever its id occurs.
   const std::string old = "epc-gaussian-n6", renamed = "n6" + hostile;
   const auto rename = [&](std::string& id) { id = id == old ? renamed : id; };
   rename(solution_of(one, old).identity.id);
@@ -82,7 +83,7 @@ TEST(Page, ShowsNamesLetterByLetter) {
   EXPECT_TRUE(contains(html,
                        "<h2>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;&amp;amp;"
                        "&quot;&#39; <small>"));
-  // plotly.js takes names for a kind of HTML.
+  // plotly.js interprets names as a subset of HTML.
   bool found = false;
   const auto plots = plots_in(html);
   for (const auto& trace : plots.at(0).at("plots").at(0).at("figure").at("data")) {
@@ -101,7 +102,7 @@ TEST(Page, OfAnOlderRunLeavesOutWhatWasNotSaved) {
   EXPECT_FALSE(contains(html, "Joint densities"));
   EXPECT_FALSE(contains(html, ">Error budget</h3>"));
   EXPECT_TRUE(plots_in(html).at(0).at("maps").is_null());
-  EXPECT_TRUE(contains(html, ">What differs</h3>"));
+  EXPECT_TRUE(contains(html, ">Densities and differences</h3>"));
 }
 
 TEST(Page, SaysADashForNoNumberAndIsMadeWithoutAnyDensity) {
@@ -121,7 +122,7 @@ TEST(Page, SaysADashForNoNumberAndIsMadeWithoutAnyDensity) {
     solution.moments.y2 = kNotANumber;
   }
   const std::string html = page(run);
-  EXPECT_FALSE(contains(html, ">What differs</h3>"));
+  EXPECT_FALSE(contains(html, ">Densities and differences</h3>"));
   EXPECT_FALSE(contains(html, ">Convergence</h3>"));
   EXPECT_TRUE(contains(html, "fd-kf failed</strong>"));
   EXPECT_FALSE(contains(html, ">nan<"));
@@ -135,7 +136,8 @@ TEST(Page, SaysThatNothingCanBeJudgedWithoutAReference) {
     solution.status = transform::Status::failed;
   }
   const std::string html = page(run);
-  EXPECT_TRUE(contains(html, "<p class=\"answer\">Nothing here solves the problem itself"));
+  EXPECT_TRUE(
+      contains(html, "<p class=\"answer\">There is no reference: no solution of the full problem"));
   EXPECT_TRUE(contains(html, "<p>There is no reference"));
 }
 
@@ -143,7 +145,7 @@ TEST(Page, LeadsToEveryPartOfEveryCase) {
   auto run = whole_run();
   for (int k = 2; k <= 50; ++k) run.cases.push_back(run.cases[0]);
   const std::string html = page(run);
-  // Beside each other only a few; the menu has all.
+  // Direct links for a few cases only; the menu has all.
   EXPECT_EQ(occurrences(html, "<a href=\"#case-50\">"), 2u);  // menu, matrix
   for (auto at = html.find("<a href=\"#"); at != std::string::npos;
        at = html.find("<a href=\"#", at + 1)) {
@@ -170,10 +172,10 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
                                 .take();
     solution.options = {{"order", std::int64_t{6}}};
   }
-  // Files have this one beside the stated error, before all others.
+  // Files store this metric beside the error estimate, before all other metrics.
   solution_of(run.cases[0], "fd-kf")
       .observations.push_back({.path = "error.observed_order", .value = 5.25});
-  // Of single precision, as a run has them.
+  // Single precision, as in the files of a run.
   for (double& p : run.cases[0].joints.back().density.averages) p = static_cast<float>(p);
   const tests::TemporaryDirectory directory;
   base::PendingFiles files;

@@ -39,7 +39,7 @@ TEST(VerdictView, ColoursACellByHowItStands) {
   EXPECT_TRUE(contains(html, "title=\"not_converged\">\u2013<sup>x</sup></td>"));
 }
 
-// A colour that no cell has needs none.
+// The key has only colours that occur in the cells.
 TEST(VerdictView, SaysWhatTheColoursOfTheCellsMean) {
   auto run = two_cases();
   const auto key = [&] {
@@ -61,7 +61,7 @@ TEST(VerdictView, SaysWhatTheColoursOfTheCellsMean) {
 TEST(DistanceStrip, HasAMarkForEachDistanceAndAWordForNone) {
   const auto run = two_cases();
   const std::string svg = distance_strip(run, records(run));
-  // n = 2 and 6, white, km4 and the simulation in both cases; n = 4 is no density.
+  // Circles in both cases: n = 2 and 6, white, km4, the simulation. Crosses: n = 4, inadmissible.
   EXPECT_EQ(occurrences(svg, "<circle"), 10u);
   EXPECT_EQ(occurrences(svg, "class=\"cross\""), 2u);
   EXPECT_TRUE(contains(svg, ">not_converged</text>"));
@@ -81,7 +81,8 @@ TEST(DistanceStrip, PutsMarksWhereTheirDecadeIs) {
     const auto circle = svg.rfind("cx=\"", svg.find(title));
     return std::stod(svg.substr(circle + 4));
   };
-  // From 1e-5, which the reference's own 3e-5 asks for, to 0.1: two decades are half the axis.
+  // The axis extends from 1e-5, below the error estimate 3e-5 of the reference, to 0.1: four
+  // decades.
   const double left = 132, right = 546;
   EXPECT_NEAR(x_of("epc-gaussian-n6, a"), (left + right) / 2, 0.1);
   EXPECT_NEAR(x_of("fd-white, a"), right, 0.1);

@@ -33,7 +33,7 @@ TEST(Outward, NeverCutsIntoTheInterval) {
   }
 }
 
-// The double 0.3 is less than three tenths, 0.7 too; 0.1 and 0.8 are more than they say.
+// The doubles 0.3 and 0.7 are below their decimals, 0.1 and 0.8 above.
 TEST(Outward, LooksAtTheNumberRatherThanAtItsShortestDecimal) {
   EXPECT_EQ(outward(0.3, 0.4).lower, "0.29");
   EXPECT_EQ(outward(0.1, 0.2).lower, "0.10");

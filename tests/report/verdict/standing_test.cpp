@@ -28,7 +28,7 @@ TEST(Standing, GoesByBothDistancesToTheReference) {
 }
 
 TEST(Standing, IsIndistinguishableWithinWhatTheReferenceKnowsOfBothMarginals) {
-  auto one = made_up_case();  // the simulation expects 0.0011 and 0.0015 of chance
+  auto one = made_up_case();  // expected sampling errors of the simulation: 0.0011 and 0.0015
   set_l1(one, "fd-kf", "mcs", 0.0010, 0.0014);
   EXPECT_EQ(stand_in(one, "fd-kf").standing, Standing::indistinguishable);
   set_l1(one, "fd-kf", "mcs", 0.0010, 0.0016);
