@@ -45,9 +45,9 @@ Claims distance_claims(const results::Case& one, const results::Case& other,
 Claims budget_claims(const results::Case& one, const results::Case& other,
                      const Tolerances& tolerances);
 
-/// Compares every marginal density and returns its bin with the largest change. For a simulation the
-/// change is in standard errors, over the bins with a 95 % half-width of at most half the density;
-/// the tolerance allows for their number. The L1 distance of the two simulations follows.
+/// Compares every marginal density and returns its bin with the largest change. For a simulation
+/// the change is in standard errors, over the bins with a 95 % half-width of at most half the
+/// density; the tolerance allows for their number. The L1 distance of the two simulations follows.
 std::vector<Figure> marginal_figures(const results::Case& baseline, const results::Case& now,
                                      const Tolerances& tolerances);
 
