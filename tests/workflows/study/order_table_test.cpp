@@ -17,8 +17,8 @@ TEST(OrderTable, ShowsWhatClosuresTellAndWhatTheirOrdersAreWorth) {
        "impact losses folds at 65.5 %, covers 65.5 % of the way, and returns to white "
        "noise at another root.",
        "gaussian is ok at n = 2: L1 0.004 in p(y), 0.008 in p(y').",
-       "moment is ok at n = 4 and 6; from n = 4 to 6 the L1 distance changes from 0.008 to 0.002 in "
-       "p(y) and from 0.016 to 0.004 in p(y'). On average each n + 2 divides it by 4.0 and 4.0."}) {
+       "moment is ok at n = 4 and 6; from n = 4 to 6 the L1 distance changes from 0.008 to 0.002 "
+       "in p(y) and from 0.016 to 0.004 in p(y'). On average each n + 2 divides it by 4.0 and 4.0."}) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n" << text;
   }
 }
