@@ -25,10 +25,10 @@ struct Kind {
 std::vector<Kind> kinds(const methods::Registry& registry, transform::Role role);
 
 /// Methods that are compared with finite volumes for an equation: closures and simulations of that
-/// equation. Each family of closures contributes its default variant, if this solves the equation or
-/// the equation is that of the full problem, which every closure approximates; otherwise a variant
-/// that solves the equation. The orders are 2, 4, .. 12; with the impact to first order they are
-/// 2, 4, 6, since higher orders rarely have a density.
+/// equation. Each family of closures contributes its default variant, if this solves the equation
+/// or the equation is that of the full problem, which every closure approximates; otherwise a
+/// variant that solves the equation. The orders are 2, 4, .. 12; with the impact to first order
+/// they are 2, 4, 6, since higher orders rarely have a density.
 /// @param simulation values that replace the default options of simulations
 /// @return methods by increasing trust
 /// @throws InputError when the values are invalid
