@@ -26,8 +26,8 @@ struct Baseline {
 
 /// Reads a baseline: a directory with summary.json, or the path of such a file under any name. The
 /// marginal densities come from marginals.csv in the same directory, where that file exists.
-/// @param given values of options that replace those of the run, e.g. "threads"; a method ignores
-///        options that it does not have
+/// @param given values of options that replace those of the run, e.g.
+///        "threads"; a method ignores options that it does not have
 /// @throws InputError with a message of one line: as results::load_summary and load_curves; when a
 ///         case or a solution cannot be solved again
 Baseline load_baseline(const std::filesystem::path& place, const methods::Registry& registry,

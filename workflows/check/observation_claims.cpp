@@ -71,7 +71,7 @@ class ObservationClaims {
   }
 
  private:
-  // The results beside a coefficient are the powers of its term: that of x1^4 x2^2 is "a(4,2)".
+  // The results with the same parent are the powers of its term: that of x1^4 x2^2 is "a(4,2)".
   std::string coefficient_name(const Observation& o) const {
     std::vector<double> powers;
     for (const auto& beside : observations_) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Criteria: numerical limits for the words of the paper. Each limit has a reason that is
+/// Criteria: numerical limits for the statements of the paper. Each limit has a reason that is
 /// independent of the results.
 namespace fpkcheck::paper {
 

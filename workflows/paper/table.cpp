@@ -25,7 +25,7 @@ std::string wanted(const Measured& of, const std::string& limit) {
   return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
 }
 
-// For `differs` one of the two numbers is enough.
+// `differs` holds if L1 or the tail exceeds its limit.
 std::string tail_wanted(const Judgement& one) {
   const std::string text = wanted(one.tail, tail_text(one.tail.limit));
   return one.claim.relation == Relation::differs && !text.empty() ? "or " + text : text;

@@ -23,7 +23,7 @@ std::vector<Row> rows(std::span<const Judgement> judgements);
 /// first of its lines.
 std::vector<std::string> notes(std::span<const Judgement> judgements);
 
-/// The numerical meaning of the words in the claims (workflows/paper/criteria.hpp).
+/// The numerical meaning of the claims' terms (workflows/paper/criteria.hpp).
 std::vector<std::string> criteria();
 
 /// The closing sentence, then a sentence for each outcome other than `established`, with its

@@ -30,7 +30,7 @@ class CostModel {
   std::vector<double> expected_;
 };
 
-/// Selects about `count` points that are spread evenly over the candidates: a sample to measure
+/// Selects about `count` points, evenly distributed over the candidates: a sample to measure
 /// first.
 /// @param among candidates in increasing order
 std::vector<std::size_t> spread(const std::vector<std::size_t>& among, std::size_t count);

@@ -14,7 +14,7 @@ struct Neighbour {
   const MappedPoint* point;
 };
 
-// The points of the map with the same impulse law and relative mean, the nearest first.
+// The points of the map with the same impulse law and relative mean, the closest first.
 std::vector<Neighbour> neighbours_of(const Place& place, const ValidityMap& map) {
   std::vector<Neighbour> neighbours;
   for (const auto& point : map.points) {

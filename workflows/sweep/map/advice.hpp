@@ -10,10 +10,10 @@ namespace fpkcheck::sweep {
 
 /// Points of the map within this distance of a problem count as nearby.
 inline constexpr double kNear = 1;
-/// Least number of points for each method: with fewer nearby, the nearest points at any distance.
+/// Least number of points for each method: with fewer nearby, the closest points at any distance.
 inline constexpr std::size_t kFewestNear = 4;
 
-/// Results of a method at the points nearest to a problem, among the points where it was tried:
+/// Results of a method at the points closest to a problem, among the points where it was tried:
 /// those within kNearbyDistance, and at least kMinNearbyPoints.
 struct MethodNearby {
   std::string id;
@@ -22,7 +22,7 @@ struct MethodNearby {
   std::optional<double> worst_l1 = {};  ///< over the densities: `ok` or `inaccurate`
   double seconds = 0;                   ///< median
   /// The method was `ok` at all these points, with L1 plus the reference's error estimate below the
-  /// accuracy; there are at least kMinNearbyPoints points, the nearest within kNearbyDistance.
+  /// accuracy; there are at least kMinNearbyPoints points, the closest within kNearbyDistance.
   bool promised = false;
 };
 
@@ -31,7 +31,7 @@ struct MethodNearby {
 struct Advice {
   Place place;
   double accuracy;
-  double nearest;        ///< distance of the nearest point; infinite where no point has the
+  double nearest;        ///< distance of the closest point; infinite where no point has the
                          ///< same impulse law and relative mean
   std::size_t near = 0;  ///< number of points within kNearbyDistance
   /// Methods with `promised` first, by increasing time. Exception: the first method is the most

@@ -52,7 +52,7 @@ std::optional<double> mapped_number(std::string_view text) {
   return number;
 }
 
-/// A line of the map, and its place for error messages.
+/// A line of the map, and its location for error messages.
 struct MapLine {
   std::string_view text;
   std::string where;

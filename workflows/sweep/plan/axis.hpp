@@ -25,8 +25,7 @@ struct Axis {
   /// sequence.
   std::vector<base::Value> values = {};
 
-  /// The value that divides the range in the ratio fraction : 1 - fraction, 0 <= fraction <= 1,
-  /// rounded to 12 digits.
+  /// Value with the relative position `part` in the range, 0 <= part <= 1, rounded to 12 digits.
   double at(double part) const;
   /// Text for figures and sentences: "system.restitution = 0.5:0.99:50".
   std::string text() const;

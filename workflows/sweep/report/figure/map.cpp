@@ -66,7 +66,7 @@ std::string colour_scale(const PanelGrid& grid) {
       first.right + 0.022, last.bottom, first.top - last.bottom);
 }
 
-// SVG viewers smooth images: a few cells are drawn as rectangles in SVG. In PNG rectangles would
+// SVG viewers smooth images: a few cells are rendered as rectangles in SVG. In PNG rectangles would
 // have visible seams.
 std::string how_cells_are_drawn(std::size_t cells) {
   constexpr std::size_t kFew = 6000;
