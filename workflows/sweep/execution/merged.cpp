@@ -62,7 +62,7 @@ Plan plan_of_journal(const Json& json, const fs::path& file, const methods::Regi
 
 // The shards that contain these points, out of `of` shards: "1/3 (2 points), 2/3 (1 point)".
 std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) {
-  constexpr std::size_t kNamed = 8;  // fit a line; the rest are named after these were solved
+  constexpr std::size_t kNamed = 8;  // fit a line; the rest are named in later runs
   std::map<std::size_t, std::size_t> counts;
   for (const std::size_t p : points) ++counts[Shard::holding(p, of).number];
   std::vector<std::string> named;

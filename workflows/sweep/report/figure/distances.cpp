@@ -21,7 +21,7 @@ constexpr const char* kFloorEdge = "#AAAAAA";
 // Error estimates over words are single dots.
 constexpr const char* kDotted = "lw 1.5 dt (2,4)";
 constexpr const char* kDots = "pt 7 ps 0.25";
-constexpr double kRow = 0.045;  // height of a method's row of crosses, relative to the panel
+constexpr double kRow = 0.045;  // height of a row of crosses, 1 being the panel's
 
 /// Builds the script of the figure.
 class Distances {

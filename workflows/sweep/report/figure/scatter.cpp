@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMostBins = 8;
 constexpr std::size_t kFewestPoints = 3;  // for the median in a section of a range
-constexpr double kSpread = 0.6;           // width over which methods are spread, 1 being a word's
+constexpr double kSpread = 0.6;           // width of the spread of methods, 1 being a word's
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
