@@ -31,8 +31,8 @@ struct MethodNearby {
 struct Advice {
   Place place;
   double accuracy;
-  double nearest;        ///< distance of the closest point; infinite where no point has the same
-                         ///< impulse law and relative mean
+  double nearest;        ///< distance of the closest point; infinite where no
+                         ///< point has the same impulse law and relative mean
   std::size_t near = 0;  ///< number of points within kNearbyDistance
   /// Methods with `promised` first, by increasing time. Exception: the first method is the most
   /// accurate of those that take at most 1.5 times as long as the fastest.
