@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using transform::Solution;
 
-// A solution that somebody brought along cannot be solved again: it goes, with its distances, its
-// error budget and its curves.
+// Removes a solution that no method of this program made, with its distances, error budget and
+// curves: it cannot be solved again.
 void leave_out(results::Case& one, const std::string& id) {
   std::erase_if(one.solutions, [&](const auto& solution) { return solution.id() == id; });
   std::erase_if(one.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
@@ -26,11 +26,12 @@ void leave_out(results::Case& one, const std::string& id) {
   std::erase_if(one.curves, [&](const auto& curve) { return curve.solution == id; });
 }
 
-// A simulation is judged by its own errors: without them, or cut short, it is no baseline.
+// A simulation is compared by its own standard errors: without them, or interrupted, it cannot
+// serve as a baseline.
 void require_whole_simulation(const Solution& solution) {
   const auto* interrupted = transform::find(solution.observations, kInterrupted);
   if (interrupted != nullptr && interrupted->value == base::Value(true)) {
-    throw InputError("the simulation was interrupted (run again, to its end)");
+    throw InputError("the simulation was interrupted: run it again, to its end");
   }
   if (!solution.has_density()) return;
   for (const Claim& claim : solution_claims(solution, {})) {
@@ -40,7 +41,7 @@ void require_whole_simulation(const Solution& solution) {
   }
 }
 
-// The methods of a case. Solutions that have none are left out, with a note.
+// The methods of a case. Solutions of external densities have none: they are removed, with a note.
 CaseAgain plan(results::Case& one, const methods::Registry& registry, const base::Values& given,
                std::vector<std::string>& notes) {
   CaseAgain again{one.problem, {}};
@@ -61,7 +62,7 @@ CaseAgain plan(results::Case& one, const methods::Registry& registry, const base
   for (const auto& id : not_ours) {
     leave_out(one, id);
     notes.push_back(fmt::format(
-        "{} {} was given from outside: it is not solved again and not compared.", one.name(), id));
+        "{} {} is an external density: it is not solved again and not compared.", one.name(), id));
   }
   return again;
 }
@@ -78,7 +79,7 @@ Baseline load_baseline(const fs::path& place, const methods::Registry& registry,
     results::load_curves(curves, baseline.run);
   } else {
     baseline.notes.push_back(
-        fmt::format("There is no {} beside the baseline: the curves are not compared.",
+        fmt::format("{} is missing beside the baseline: marginal densities are not compared.",
                     results::kMarginalsFile));
   }
   try {
@@ -89,7 +90,7 @@ Baseline load_baseline(const fs::path& place, const methods::Registry& registry,
     throw InputError(fmt::format("{}: {}", base::shown(file.string()), error.what()));
   }
   if (std::ranges::all_of(baseline.cases, [](const auto& one) { return one.methods.empty(); })) {
-    throw InputError(fmt::format("{} has no solution that can be solved again (give another run)",
+    throw InputError(fmt::format("{} has no solution that can be solved again: use another run",
                                  base::shown(file.string())));
   }
   return baseline;
@@ -100,7 +101,7 @@ results::Run run_again(const Baseline& baseline, const std::string& command, int
   std::size_t total = 0, before = 0;
   for (const auto& one : baseline.cases) total += one.methods.size();
   results::Run run{results::this_program(command), {}};
-  // Case by case, since each may have been solved by other methods.
+  // Each case has its own list of methods.
   for (const auto& [problem, methods] : baseline.cases) {
     auto cases = methods::run_cases({problem}, methods, threads, [&](methods::RunProgress at) {
       at.done += before;

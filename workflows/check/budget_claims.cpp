@@ -12,7 +12,7 @@ namespace {
 using compare::BudgetPart;
 using compare::BudgetRow;
 
-// The chain of models in words.
+// The chain of models as text: two rows with different texts cannot be compared.
 std::string chain(const BudgetRow& row) {
   std::string text = row.reference + ":";
   for (const BudgetPart& part : row.parts) {
@@ -21,7 +21,7 @@ std::string chain(const BudgetRow& row) {
   return text;
 }
 
-/// @param simulation at the end of the chain, where chance has moved it; else null
+/// @param simulation the end of the chain, where the runs differ by sampling; else null
 void add_row(const BudgetRow& row, const transform::Solution* simulation,
              const Tolerances& tolerances, Claims& claims) {
   const Part part{claims, row.solution, fmt::format("budget {}", density_name(row.variable))};
@@ -35,8 +35,8 @@ void add_row(const BudgetRow& row, const transform::Solution* simulation,
     move_by_sampling(claim, transform::best_sampling(*simulation), row.variable, tolerances);
   };
   const auto add_tail = [&](const std::string& name, double tail) {
-    // By what factor a tail, or its number of bins, may differ between two simulations: the
-    // simulation picks the bins. docs/checking.md has the measurement.
+    // Largest factor between the tails, or their numbers of bins, of two simulations: each
+    // simulation selects its own bins. docs/checking.md has the measurement.
     constexpr double kOtherBins = 5;
     Claim& claim = add(name, tail);
     claim.allowed = simulation == nullptr ? tolerances.tail() : kOtherBins - 1;

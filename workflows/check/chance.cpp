@@ -26,8 +26,8 @@ bool moved_by_chance(const Solution& one, const Solution& other) {
 }
 
 double error_of_mass(const Solution& solution) {
-  // A histogram p_b of n samples is off by sqrt(2/(pi n)) sum sqrt(p_b (1 - p_b)) in L1, which is
-  // more than sqrt(2/(pi n)) with many bins.
+  // A histogram p_b of n samples has the expected L1 error sqrt(2/(pi n)) sum sqrt(p_b (1 - p_b)),
+  // which exceeds sqrt(2/(pi n)) for many bins. Hence 1/n <= pi/2 l1^2.
   const double l1 = solution.sampling ? solution.sampling->y.value_or(kNotANumber) : kNotANumber;
   const double one_sample = std::numbers::pi / 2 * l1 * l1;
   return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);
@@ -47,7 +47,7 @@ void move_by_sampling(Claim& claim, const std::optional<transform::SamplingError
 
 double allowed_scatter(const Solution& simulation, std::size_t number_of_them, double power,
                        const Tolerances& tolerances) {
-  // Heavier tails than the normal law's: docs/checking.md has the measurement.
+  // The ratios have heavier tails than the normal law: docs/checking.md has the measurement.
   constexpr double kHeavyTails = 1.25;
   constexpr double kUsualStreams = 128;
   const double streams = number(simulation.observations, kStreams).value_or(kUsualStreams);

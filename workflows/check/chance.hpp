@@ -6,31 +6,32 @@
 #include "workflows/check/claim.hpp"
 #include "workflows/check/tolerances.hpp"
 
-/// What chance alone leaves between two runs of a simulation: of a solution that states standard
-/// errors.
+/// Differences between two runs of a simulation that sampling errors explain. A simulation here is
+/// a solution that states standard errors.
 namespace fpkcheck::check {
 
-/// Names of observations under which any simulation may say more of itself: the number of
-/// independent parts that its standard errors come from, and whether it was stopped before its end.
+/// Names of the metrics that every simulation may have: the number of independent streams behind
+/// its standard errors, and whether the simulation was interrupted before its end.
 inline constexpr const char* kStreams = "streams";
 inline constexpr const char* kInterrupted = "interrupted";
 
-/// True where both are simulations and chance has moved one against the other; not where they came
-/// to the same to the last digit, by the same seed on the same machine.
+/// True where both solutions are simulations and differ in a moment or its standard error. The same
+/// seed on the same machine gives identical digits: then the result is false.
 bool moved_by_chance(const transform::Solution& one, const transform::Solution& other);
 
-/// Standard error of a simulation's mass. 1 - mass is the share of the samples outside the bins;
-/// with n that are as good as independent it has the variance of a share, and one sample more may
-/// always be there. NaN where it does not state its sampling.
+/// Standard error of a simulation's mass. 1 - mass is the fraction q of the samples outside the
+/// bins. With n effectively independent samples the standard error is sqrt((q + 1/n) / n), where
+/// 1/n allows for one more sample. NaN where the simulation states no sampling error.
 double error_of_mass(const transform::Solution& solution);
 
-/// Makes a claim on an L1 one that sampling moves, where it is stated.
+/// Turns the quantity into one of kind `simulated_l1`, whose tolerance follows from the sampling
+/// error. Without a stated sampling error the quantity stays as it is.
 void move_by_sampling(Claim& claim, const std::optional<transform::SamplingError>& sampling,
                       transform::Variable variable, const Tolerances& tolerances);
 
-/// What is allowed of the error^power of a simulation, of which there are so many: ratio of the
-/// runs - 1. An error from n streams scatters by 1 / sqrt(2 (n - 1)) of itself, the ratio of two by
-/// sqrt(2) times that.
+/// Allowed change of error^power between two runs of a simulation, as ratio - 1, for the largest of
+/// so many errors. A standard error from n streams has the relative deviation 1 / sqrt(2 (n - 1));
+/// the ratio of two has sqrt(2) times that.
 double allowed_scatter(const transform::Solution& simulation, std::size_t number_of_them,
                        double power, const Tolerances& tolerances);
 

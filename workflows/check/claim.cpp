@@ -12,7 +12,7 @@ namespace {
 
 using base::Value;
 
-using Key = std::pair<std::string, std::string>;  // solution, and name of a claim
+using Key = std::pair<std::string, std::string>;  // solution and name of a quantity
 
 double change(const Claim& was, const Claim& is) {
   const double a = number_in(was.value), b = number_in(is.value), difference = std::abs(b - a);
@@ -78,7 +78,7 @@ std::vector<Figure> held_against(const std::string& case_name, const Claims& bas
   for (const Claim& was : baseline) was_index.emplace(Key{was.solution, was.name}, &was);
   for (const Claim& is : now) is_index.emplace(Key{is.solution, is.name}, &is);
   std::vector<Figure> figures;
-  std::set<Key> gone;  // parts that are others, or that one run lacks
+  std::set<Key> gone;  // parts that differ as a whole, or that one run lacks
   const auto add = [&](const Claim& claim, const Value& was, const Value& is, double change_of_it,
                        double allowed_of_it, bool is_head) {
     const Key key{claim.solution, claim.name};

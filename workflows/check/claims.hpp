@@ -4,7 +4,7 @@
 #include "workflows/check/claim.hpp"
 #include "workflows/check/tolerances.hpp"
 
-/// What a run claims of a case.
+/// The quantities of a case that two runs are compared by.
 namespace fpkcheck::check {
 
 /// "p(y)" or "p(y')".
@@ -12,41 +12,42 @@ constexpr const char* density_name(transform::Variable variable) {
   return variable == transform::Variable::ydot ? "p(y')" : "p(y)";
 }
 
-/// What every solution has: equation and impact, status, moments, mass, balance of power, smallest
-/// density, stated error, and of a simulation what it says of its own errors; and what its solver
-/// alone knows. A simulation's moments, mass and balance are judged in standard errors.
+/// The quantities that every solution has: equation and impact, status, moments, mass, energy
+/// residual, smallest density, error estimate; then its metrics. Of a simulation also the standard
+/// errors and sampling errors. Moments, mass and energy residual of a simulation are judged in
+/// standard errors.
 Claims solution_claims(const transform::Solution& solution, const Tolerances& tolerances);
 
-/// Adds what a solver alone knows, by what the observations say they are: words must be the same;
-/// results are judged relative to themselves, yet to no less than their least scale, and so are
-/// coefficients; what has a standard error is judged in those, and so are they, but for those of
-/// delicate values. Work, and words for people, are no claims.
-/// @param whole the solution; claims of kind `simulated_error` get the power of a standard error
-///        as which they go in place of what is allowed
+/// Adds the metrics of a solver, judged by their kind. Words must be equal. Results and
+/// coefficients are judged relative to their size, or to their least scale where that is larger. A
+/// result with a standard error is judged in units of it, and the standard error itself by its
+/// ratio, except that of a delicate value. Metrics of kind work and text are ignored.
+/// @param whole the part of the whole solution. Quantities of kind `simulated_error` hold, in place
+///        of their tolerance, the power of a standard error that they are proportional to
 void add_observations(const transform::Observations& observations, const Tolerances& tolerances,
                       const Part& whole);
 
-/// The observations of a run that was read from files, which has values alone: what they are, those
-/// of the same solution in the new run say.
+/// Gives the metrics of a run read from files, which store values alone, the kinds and scales of
+/// the same metrics in the new run.
 transform::Observations described(transform::Observations baseline,
                                   const transform::Observations& now);
 
-/// l1, l2, sup, hellinger, kl and the decades of the tail of every pair. Of a pair with a
-/// simulation, l1 alone: by the triangle inequality it moves by no more than the L1 between the two
-/// simulations. A kl that is infinite in one of the runs is none: a rounding error in the far tail
-/// decides that.
-/// @param other the same case of the run that this one is held against
+/// l1, l2, sup, hellinger, kl and the decades of the tail of every pair of solutions. Of a pair
+/// with a simulation only l1 is judged: by the triangle inequality l1 changes by no more than the
+/// L1 distance between the two simulations. A kl that is infinite in one of the runs is left out: a
+/// rounding error in the far tail decides between finite and infinite.
+/// @param other the same case in the other run
 Claims distance_claims(const results::Case& one, const results::Case& other,
                        const Tolerances& tolerances);
 
-/// The error budget of every closure. Where it ends in a simulation that chance has moved, what
-/// depends on the simulation is judged by its sampling.
+/// The error budget of every closure. Where its chain of models ends in a simulation that differs
+/// by sampling, the parts that depend on the simulation are judged by its sampling error.
 Claims budget_claims(const results::Case& one, const results::Case& other,
                      const Tolerances& tolerances);
 
-/// Every curve: the bin that moved most; of a simulation, the bin that moved most in standard
-/// errors, among those known to better than half their density and allowing for their number, and
-/// L1.
+/// Compares every marginal density and returns its bin with the largest change. For a simulation
+/// the change is in standard errors, over the bins with a 95 % half-width of at most half the
+/// density; the tolerance allows for their number. The L1 distance of the two simulations follows.
 std::vector<Figure> marginal_figures(const results::Case& baseline, const results::Case& now,
                                      const Tolerances& tolerances);
 

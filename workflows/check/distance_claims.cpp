@@ -23,7 +23,8 @@ bool has_divergence(const results::Case& one, const PairDistances& pair) {
 }
 
 void add_tail(const compare::Distances& d, const Part& pair, double allowed) {
-  // Of which densities, and how many bins: of others it is another tail.
+  // The decades and their numbers of bins identify the tail: tails over other bins are not
+  // compared.
   std::string bins;
   for (const auto& decade : d.log10_tail) {
     bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,

@@ -10,27 +10,27 @@
 
 namespace fpkcheck::check {
 
-/// The change of what is there in one run alone.
+/// The change of a quantity that only one run has.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What a figure of a run is, and with that how it is judged.
+/// Kind of a compared quantity; the kind selects the unit and the tolerance of a change.
 enum class FigureKind {
-  status,         ///< or another word: must be the same
-  moment,         ///< relative; E[y'] to no less than a thousandth of a deviation
-  mass,           ///< absolute, like the balance of power
-  energy,         ///< residual of the balance of power, which is relative to the input
-  coefficient,    ///< of a closure, relative
-  distance,       ///< between densities, in the units of deviations of the variable
-  tail,           ///< of a distance by decades, absolute
-  detail,         ///< what only its method knows of a solution, relative, small ones absolute
-  budget,         ///< of errors, absolute
-  marginal,       ///< the bin that moved most, relative to the peak
-  simulated,      ///< a simulation's moment, mass, rate, quantile.., in standard errors
-  simulated_bin,  ///< the bin of a simulation that moved most, in standard errors
-  simulated_l1,   ///< L1 between two simulations, or of a distance to one: what chance leaves of it
-  simulated_error  ///< what a simulation says of its own errors: ratio of the runs - 1
+  status,          ///< status or another word: must be equal
+  moment,          ///< relative; E[y'] relative to at least 1e-3 of the deviation of y'
+  mass,            ///< absolute
+  energy,          ///< energy residual (already relative to the power input), absolute
+  coefficient,     ///< coefficient of a closure, relative
+  distance,        ///< distance between densities, in units of the deviation of the variable
+  tail,            ///< mean |log10| difference in a decade of the tail, absolute
+  detail,          ///< metric of one method, relative, small values absolute
+  budget,          ///< entry of the error budget, absolute
+  marginal,        ///< bin of a marginal density with the largest change, relative to the peak
+  simulated,       ///< moment, mass, rate, quantile.. of a simulation, in standard errors
+  simulated_bin,   ///< bin of a simulated density with the largest change, in standard errors
+  simulated_l1,    ///< L1 between two simulations, or change of an L1 to a simulation
+  simulated_error  ///< error by sampling that a simulation states: ratio of the runs - 1
 };
-/// In words, for tables and check.json; and what a change is measured in.
+/// Labels for tables and check.json, and the unit of a change.
 inline constexpr base::Named<FigureKind> kFigureKindNames[] = {
     {FigureKind::status, "status and words"},
     {FigureKind::moment, "moments", "relative"},
@@ -50,19 +50,19 @@ constexpr std::span<const base::Named<FigureKind>> names(FigureKind) { return kF
 constexpr std::string_view name(FigureKind kind) { return base::name_of(kind); }
 constexpr std::string_view unit(FigureKind kind) { return base::meaning_of(kind); }
 
-/// One number or word of a run beside that of the baseline.
+/// One quantity of the baseline and of the new run, with its change.
 struct Figure {
   std::string case_name;
-  std::string solution;  ///< id
+  std::string solution;  ///< id of the solution
   std::string name;      ///< e.g. "E[y^2]", "a(2,0)", "p(y) at 0.31", "L1 p(y') to fd-kf"
   FigureKind kind;
-  base::Value baseline;  ///< a number, a word, a flag, or nothing
+  base::Value baseline;  ///< a number, a word, a flag, or empty
   base::Value now;
-  double change;  ///< not negative, in unit(kind); infinite where the two cannot be compared
+  double change;  ///< not negative, in unit(kind); infinite where a comparison is impossible
   double allowed;
 
   bool moved() const { return !(change <= allowed); }
-  /// How far beyond, or near, what is allowed.
+  /// The change in units of its tolerance.
   double share() const { return change == 0 ? 0 : change / allowed; }
 };
 

@@ -15,10 +15,11 @@ using results::Curve;
 using transform::Solution;
 
 constexpr double kNormal95 = 1.96;  // half-width of a 95 % interval in standard errors
-// What is known to worse than this share of itself is a handful of events: left to L1.
+// A bin with a wider interval (relative to its density) holds a handful of events: only the L1
+// distance covers it.
 constexpr double kWidestInterval = 0.5;
 
-// The same bins up to rounding.
+// True where both curves have the same bins up to rounding.
 bool on_the_same_bins(const Curve& one, const Curve& other) {
   constexpr double kSame = 1e-9;
   if (one.abscissa.size() != other.abscissa.size() || one.abscissa.empty()) return false;
@@ -42,7 +43,8 @@ double standard_error(const Curve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / kNormal95;
 }
 
-// The bin that moved most; by chance, in standard errors among those that both runs know.
+// The bin with the largest change. For simulations the change is in standard errors, over the bins
+// that both runs resolve.
 Figure largest_change(Figure figure, const Curve& was, const Curve& is, bool by_chance,
                       const Tolerances& tolerances) {
   const double peak = std::ranges::max(was.density);
@@ -76,7 +78,7 @@ double l1(const Curve& was, const Curve& is) {
   return sum;
 }
 
-// What a simulation claims of the L1 between itself and the baseline.
+// The L1 distance between a simulation and the baseline, as a quantity of the simulation.
 Claims l1_claim(const Solution& simulation, const Curve& curve, double l1,
                 const Tolerances& tolerances) {
   Claims claims;
@@ -107,7 +109,7 @@ std::vector<Figure> marginal_figures(const results::Case& baseline, const result
     const Curve* is = now.curve(was.solution, was.variable);
     if (is == nullptr || !on_the_same_bins(was, *is)) {
       figures.push_back(figure_of(was));
-    } else if (one != nullptr && other != nullptr) {  // else said of the solution
+    } else if (one != nullptr && other != nullptr) {  // else reported with the solution
       const bool by_chance = one->standard_errors && !was.upper.empty() && !is->upper.empty();
       figures.push_back(largest_change(figure_of(was), was, *is, by_chance, tolerances));
       if (by_chance) {

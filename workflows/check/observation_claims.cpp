@@ -17,13 +17,14 @@ using transform::Kind;
 using transform::Observation;
 using transform::Observations;
 
-// "peaks[3]" of "peaks[3].rate", "peaks" of "peaks[3]"; all of the solution where there is no more.
+// Path of the part that contains a metric: "peaks[3]" for "peaks[3].rate", "peaks" for "peaks[3]",
+// else the whole solution.
 std::string part_of(const std::string& path) {
   const auto end = path.find_last_of(".[");
   return end == std::string::npos ? kWhole : path.substr(0, end);
 }
 
-// Paths without the places in lists: "quantiles.y[].value".
+// The path without indices of lists: "quantiles.y[].value".
 std::string without_places(const std::string& path) {
   std::string result;
   for (const char c : path) {
@@ -57,7 +58,7 @@ class ObservationClaims {
       } else if (o.kind == Kind::result && !terms_.contains(part_of(o.path))) {
         add_result(o);
       } else if (o.kind == Kind::error && !errors_of_values_.contains(o.path)) {
-        // A number of samples, which goes as 1 / error^2.
+        // Numbers of effective samples are proportional to 1 / error^2.
         whole_.number(o.path, FigureKind::simulated_error, number_in(o.value), 2);
       }
     }
@@ -70,7 +71,7 @@ class ObservationClaims {
   }
 
  private:
-  // The other numbers of a term are its powers: that of x1^4 x2^2 is "a(4,2)".
+  // The results with the same parent are the powers of its term: that of x1^4 x2^2 is "a(4,2)".
   std::string coefficient_name(const Observation& o) const {
     std::vector<double> powers;
     for (const auto& beside : observations_) {
@@ -81,7 +82,7 @@ class ObservationClaims {
     return fmt::format("{}({})", o.path.substr(part_of(o.path).size() + 1), fmt::join(powers, ","));
   }
 
-  // A group, a list or an entry of one.
+  // The part of a group, a list or an entry of a list; opened at its first use.
   Part part(const std::string& name) {
     const Part result{whole_.claims, whole_.solution, name};
     if (name != kWhole && begun_.insert(name).second) {
@@ -115,7 +116,7 @@ class ObservationClaims {
     const double standard_error =
         error == nullptr ? std::numeric_limits<double>::quiet_NaN() : number_in(error->value);
     in.number(o.path, FigureKind::simulated, number_in(o.value), 0).error = standard_error;
-    // That of a delicate value comes from a handful of events, and is as uncertain.
+    // The standard error of a delicate value comes from a handful of events, and is as uncertain.
     if (error == nullptr || o.delicate) return;
     in.number("error of " + o.path, FigureKind::simulated_error, standard_error, 1);
   }
@@ -124,7 +125,7 @@ class ObservationClaims {
   const Tolerances& tolerances_;
   const Part& whole_;
   std::set<std::string> errors_of_values_, terms_, begun_;
-  std::map<std::string, std::set<std::string>> entries_;  ///< of every list
+  std::map<std::string, std::set<std::string>> entries_;  ///< of every list, by its path
 };
 
 }  // namespace
@@ -139,7 +140,7 @@ Observations described(Observations baseline, const Observations& now) {
   for (const auto& o : now) {
     if (o.kind == Kind::work || o.kind == Kind::text) passed_over.insert(without_places(o.path));
   }
-  // Wherever it stands in a list, and in a list of work that is empty now.
+  // At any index of a list, and in a list of work that is empty in the new run.
   const auto is_passed_over = [&](const std::string& path) {
     for (auto end = path.find("[]"); end != std::string::npos; end = path.find("[]", end + 1)) {
       if (passed_over.contains(path.substr(0, end + 2))) return true;

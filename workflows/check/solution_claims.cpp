@@ -14,7 +14,7 @@ namespace {
 using transform::Solution;
 
 void add_density(const Solution& s, const Tolerances& tolerances, const Part& density) {
-  // Judged in standard errors where chance enters.
+  // Quantities of a simulation are judged in standard errors.
   const auto add = [&](const char* name, FigureKind otherwise, double number, double error,
                        double scale) {
     Claim& claim = density.number(name, otherwise, number, tolerances.deterministic, scale);
@@ -25,8 +25,8 @@ void add_density(const Solution& s, const Tolerances& tolerances, const Part& de
   };
   const auto errors = s.standard_errors.value_or(transform::StandardErrors{});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // E[y'] = 0 in every stationary state: where it is less than a thousandth of a deviation it is
-    // an error of the method, and its last digits are rounding.
+    // E[y'] = 0 in every stationary state. A value below 1e-3 of the deviation of y' is an error of
+    // the method; its last digits are rounding.
     const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
     add(symbol, FigureKind::moment, s.moments.*moment, errors.moments.*moment,
         std::max(std::abs(s.moments.*moment), least));
@@ -53,7 +53,7 @@ void add_stated_error(const Solution& s, const Tolerances& tolerances, const Par
     add(density_name(variable), l1(*s.error, variable), 0);
   }
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // The error of a moment has the moment's rounding.
+    // The error of a moment has the rounding error of the moment.
     add(symbol, s.error->moments.*moment, std::abs(s.moments.*size));
   }
 }
@@ -95,7 +95,7 @@ Claims solution_claims(const Solution& s, const Tolerances& tolerances) {
   if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_observations(s.observations, tolerances, whole);
-  // One may be the largest of so many; until here they have powers.
+  // Tolerances adjusted for multiple comparisons; until here `allowed` holds the powers.
   const auto errors = std::ranges::count(claims, FigureKind::simulated_error, &Claim::kind);
   for (Claim& claim : claims) {
     if (claim.kind != FigureKind::simulated_error) continue;

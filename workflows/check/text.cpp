@@ -23,7 +23,7 @@ std::string amount(double value) {
   return std::isfinite(value) ? fmt::format("{:.2g}", value) : kAbsent;
 }
 
-// Digits enough to see what moved.
+// Few digits, and all where the few do not show the change.
 std::string value_text(const Value& value, int digits) {
   if (base::is_nothing(value)) return kAbsent;
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
@@ -81,7 +81,7 @@ std::string kinds_table(const Check& check, const TextFormat& format) {
   return report::rows(std::move(columns), format);
 }
 
-// The clearest changes, in the order of the run.
+// The largest changes in units of their tolerance, in the order of the run.
 std::vector<Figure> clearest(const std::vector<Figure>& moved, std::size_t most) {
   if (moved.size() <= most) return moved;
   std::vector<double> shares;
@@ -105,7 +105,7 @@ std::string check_table(const Check& check, const TextFormat& format) {
     const auto shown = clearest(moved, kMostRows);
     text += moved_table(shown, format) + '\n';
     if (shown.size() < moved.size()) {
-      text += fmt::format("and {} more (--json or --out have them all)\n\n",
+      text += fmt::format("and {} more (all of them: --json or --out)\n\n",
                           moved.size() - shown.size());
     }
   }

@@ -28,7 +28,7 @@ std::string density(const Claim& claim) {
 
 }  // namespace
 
-// {cases, panels, variables, n, relation, rival, the paper's words}
+// {cases, panels, variables, n, relation, rival, quotation}
 const std::vector<Claim>& claims() {
   using enum Relation;
   static const std::vector<Claim> all{

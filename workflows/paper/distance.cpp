@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The bins of the tail are those in which a closure is positive: one that has fewer of them than
-// others is 0 in the rest.
+// Number of bins in the tail. The bins of a row are those where its closure is positive: a closure
+// with fewer bins than others is 0 in part of the tail.
 int bins_of_the_tail(const results::Case& one, transform::Variable variable) {
   int most = 0;
   for (const auto& row : one.budget) {
@@ -25,7 +25,8 @@ int bins_of_the_tail(const results::Case& one, transform::Variable variable) {
   return most;
 }
 
-// The end of a budget's chain may be a limit, which is no solution of the case.
+// The chain of a budget may end in a Richardson limit, which is not a solution of the case: then
+// the error of the case's reference counts.
 double own_error(const results::Case& one, const compare::BudgetRow& row) {
   const auto* reference = one.find(row.reference);
   if (reference == nullptr) reference = compare::reference(one.solutions);
@@ -42,7 +43,7 @@ std::optional<Distance> distance_of(const results::Case& one, int order,
   if (row == one.budget.end()) {
     const auto* closure = one.find(closure_id(order));
     missing = closure != nullptr && closure->has_density()
-                  ? fmt::format("{} has no reference to measure by", one.name())
+                  ? fmt::format("{} has no reference solution", one.name())
                   : fmt::format("{} has no density of {}", one.name(), closure_id(order));
     return std::nullopt;
   }
@@ -57,7 +58,7 @@ std::optional<Distance> distance_of(const results::Case& one, int order,
     return std::nullopt;
   }
   if (!(distance.l1_error <= kReferencePart * kAgreementL1)) {
-    missing = fmt::format("the reference of {} may itself be off by L1 {:.2g} (simulate longer)",
+    missing = fmt::format("the reference of {} has an error of up to L1 {:.2g}: simulate longer",
                           one.name(), distance.l1_error);
     return std::nullopt;
   }

@@ -21,7 +21,7 @@ using results::Case;
 constexpr int kOrders[] = {2, 4, 6};
 constexpr const char* kSimulation = "mcs";
 
-// Ids here, and what the paper calls them.
+// Ids of this program, with the names in the paper.
 std::vector<std::pair<std::string, std::string>> names_in_the_paper() {
   std::vector<std::pair<std::string, std::string>> names;
   for (const int order : kOrders) {
@@ -31,7 +31,8 @@ std::vector<std::pair<std::string, std::string>> names_in_the_paper() {
   return names;
 }
 
-// The case as the paper's figure shows it: four solutions under other names, and their curves.
+// The case with the four solutions of the paper's figure, under the names of the paper, and their
+// curves.
 Case as_in_the_paper(const Case& one) {
   Case shown{.problem = one.problem,
              .solutions = {},
@@ -65,11 +66,11 @@ void for_each_figure(const results::Run& run, const Use& use) {
     const Case shown = as_in_the_paper(*one);
     auto content = report::figure_content(shown);
     if (content.sides.empty()) continue;
-    // The paper has no differences.
+    // The paper's figures show no differences.
     content.reference.clear();
     for (auto& side : content.sides) {
       for (auto& drawn : side.curves) drawn.difference = {};
-      // Nor does it judge what it draws: the peaks of all are seen.
+      // The paper's axes include the peaks of all curves, whatever the status of the closure.
       const auto all_curves = report::figure_ranges(side.curves);
       side.ranges.linear_top = std::max(side.ranges.linear_top, all_curves.linear_top);
       side.ranges.largest_density =

@@ -46,7 +46,7 @@ class Judge {
     return nullptr;
   }
 
-  // Of several cases, that of the first in which the closure is not ok.
+  // Of several cases, the status in the first where the closure is not ok.
   void note_status() {
     for (const int number : claim().cases) {
       const Case* one = find_case(number);
@@ -64,7 +64,7 @@ class Judge {
     }
   }
 
-  // All that the claim is about, the worst of each number.
+  // The maximum of each number over the given cases and the variables of the claim.
   std::optional<Distance> distance(int order, const std::vector<int>& cases) {
     Distance worst;
     for (const int number : cases) {
@@ -79,14 +79,15 @@ class Judge {
     return worst;
   }
 
-  // A tail that a criterion needs.
+  // True where the tail has a distance; otherwise sets the reason.
   bool has_tail(const Distance& distance) {
     if (!std::isnan(distance.tail)) return true;
-    missing_ = "no bin of the tail is known well";
+    missing_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
   }
 
-  // Puts the numbers and what they are held to into the judgement; nothing where one is missing.
+  // Sets the measured values and their limits; returns whether the claim holds, or nothing where a
+  // number is missing.
   std::optional<bool> decided() {
     using enum Relation;
     const Relation relation = claim().relation;
@@ -115,7 +116,7 @@ class Judge {
     if (claim().rival != 0) {
       const auto rival = distance(claim().rival, claim().cases);
       if (!rival || (of_tail && !has_tail(*rival))) return std::nullopt;
-      // Closer by more than what the reference leaves open.
+      // The difference must exceed the error of the reference.
       limit = {.l1 = rival->l1 - own->l1_error, .tail = rival->tail - own->tail_error};
     }
     if (of_l1) l1 = {own->l1, limit.l1, differ};
@@ -142,7 +143,7 @@ class Judge {
     return judgement_.l1.complies();
   }
 
-  // Runs of older programs do not say by which steps a root was found.
+  // Runs of older programs lack the metric: then plain Newton steps are assumed to have converged.
   bool newton_converges() {
     const Solution* closure = find_case(claim().cases.front())->find(closure_id(claim().order));
     if (closure->status == Status::not_converged) return false;
@@ -155,7 +156,7 @@ class Judge {
     judgement_.outcome = holds ? Outcome::established : Outcome::not_established;
     if (judgement_.status == Status::not_converged) return;
     judgement_.note = fmt::format("{} a root{}",
-                                  holds ? "plain Newton steps find none, but other means find"
+                                  holds ? "plain Newton steps find no root, but other methods find"
                                         : "plain Newton steps from equivalent linearisation find",
                                   is_no_density() ? fmt::format(", which {}", kNoDensity) : "");
   }
@@ -187,7 +188,7 @@ class Judge {
   }
 
   static constexpr const char* kNoDensity =
-      "meets its equations yet is no probability density (inadmissible)";
+      "solves its equations but is no probability density (inadmissible)";
 
   const results::Run& run_;
   Judgement judgement_;

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::paper {
 
-/// L1 distance of a marginal from that of the Gaussian of equivalent linearisation, (25)-(26), in
-/// the curve's bins; of y as (30) makes it from that of z.
+/// L1 distance between a marginal density and that of the Gaussian of equivalent linearisation,
+/// (25)-(26), in the curve's bins. The density of y follows from that of z by (30).
 double l1_to_linearisation(const results::Curve& curve, const problem::Problem& problem);
 
 }  // namespace fpkcheck::paper

@@ -7,7 +7,7 @@
 namespace fpkcheck::paper {
 namespace {
 
-// "0.02000" of a criterion says more than is meant.
+// Removes trailing zeros: "0.02000" would suggest more digits than a criterion has.
 std::string without_last_zeros(std::string number) {
   if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
   number.erase(number.find_last_not_of('0') + 1);

@@ -25,7 +25,7 @@ std::string wanted(const Measured& of, const std::string& limit) {
   return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
 }
 
-// Of the two numbers one is enough to differ.
+// `differs` holds if L1 or the tail exceeds its limit.
 std::string tail_wanted(const Judgement& one) {
   const std::string text = wanted(one.tail, tail_text(one.tail.limit));
   return one.claim.relation == Relation::differs && !text.empty() ? "or " + text : text;
@@ -39,12 +39,12 @@ std::string table_rows(std::span<const Judgement> judgements, const report::Text
   constexpr int kLimits = 1;
   std::vector<Column> columns{{"", "case", true, kAlwaysShown},
                               {"", "fig.", true, kAlwaysShown},
-                              {"", "the paper says", true, kAlwaysShown},
+                              {"", "claim of the paper", true, kAlwaysShown},
                               {"L1", "is", false, kAlwaysShown},
-                              {"L1", "wanted", true, kLimits},
+                              {"L1", "required", true, kLimits},
                               {"tail", "is", false, kAlwaysShown},
-                              {"tail", "wanted", true, kLimits},
-                              {"", "came out", true, kAlwaysShown}};
+                              {"tail", "required", true, kLimits},
+                              {"", "outcome", true, kAlwaysShown}};
   for (const auto& row : rows(judgements)) {
     const std::string cells[] = {row.cases,     absent(row.figure), row.claim,       absent(row.l1),
                                  row.l1_wanted, absent(row.tail),   row.tail_wanted, row.outcome};
@@ -53,7 +53,7 @@ std::string table_rows(std::span<const Judgement> judgements, const report::Text
   return report::rows(std::move(columns), format);
 }
 
-// "n=6 agrees with MCS in p(y) (case 1, 2)": each claim once, with the cases in which it came out so.
+// "n=6 agrees with MCS in p(y) (case 1, 2)": each claim once, with the cases of this outcome.
 std::string claims_with(std::span<const Judgement> judgements, Outcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& one : judgements) {
@@ -128,12 +128,12 @@ std::vector<std::string> criteria() {
       fmt::format("MCS: the simulation; n: the order of the paper's closure, epc-gaussian. L1: "
                   "integral of |p - MCS|. tail: mean |log10 p - log10 MCS| where MCS is 1e-5 .. "
                   "1e-3."),
-      fmt::format("agrees: L1 at most {:g}, the accuracy that closures are held to, and tail at "
-                  "most {:g}, a factor of 1.6: what a simulation of the paper's 1e7 samples can "
-                  "tell apart there. differs: one of them above. better: both smaller, by more "
-                  "than the reference leaves open (L1: its own error; tail: its distance to "
-                  "finite differences). less Gaussian: n=2, a Gaussian, is further off "
-                  "in L1 than in case 1.",
+      fmt::format("agrees: L1 at most {:g}, the accuracy required of closures, and tail at most "
+                  "{:g}, a factor of 1.6: the resolution of a simulation with the paper's 1e7 "
+                  "samples. differs: L1 or tail exceeds its limit. better: both are smaller, by "
+                  "more than the error of the reference (L1: its error estimate; tail: its "
+                  "distance to finite volumes). less Gaussian: the L1 of n=2, a Gaussian, is "
+                  "larger than in case 1.",
                   kAgreementL1, kAgreementInTail),
       fmt::format("equivalent linearisation: L1 to its Gaussian at most {:g}. not found: plain "
                   "Newton steps from equivalent linearisation find no root.",

@@ -9,30 +9,32 @@
 
 namespace fpkcheck::paper {
 
-/// For people: a row a claim with its numbers and what they are held to, what must be said of those
+/// Text for the terminal: a row for each claim with its numbers and limits, notes on the claims
 /// that are not simply established, the criteria with their reasons, and a closing sentence.
 std::string table(std::span<const Judgement> judgements, const report::TextFormat& format = {});
 
-/// The cells of a claim's row; what is absent is empty.
+/// Cells of a claim's row; absent values are empty.
 struct Row {
   std::string cases, figure, claim, l1, l1_wanted, tail, tail_wanted, outcome;
 };
 std::vector<Row> rows(std::span<const Judgement> judgements);
 
-/// What must be said of the claims that are not simply established, a line each: a closure's own
-/// words are quoted where they come first.
+/// One line for each claim that is not simply established. The reason of a closure is quoted in the
+/// first of its lines.
 std::vector<std::string> notes(std::span<const Judgement> judgements);
 
-/// What the words of the claims mean in numbers (workflows/paper/criteria.hpp).
+/// The numerical meaning of the claims' terms (workflows/paper/criteria.hpp).
 std::vector<std::string> criteria();
 
-/// The closing sentence, and one for each outcome but `established` with its claims.
+/// The closing sentence, then a sentence for each outcome other than `established`, with its
+/// claims.
 std::vector<std::string> summary(std::span<const Judgement> judgements);
 
 /// "44 claims of the paper: 36 established, ..."
 std::string closing_sentence(std::span<const Judgement> judgements);
 
-/// Where the paper says it: "1" or "1-4", "2ab", "2-5" or "" for the text alone.
+/// Place of the claim in the paper: cases "1" or "1-4"; figures "2ab", "2-5", or "" for the text
+/// alone.
 std::string cases_text(const Claim& claim);
 std::string figure_text(const Claim& claim);
 

@@ -18,11 +18,12 @@ namespace {
 using transform::Level;
 using transform::Solution;
 
-// The box ends where the density is this small relative to its peak, so that what lies beyond does
-// not limit the convergence.
+// Density on the outer walls of the box, relative to the peak: so small that the mass beyond the
+// box does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
-/// The problem with what every solve of the study shares.
+/// Solves the problem on grids and by other methods, with the axes, options and progress that all
+/// solves share.
 class Solving {
  public:
   Solving(const problem::Problem& problem, const GridStudyOptions& options, std::size_t total,
@@ -57,7 +58,7 @@ class Solving {
     row.solution = std::move(found.solution);
     row.density = density(row.solution);
     if (row.density) {
-      // All grids share a box: where it ends is no part of the convergence.
+      // All grids use one box, so that its size does not affect the convergence.
       y_max_ = found.summary.x1_max;
       v_max_ = found.summary.x2_max;
     }
@@ -92,8 +93,8 @@ class Solving {
   std::optional<double> y_max_{}, v_max_{};
 };
 
-// Why three grids have no limit; empty where they have one. Only where the finest density is ok,
-// and they converge: else the extrapolation leads away.
+// The reason why three grids have no limit; empty where there is a limit. The finest density must
+// be ok and the grids must converge: otherwise the extrapolation increases the error.
 std::string obstacle(const GridRow& coarse, const GridRow& middle, const GridRow& fine) {
   for (const GridRow* grid : {&coarse, &middle, &fine}) {
     if (grid->density && (grid != &fine || fine.solution.is_ok())) continue;
@@ -103,24 +104,24 @@ std::string obstacle(const GridRow& coarse, const GridRow& middle, const GridRow
   for (const auto& [before, here] : {std::pair(&coarse, &middle), std::pair(&middle, &fine)}) {
     if (before->nx != here->nx || before->nv != here->nv) continue;
     return fmt::format(
-        "two of the three finest levels have the same {} x {} cells, the fewest there are (begin "
-        "with a larger --coarsest)",
+        "two of the three finest levels have the same {} x {} cells, the smallest grid; use a "
+        "larger --coarsest",
         here->nx, here->nv);
   }
   if (transform::has_limit(fine.observed->l1, fine.order)) return "";
   if (fine.observed->l1 > fine.order) {
     return fmt::format(
-        "the differences fall at order {:.2g}, more than a scheme of order {} explains (begin with a "
-        "larger --coarsest)",
+        "the observed order {:.2g} exceeds what a scheme of order {} explains; use a larger "
+        "--coarsest",
         fine.observed->l1, fine.order);
   }
   return fmt::format(
-      "the differences fall at order {:.2g} only, and the limit takes {} (refine the origin, or "
-      "take finer levels)",
+      "the observed order {:.2g} is below {}, the minimum for a limit; refine the origin or use "
+      "finer levels",
       fine.observed->l1, transform::kLeastOrderOfALimit);
 }
 
-// The orders that the grids of a scheme show, and what they tend to.
+// Sets the observed orders of the grids of a scheme, and returns their Richardson limit.
 GridLimit limit(std::vector<GridRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
@@ -146,7 +147,7 @@ std::optional<MarginalL1> l1(const std::optional<Level>& one, const std::optiona
   return MarginalL1{transform::l1(one->y, other->y), transform::l1(one->ydot, other->ydot)};
 }
 
-// A grid alone estimates no error: it is what the grids tend to that measures it.
+// A grid alone has no error estimate: the distance to the limit is the error estimate.
 void state_error(GridRow& row) {
   if (row.l1) {
     row.solution.error = transform::StatedError{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
@@ -164,12 +165,12 @@ void validate(const GridStudyOptions& options) {
   constexpr int kFewest = 3, kMost = 9;
   if (options.levels < kFewest || options.levels > kMost) {
     throw InputError(
-        fmt::format("--levels {} (an observed order takes 3, and 9 are 256 times the coarsest "
-                    "cells; use 3 .. 9)",
+        fmt::format("--levels {} (must be 3 .. 9: an observed order needs 3 levels, and level 9 "
+                    "has 256 times the cells of level 1)",
                     options.levels));
   }
   if (options.orders.empty()) {
-    throw InputError("--orders: the list is empty (use some of 2 .. 8)");
+    throw InputError("--orders: the list is empty; use some of 2 .. 8");
   }
   for (const int order : options.orders) {
     auto of_order = of_grids(options);
@@ -204,7 +205,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     state_error(row);
   }
   for (auto& one : study.limits) one.l1 = l1(one.density, truth);
-  if (!truth) return study;  // nothing to measure others by
+  if (!truth) return study;  // without a limit other methods have no reference
   if (study.limits.size() > 1) study.known_to = study.limits.end()[-2].l1;
   for (const auto& method : others) {
     auto solution = solving.solve(method);

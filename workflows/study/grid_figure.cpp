@@ -34,7 +34,7 @@ std::string point(const Row& row, double fineness) {
 std::vector<Series> grids(const GridStudy& study) {
   auto all = series_of(
       study.rows, "grid_",
-      [](const GridRow& row) { return fmt::format("finite differences, order {}", row.order); },
+      [](const GridRow& row) { return fmt::format("finite volumes, order {}", row.order); },
       [](const GridRow& row) { return point(row, row.refinement); });
   std::vector<transform::Identity> schemes;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -59,7 +59,7 @@ std::string drawn_with(const SeriesLook& look) {
                      look.filled);
 }
 
-// What the order of each scheme looks like, dashed, from its first point.
+// Reference slope of each scheme's order, dashed, through its first point.
 std::string slopes(const GridStudy& study, double MarginalL1::*variable) {
   std::string text;
   std::set<int> drawn;
@@ -71,7 +71,7 @@ std::string slopes(const GridStudy& study, double MarginalL1::*variable) {
   return text;
 }
 
-/// Columns of the points.
+/// Column of the data that is the abscissa.
 enum Abscissa { by_fineness = 1, by_time = 2 };
 
 std::string panel(const std::vector<Series>& all, const std::string& title, Variable variable,
@@ -90,8 +90,7 @@ std::string panel(const std::vector<Series>& all, const std::string& title, Vari
                      plots + beside);
 }
 
-// With room for the marks; distances by the points alone, so that the dashed lines do not stretch
-// them.
+// Ranges with a margin for the tick marks. Only the points count, not the dashed lines of slope.
 std::string ranges_of_grids(const GridStudy& study) {
   double least = 1, most = 1e-9;
   for (const auto& row : study.rows) {
@@ -112,7 +111,7 @@ report::Legend legend(const std::vector<Series>& all) {
     if (series.points.empty()) continue;
     legend.entries.push_back({fmt::format("NaN {}", drawn_with(series.look)), series.label});
   }
-  legend.entries.push_back({fmt::format("NaN {}", kSlope), "the order of the scheme"});
+  legend.entries.push_back({fmt::format("NaN {}", kSlope), "slope of the scheme's order"});
   return legend;
 }
 
@@ -146,7 +145,7 @@ std::string figure(const GridStudy& study, const std::string& file_stem,
       "unset key\n{}set logscale xy\nset format y {}\n{}",
       report::PanelGrid::kLabels, report::kPowersOfTen, title.command);
   text += fmt::format(
-      "set xlabel 'cells in a direction, relative to the automatic grid'\nset format x '%g'\n"
+      "set xlabel 'cells per direction, relative to the automatic grid'\nset format x '%g'\n"
       "{}set xtics ({})\n",
       ranges_of_grids(study), "0.125, 0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4, 5.66, 8");
   text += panel(fd, "(a) grids: displacement", Variable::y, by_fineness, place(0),

@@ -28,7 +28,7 @@ Record record(const GridLimit& limit) {
                 {"l1_y", value(limit.l1, &MarginalL1::y)},
                 {"l1_ydot", value(limit.l1, &MarginalL1::ydot)}};
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    if (moment == &Moments::v1) continue;  // 0 whatever the density
+    if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
     const bool known = limit.density.has_value();
     record.push_back({name, known ? Value(limit.density->moments.*moment) : Value()});
     record.push_back({fmt::format("{}_error", name), known ? Value(limit.error.*moment) : Value()});

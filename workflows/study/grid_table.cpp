@@ -79,7 +79,7 @@ std::string name_of(const GridRow& row) {
 }
 std::string name_of(const OtherRow& row) { return row.solution.id(); }
 
-/// One way to a density, and its cost.
+/// A method with its wall-clock time.
 struct Way {
   std::string name;
   double seconds;
@@ -98,7 +98,7 @@ std::string quickest_sentence(const GridStudy& study, double accuracy) {
     const bool simulated = row.solution.identity.role == transform::Role::simulation;
     keep_quickest(row, accuracy, simulated ? simulation : closure);
   }
-  if (grid) grid->name = "finite differences of " + grid->name;
+  if (grid) grid->name = "finite volumes of " + grid->name;
   std::vector<Way> ways;
   for (const auto& found : {grid, closure, simulation}) {
     if (found) ways.push_back(*found);
@@ -109,7 +109,7 @@ std::string quickest_sentence(const GridStudy& study, double accuracy) {
   for (const auto& way : ways) {
     parts.push_back(fmt::format("{} in {} ms", way.name, milliseconds(way.seconds)));
   }
-  return fmt::format("  Quickest to L1 {:.0e} in both marginals: {}.", accuracy,
+  return fmt::format("  Fastest to L1 {:.0e} in both marginals: {}.", accuracy,
                      fmt::join(parts, "; "));
 }
 
@@ -121,25 +121,26 @@ std::string truth_sentence(const GridStudy& study) {
   std::string text = fmt::format("  The limit is that of order {}", truth.order);
   if (study.known_to) {
     text += fmt::format(
-        "; that of the next lower order differs by L1 {:.1e} in p(y) and {:.1e} in p(y'), so "
-        "smaller distances mean nothing",
+        "; the limit of the next lower order differs by L1 {:.1e} in p(y) and {:.1e} in p(y'): "
+        "smaller distances are not significant",
         study.known_to->y, study.known_to->ydot);
   }
   return text + '.';
 }
 
 constexpr const char* kGridLegend =
-    "order: of the transport terms; cells: in y and y' (narrower by sqrt 2 from level to level). L1: integral of "
-    "|p - limit|. observed order: from the differences of the last three levels. +-: what the extrapolation added. "
-    "ms: wall-clock time of one solve, grids by the null vector alone, one processor; the simulation on all.";
+    "order: order of the transport terms; cells: numbers in y and y' (each level has sqrt 2 times "
+    "as many in a direction). L1: integral of |p - limit|. observed order: from the differences of "
+    "the last three levels. +-: difference between the limit and the finest grid. ms: wall-clock "
+    "time of one solve; grids: null vector alone, one processor; simulation: all processors.";
 
 }  // namespace
 
 std::string table(const GridStudy& study, const report::TextFormat& format) {
-  std::string text = wrapped(
-      fmt::format("{}; finite differences of {}, impact {}", report::case_title(study.problem),
-                  problem::name(*study.grids.equation), problem::name(*study.grids.impact)),
-      format.width, 2);
+  std::string text =
+      wrapped(fmt::format("{}; finite volumes for {}, impact {}", report::case_title(study.problem),
+                          problem::name(*study.grids.equation), problem::name(*study.grids.impact)),
+              format.width, 2);
   text += grids(study, format) + '\n' + limits(study, format) + others(study, format);
   for (const auto& row : study.rows) text += reason_text(name_of(row), row.solution, format.width);
   for (const auto& row : study.others)

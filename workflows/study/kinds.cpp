@@ -18,7 +18,7 @@ using problem::Impact;
 using transform::Identity;
 using transform::Role;
 
-// Nothing also where the solver has the id, yet cannot do it.
+// Empty also where the solver has the id, but the options are invalid.
 std::optional<Method> offered(const Registry& registry, const std::string& id,
                               const base::Values& given = {}) {
   try {
@@ -28,7 +28,7 @@ std::optional<Method> offered(const Registry& registry, const std::string& id,
   }
 }
 
-// The usual members, then what one choice of an option makes of them.
+// The default members of a solver's families, then their variants by one choice of an option.
 std::vector<Method> with_variants(const Registry& registry, const methods::Solver& solver,
                                   const std::vector<std::string>& usual) {
   std::vector<Method> found;
@@ -51,7 +51,7 @@ std::string stem_of(const Identity& identity) {
   return identity.id.substr(0, identity.id.size() - (identity.id.ends_with(end) ? end.size() : 0));
 }
 
-// A simulation's impact is exact, as the map's is.
+// The impact of a simulation is exact, like `map`.
 bool solves(const Identity& identity, Equation equation, Impact impact) {
   return identity.equation == equation && identity.impact &&
          (*identity.impact == Impact::delta) == (impact == Impact::delta);
@@ -86,7 +86,7 @@ std::vector<Kind> kinds(const Registry& registry, Role role) {
 std::vector<Method> other_methods(const Registry& registry, Equation equation, Impact impact,
                                   const base::Values& simulation) {
   std::vector<Method> all;
-  std::set<std::string> families;  // that have a kind; of each the usual ones come first
+  std::set<std::string> families;  // with a variant in `all`; default variants come first
   for (const auto& kind : kinds(registry, Role::closure)) {
     const Identity& identity = kind.identity();
     const bool stands_for_it = kind.usual && equation == Equation::kf && impact != Impact::delta;

@@ -5,32 +5,33 @@
 
 #include "methods/registry.hpp"
 
-/// What the registered methods offer a study, beside the members that a list names.
+/// Registered methods that a study compares, with the variants that no list of members names.
 namespace fpkcheck::study {
 
-/// Methods that differ in nothing but their order n, if they have one.
+/// Methods that differ in their order n alone, e.g. a formulation of a closure.
 struct Kind {
-  /// What users call it: its stem, of the first solver's without the solver: "moment-white".
+  /// Name for users: the stem, for the first solver without the solver's name: "moment-white".
   std::string name;
-  std::string stem;       ///< ids are STEM-nN, or STEM where there is no order
-  bool usual;             ///< what its family has unless it is told otherwise
-  methods::Method first;  ///< one of them
+  std::string stem;       ///< the ids are STEM-nN, or STEM without an order
+  bool usual;             ///< the default variant of its family
+  methods::Method first;  ///< one of these methods
 
   const transform::Identity& identity() const { return first.identity; }
-  bool solves_the_problem() const;  ///< with the jumps and the exact impact
+  bool solves_the_problem() const;  ///< equation `kf` with the exact impact
 };
 
-/// The kinds of a role by increasing trust: of each family the usual ones, then what one choice of
-/// an option makes of them: another equation, another tail.
+/// The variants of a role by increasing trust: the default variants of each family, then those that
+/// one choice of an option makes of them: another equation, another tail.
 std::vector<Kind> kinds(const methods::Registry& registry, transform::Role role);
 
-/// What stands beside finite differences of an equation: of each family of closures the usual kind,
-/// if it solves this equation or this is the equation of the problem itself, which all closures
-/// stand for, else one that solves it, at the orders 2, 4, .. 12 (6 where the impact is to first
-/// order: beyond, there is hardly ever a density); and the simulations of the equation.
-/// @param simulation values that replace the usual options of simulations
-/// @return by increasing trust
-/// @throws InputError when such values cannot be used
+/// Methods that are compared with finite volumes for an equation: closures and simulations of that
+/// equation. Each family of closures contributes its default variant, if this solves the equation
+/// or the equation is that of the full problem, which every closure approximates; otherwise a
+/// variant that solves the equation. The orders are 2, 4, .. 12; with the impact to first order
+/// they are 2, 4, 6, since higher orders rarely have a density.
+/// @param simulation values that replace the default options of simulations
+/// @return methods by increasing trust
+/// @throws InputError when the values are invalid
 std::vector<methods::Method> other_methods(const methods::Registry& registry,
                                            problem::Equation equation, problem::Impact impact,
                                            const base::Values& simulation);

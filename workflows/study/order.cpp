@@ -26,7 +26,7 @@ Method reference_method(const Registry& registry) {
   }
   if (candidates.empty()) {
     throw InputError(
-        "nothing to measure closures by (no discretisation of the problem itself is registered)");
+        "no reference for the closures: no discretisation of the full problem is registered");
   }
   return *std::ranges::max_element(candidates, methods::less_trusted, &Method::identity);
 }
@@ -36,8 +36,8 @@ const Kind& formulation_named(const std::string& name, const std::vector<Kind>& 
   if (found != all.end()) return *found;
   std::vector<std::string> names;
   for (const auto& known : all) names.push_back(known.name);
-  throw InputError(
-      fmt::format("--formulations: '{}' is none (use some of {})", name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("--formulations: '{}' is no formulation; use some of {}", name,
+                               fmt::join(names, ", ")));
 }
 
 std::vector<Kind> closures(const Registry& registry) {
@@ -46,20 +46,20 @@ std::vector<Kind> closures(const Registry& registry) {
   return all;
 }
 
-// In L1: the study is of how errors fall from order to order, and none is asked to be small.
+// L1 error that every closure satisfies: the study shows the errors, whatever their size.
 constexpr double kAnyError = 10;
 
 Method at_order(const Registry& registry, const Kind& formulation, int order) {
   const std::string id = fmt::format("{}-n{}", formulation.stem, order);
   auto method = registry.by_id(id, {{"accuracy", kAnyError}});
   if (!method)
-    throw InputError(fmt::format("--orders {} (there is no {}) leave it out", order, id));
+    throw InputError(fmt::format("--orders {}: there is no {}; leave this order out", order, id));
   return std::move(*method);
 }
 
 void add_distances(const std::vector<compare::PairDistances>& pairs, const std::string& reference,
                    OrderRow& row) {
-  constexpr double kTailFrom = 1e-5;  // the decade of the reference density that is looked at
+  constexpr double kTailFrom = 1e-5;  // the tail: this decade of the reference density
   const std::string& id = row.solution.id();
   const auto y = compare::l1_between(pairs, id, reference, Variable::y);
   const auto ydot = compare::l1_between(pairs, id, reference, Variable::ydot);

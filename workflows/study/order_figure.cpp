@@ -18,7 +18,7 @@ namespace {
 
 using transform::Variable;
 
-// "order l1_y l1_ydot" of the rows of each formulation that are ok, or of the others.
+// "order l1_y l1_ydot" for each formulation: the rows that are ok, or the others.
 std::vector<Series> formulations_of(const OrderStudy& study, bool ok) {
   return series_of(
       study.rows, ok ? "ok_" : "not_", [](const OrderRow& row) { return row.formulation; },
@@ -52,7 +52,7 @@ std::string distance_panel(const OrderStudy& study, const char* title, Variable 
                      plots);
 }
 
-// "fraction norm fold" of the rows that followed a branch, in the branch's order.
+// "fraction norm fold" of the rows with a branch, in the order of the branch.
 std::vector<Series> branches(const OrderStudy& study) {
   std::vector<OrderRow> rows;
   std::ranges::copy_if(study.rows, std::back_inserter(rows), [](const OrderRow& row) {
@@ -85,7 +85,7 @@ std::string branch_panel(const std::vector<Series>& all, char letter, const Plac
         one.look.open);
   }
   return fmt::format(
-      "set title '({}) branches from the exact density without losses'\n{}"
+      "set title '({}) branches from the exact density without impact losses'\n{}"
       "unset logscale y\nset format y '%g'\nset autoscale\n"
       "set xrange [0:1.02]\nset xtics 0.1\n"
       "set xlabel 'fraction of the way to the full problem'\n"
@@ -111,7 +111,7 @@ report::Legend legend(const std::vector<Series>& ok, const std::vector<Series>& 
   }
   if (!followed.empty()) {
     legend.entries.push_back(
-        {"NaN with points lc rgb '#444444' lw 2 pt 6 ps 1.4", "open, on a branch: a fold"});
+        {"NaN with points lc rgb '#444444' lw 2 pt 6 ps 1.4", "open, on a branch: fold"});
   }
   return legend;
 }
@@ -127,7 +127,7 @@ std::string figure(const OrderStudy& study, const std::string& file_stem,
   const report::Legend entries = legend(ok, others, followed);
   report::PanelGrid grid = report::panel_grid(width, kOnScreen);
   grid.columns = narrow ? 1 : 2;
-  const int of_orders = narrow ? 2 : 1;  // rows
+  const int of_orders = narrow ? 2 : 1;  // rows of panels
   grid.rows = of_orders + (followed.empty() ? 0 : 1);
   grid.panel_height = narrow ? 200 : 300;
   grid.legend_height = report::legend_height(entries, grid.width);

@@ -22,7 +22,7 @@ Record record(const OrderRow& row) {
   record.push_back({"tail_y", transform::value_of(row.tail_y)});
   record.push_back({"tail_ydot", transform::value_of(row.tail_ydot)});
   for (const auto& observation : row.solution.observations) {
-    if (observation.path == "formulation" || observation.path == "order") continue;  // above
+    if (observation.path == "formulation" || observation.path == "order") continue;  // added above
     record.push_back({observation.path, observation.value});
   }
   return record;

@@ -6,7 +6,7 @@
 #include "report/figure/script_parts.hpp"
 #include "transform/identity.hpp"
 
-/// What the pictures of all studies are made of.
+/// Common parts of the figures of all studies.
 namespace fpkcheck::study {
 
 using report::data_block;
@@ -16,17 +16,18 @@ using report::Place;
 using report::series_looks;
 using report::SeriesLook;
 
-/// Points of a picture that belong together.
+/// A curve of a figure: its points, label and style.
 struct Series {
-  std::string block;  ///< the name of its data in the script
+  std::string block;  ///< name of its data block in the script
   std::string label;
-  std::string points;  ///< rows of the data, each ended by a newline
+  std::string points;  ///< lines of the data block, each ended by a newline
   SeriesLook look;
 };
 
-/// Neighbouring rows of the same label as a series, which looks as the row in its middle.
-/// @param label of a row
-/// @param points the text of a row's points; may be empty
+/// Makes one series of each group of neighbouring rows with the same label. The style is that of
+/// the row in the middle.
+/// @param label function: label of a row
+/// @param points function: text of a row's points; may be empty
 template <class Row, class Label, class Points>
 std::vector<Series> series_of(const std::vector<Row>& rows, const std::string& block, Label label,
                               Points points) {

@@ -20,7 +20,7 @@ Value value_at(const Record& record, const std::string& path) {
   return found == record.end() ? Value() : found->value;
 }
 
-// Words as they are, numbers in the format; nothing for what is absent.
+// Words and integers unchanged, numbers in the format, and "" for absent values.
 std::string text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
@@ -60,7 +60,7 @@ std::string csv_of(const std::vector<Record>& rows, const std::string& columns) 
   std::istringstream words(columns);
   for (std::string word; words >> word;) {
     headers.push_back(word.substr(0, word.find('=')));
-    paths.push_back(word.substr(word.find('=') + 1));  // all of it where there is no '='
+    paths.push_back(word.substr(word.find('=') + 1));  // the whole word without '='
   }
   std::string lines = fmt::format("{}\n", fmt::join(headers, ","));
   for (const auto& row : rows) {

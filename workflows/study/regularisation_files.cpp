@@ -26,7 +26,7 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
 Record record(const RegularisationRow& row) {
   Record record{{"scheme", row.scheme},
                 {"step", row.step},
-                {"length", row.length > 0 ? Value(row.length) : Value()},  // pade has none
+                {"length", row.length > 0 ? Value(row.length) : Value()},  // none for pade
                 {"nx", counted(row.nx)},
                 {"nv", counted(row.nv)},
                 {"symbol_rate", value(row.symbol, &Growth::rate)},

@@ -17,7 +17,7 @@ namespace {
 
 using report::wrapped;
 
-// The symbol's rate tends to 0 for long waves when none grows.
+// Text of the symbol's growth. Without growth the rate is 0: it tends to 0 for long waves.
 std::string symbol_text(const RegularisationRow& row, double fd_fpk::Growth::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
   return row.symbol && of == &fd_fpk::Growth::rate ? "0" : "";
@@ -76,7 +76,7 @@ std::string rows(const RegularisationStudy& study, const report::TextFormat& for
                   format);
 }
 
-// "h = 0.158, 0.0791 and 0.0395"
+// List of steps, e.g. "h = 0.158, 0.0791 and 0.0395".
 std::string list_of_steps(const std::vector<RegularisationRow>& rows) {
   std::vector<std::string> steps;
   for (const auto& row : rows) steps.push_back(step_text(row));
@@ -95,7 +95,8 @@ std::vector<RegularisationRow> of_scheme(const RegularisationStudy& study,
   return chosen;
 }
 
-// The exponent of h in the growth between the two finest steps that grow.
+// States where the literal scheme grows. The exponent of h is that of the growth rate between the
+// two finest steps that grow.
 std::string literal_sentence(const RegularisationStudy& study) {
   const auto growing = of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";
@@ -133,7 +134,8 @@ std::string regularised_sentence(const RegularisationStudy& study) {
   const RegularisationRow& finest = settled.back();
   if (finest.l1_y && finest.l1_ydot) {
     text += fmt::format(
-        "; on the finest of them its density is L1 {:.2g} in p(y) and {:.2g} in p(y') from kf",
+        "; on the finest of these steps its density is L1 {:.2g} in p(y) and {:.2g} in p(y') "
+        "from kf",
         *finest.l1_y, *finest.l1_ydot);
   }
   return text + '.';
@@ -142,18 +144,20 @@ std::string regularised_sentence(const RegularisationStudy& study) {
 std::string threshold_sentence(const RegularisationStudy& study) {
   const auto below = of_scheme(study, "0.9 l*", true), above = of_scheme(study, "1.1 l*", true);
   std::string text = fmt::format("The threshold is l* = {:.3g}: ", study.shortest_length);
-  text += below.empty() ? "10 % below it no matrix grows"
-                        : fmt::format("10 % below it grow {}", list_of_steps(below));
+  text += below.empty()
+              ? "10 % below it no matrix grows"
+              : fmt::format("10 % below it the matrices of {} grow", list_of_steps(below));
   if (below.size() > 1) {
-    text += fmt::format(", at a rate that no longer depends on the step ({:.3g} by the symbol)",
+    text += fmt::format(", at a rate that is independent of the step ({:.3g} by the symbol)",
                         below.back().symbol->rate);
   }
-  text += above.empty() ? "; 10 % above it none grows."
-                        : fmt::format("; 10 % above it grow {}.", list_of_steps(above));
+  text += above.empty()
+              ? "; 10 % above it no matrix grows."
+              : fmt::format("; 10 % above it the matrices of {} grow.", list_of_steps(above));
   return text;
 }
 
-// Each remark once, with the rows that it is of.
+// Each remark once, with the rows that have it.
 std::string remarks(const RegularisationStudy& study, std::size_t width) {
   std::map<std::string, std::vector<std::string>> rows_with;
   std::vector<std::string> order;
@@ -170,11 +174,12 @@ std::string remarks(const RegularisationStudy& study, std::size_t width) {
 }
 
 constexpr const char* kRegularisationLegend =
-    "h: velocity step; l: step of the fourth difference (pade has none). symbol: largest growth rate "
-    "of a wave exp(i q y') under the excitation alone. matrix: eigenvalues of the whole operator with "
-    "the largest real parts; the stationary density's is 0, the next is the slowest decay. in time: "
-    "what becomes of any disturbance. null vector: distance to the jump equation kf on the same grid, and the "
-    "least value relative to the peak.";
+    "h: velocity step; l: step of the fourth difference (pade has none). symbol: largest growth "
+    "rate of a wave exp(i q y') under the excitation alone. matrix: eigenvalues of the whole "
+    "operator with the largest real parts; the stationary density has the eigenvalue 0, the next "
+    "is the slowest decay. in time: growth or decay of a disturbance. null vector: its distance to "
+    "the density of the jump equation kf on the same grid, and its least value relative to the "
+    "peak.";
 
 }  // namespace
 

@@ -48,7 +48,7 @@ TEST(SavedProblem, ComesBackFromASummary) {
   }
 }
 
-/// A directory of its own with a small run in it.
+/// A temporary directory with a copy of a small run.
 class BaselineTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -64,7 +64,7 @@ class BaselineTest : public testing::Test {
     return load_baseline(place, methods::builtin(), {{"threads", std::int64_t{2}}});
   }
 
-  /// Saves the summary after a change and says how the program takes it.
+  /// Changes the summary, loads it and returns the error message, or "accepted".
   std::string message(const std::function<void(Json&)>& change) {
     std::ifstream in(FPKCHECK_BASELINES "/case1/summary.json");
     Json summary = Json::parse(in);
@@ -117,7 +117,7 @@ TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
 
 TEST_F(BaselineTest, ASimulationMustBeWholeAndKnowItsErrors) {
   const auto mcs = [](Json& json) -> Json& { return json["cases"][0]["solutions"].back(); };
-  expect_message("case1: mcs: the simulation was interrupted (run again, to its end)",
+  expect_message("case1: mcs: the simulation was interrupted: run it again, to its end",
                  [&](Json& json) { mcs(json)["interrupted"] = true; });
   for (const Json& bad : {Json(), Json(0.0), Json(-1e-4)}) {
     expect_message("case1: mcs: standard error of E[y^2] = ",
@@ -141,7 +141,7 @@ TEST_F(BaselineTest, WithoutCurvesANoteSaysSo) {
   const auto baseline = load(folder_ / "b.json");
   EXPECT_FALSE(baseline.has_marginals);
   ASSERT_EQ(baseline.notes.size(), 1u);
-  EXPECT_NE(baseline.notes[0].find("curves are not compared"), std::string::npos);
+  EXPECT_NE(baseline.notes[0].find("marginal densities are not compared"), std::string::npos);
 }
 
 TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
@@ -155,7 +155,7 @@ TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
   const std::size_t methods = whole.cases[0].methods.size();
   EXPECT_EQ(baseline.cases[0].methods.size() + 1, methods);
   EXPECT_EQ(baseline.run.cases[0].find("epc-gaussian-n6"), nullptr);
-  EXPECT_NE(baseline.notes.back().find("case1 epc-gaussian-n6 was given from outside"),
+  EXPECT_NE(baseline.notes.back().find("case1 epc-gaussian-n6 is an external density"),
             std::string::npos);
   const auto& pairs = baseline.run.cases[0].pairs;
   for (const auto& pair : pairs) {
@@ -188,7 +188,7 @@ TEST_F(BaselineTest, EveryPaperCaseLoadsWholeWithItsCurves) {
   }
 }
 
-/// The paper's first case by its closures alone: what is solved in no time.
+/// The closures of the paper's first case, which are solved in a few milliseconds each.
 Baseline closures() {
   auto baseline = load_baseline(FPKCHECK_BASELINES "/case1", methods::builtin(), {});
   auto& one = baseline.run.cases[0];
@@ -237,7 +237,7 @@ TEST(RunAgain, FindsEveryResultOfAClosureThatMovesByAMillionth) {
   EXPECT_GT(tried, 200u);
 }
 
-/// A simulation alone, saved as a run is.
+/// A run of one simulation.
 results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double time = 2e5) {
   const auto problem = tests::make_problem({.intensity = intensity});
   const auto method = methods::builtin().by_id(
@@ -251,10 +251,10 @@ TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
   for (std::uint64_t seed = 2; seed <= tests::usually(3u, 6u); ++seed) {
     const auto other = check(baseline, simulated_run(seed), {});
     for (const auto& figure : other.moved()) ADD_FAILURE() << seed << " " << figure.name;
-    // Chance enters: it is not the same run.
+    // The runs differ: otherwise the agreement would prove nothing.
     EXPECT_TRUE(std::ranges::any_of(other.figures, [](const Figure& f) { return f.change > 0.5; }));
   }
-  constexpr double kShort = 2e4;  // to a bit, however long
+  constexpr double kShort = 2e4;  // identical digits at every length
   const auto same = check(simulated_run(1, 0.1, kShort), simulated_run(1, 0.1, kShort), {});
   EXPECT_TRUE(std::ranges::all_of(same.figures, [](const Figure& f) { return f.change == 0; }));
 }

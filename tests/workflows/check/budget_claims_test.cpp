@@ -11,14 +11,14 @@ using tests::moved_by;
 using tests::scale;
 using tests::solution;
 
-/// What moves with a change of the first row of the budget.
+/// The changes that follow from a change of the first row of the budget.
 std::vector<Figure> moved_by_row(const std::function<void(BudgetRow&)>& change) {
   return moved_by([&](results::Run& run) { change(run.cases[0].budget[0]); });
 }
 
 TEST(BudgetClaims, FindsAnotherBudget) {
   using Number = double& (*)(BudgetRow&);
-  // In step with the size: also where the number is 3e-5.
+  // Relative changes, so that small entries (3e-5) are found too.
   for (const Number number :
        {Number([](BudgetRow& row) -> double& { return row.total; }),
         Number([](BudgetRow& row) -> double& { return row.total_tail; }),
@@ -71,7 +71,7 @@ TEST(BudgetClaims, ABudgetToAnotherSimulationIsJudgedByItsSampling) {
   EXPECT_EQ(by(expected, 3), 1u);
   EXPECT_EQ(by(tail, 1), 0u);
   EXPECT_EQ(by(tail, 9), 1u);
-  EXPECT_EQ(by(l1(0), 1e-5), 1u);  // chance has no part in it
+  EXPECT_EQ(by(l1(0), 1e-5), 1u);  // deterministic
 }
 
 }  // namespace

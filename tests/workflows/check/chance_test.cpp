@@ -49,7 +49,7 @@ TEST(Chance, AnL1MovesByTheSamplingThatIsStated) {
 }
 
 TEST(Chance, MassIsAShareOfTheSamples) {
-  // With n samples the L1 error of a histogram is sqrt(2/(pi n)) at least, and one sample is 1/n.
+  // The L1 error of a histogram of n samples is at least sqrt(2/(pi n)); one sample has mass 1/n.
   Solution one = simulation();
   const double n = 1e4;
   one.sampling->y = std::sqrt(2 / (3.14159265358979 * n));

@@ -57,7 +57,7 @@ TEST(Check, FindsEveryMomentThatMovesByAMillionth) {
       const auto moved = moved_by(
           [&](results::Run& run) {
             double& moment = solution(run, one.id()).moments.*of.moment;
-            // E[y'] is 0 but for errors: a millionth of a deviation.
+            // E[y'] = 0 up to errors of the method: change it by 1e-6 of the deviation.
             moment = of.moment == of.size ? moment * (1 + 1e-6) : moment + 1e-6 * deviation;
           },
           {}, runs);
@@ -81,7 +81,7 @@ TEST(Check, FindsEveryResultThatMovesByAMillionth) {
             observation(solution(run, one.id()), o.path).value = *value + step;
           },
           {}, runs);
-      // With another power it is another coefficient: one is lost, one is new.
+      // A changed power names another coefficient: the old one is missing, the new one is added.
       const bool is_power = o.path.starts_with("coefficients");
       ASSERT_EQ(moved.size(), is_power ? 2u : 1u) << one.id() << " " << o.path;
       EXPECT_EQ(moved[0].kind, is_power ? FigureKind::coefficient : FigureKind::detail);

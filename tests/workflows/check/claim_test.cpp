@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The one figure of a claim and its counterpart.
+/// The comparison of a single quantity in two runs.
 Figure held(const Claim& was, const Claim& is) {
   const auto figures = held_against("case", {was}, {is});
   EXPECT_EQ(figures.size(), 1u);
@@ -32,7 +32,7 @@ TEST(Claim, NumbersChangeInUnitsOfTheScaleOfTheBaseline) {
   EXPECT_EQ(change(0, 0, 0), 0);
   EXPECT_EQ(change(0, 1, 0), kInfinity);
   EXPECT_EQ(change(NAN, NAN), 0);
-  EXPECT_EQ(change(kInfinity, NAN), 0);  // files have neither
+  EXPECT_EQ(change(kInfinity, NAN), 0);  // both are empty values in files
   EXPECT_EQ(change(NAN, 1), kInfinity);
   EXPECT_EQ(change(1, NAN), kInfinity);
 }
@@ -58,7 +58,7 @@ TEST(Claim, WhatIsSimulatedChangesInStandardErrorsOfBoth) {
     return held(was, is).change;
   };
   EXPECT_DOUBLE_EQ(change(3, 4), 1);
-  EXPECT_DOUBLE_EQ(change(NAN, 1), 5 / std::sqrt(2.0));  // a baseline that does not say
+  EXPECT_DOUBLE_EQ(change(NAN, 1), 5 / std::sqrt(2.0));  // the baseline states no error
   EXPECT_EQ(change(1, NAN), kInfinity);
   EXPECT_EQ(change(0, 0), kInfinity);
 }
@@ -69,7 +69,7 @@ TEST(Claim, AnL1IsAllowedItsExpectationAndSomeScatter) {
   claim.in_99 = 0.03;
   claim.allowed = 0;
   EXPECT_NEAR(held(claim, claim).allowed, std::hypot(0.01, 0.01), 1e-12);
-  claim.allowed = 2.326;  // of the normal law the quantile of 99 %
+  claim.allowed = 2.326;  // 99 % quantile of the normal law
   EXPECT_NEAR(held(claim, claim).allowed, std::hypot(0.03, 0.03), 1e-12);
 }
 
@@ -86,7 +86,7 @@ TEST(Claim, WordsMustBeTheSame) {
   EXPECT_TRUE(moved(false, true));
 }
 
-/// A list of so many entries in a group.
+/// A list with this number of entries, in a group.
 Claims list(std::size_t entries) {
   Claims claims;
   const Part whole{claims, "solution", kWhole};

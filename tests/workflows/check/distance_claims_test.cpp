@@ -59,7 +59,7 @@ TEST(DistanceClaims, DistancesToASimulationMoveWithItsSamplingError) {
       for (auto& [a, b, variable, distances, error] : run.cases[0].pairs) {
         if (b != "mcs" || variable != transform::Variable::y || a != "fd-kf") continue;
         distances.l1 += l1;
-        distances.kl += l1;  // not judged: noise
+        distances.kl += l1;  // not compared with a simulation
       }
     });
   };

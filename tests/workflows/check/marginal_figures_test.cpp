@@ -52,7 +52,7 @@ TEST(MarginalFigures, ABinOfASimulationIsJudgedByItsIntervalAndTheNumberOfBins) 
       }
     });
   };
-  EXPECT_EQ(by(4.5).size(), 0u);  // one of so many may
+  EXPECT_EQ(by(4.5).size(), 0u);  // within the threshold for the largest of all bins
   ASSERT_EQ(by(5.2).size(), 1u);
   EXPECT_EQ(by(5.2)[0].kind, FigureKind::simulated_bin);
   EXPECT_GT(by(5.2)[0].allowed, 4.7);
@@ -61,7 +61,7 @@ TEST(MarginalFigures, ABinOfASimulationIsJudgedByItsIntervalAndTheNumberOfBins) 
 
 TEST(MarginalFigures, ASimulationWithAnotherShapeIsFoundByL1) {
   const auto moved = moved_by([](results::Run& run) {
-    Curve& curve = simulated_curve(run);  // too little near the wall, too much beyond
+    Curve& curve = simulated_curve(run);  // too low near the wall, too high far from it
     for (std::size_t k = 0; k < curve.density.size(); ++k) {
       const double tilt = 0.05 * (curve.abscissa[k] - 0.5);
       for (auto* values : {&curve.density, &curve.lower, &curve.upper}) (*values)[k] *= 1 + tilt;

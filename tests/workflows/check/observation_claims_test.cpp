@@ -18,18 +18,18 @@ using transform::Kind;
 using transform::Observation;
 using transform::Observations;
 
-/// What moves between two solutions that have nothing but these observations.
+/// The changes between two solutions that have these metrics alone.
 std::vector<Figure> moved(const Observations& was, const Observations& is) {
   return check({.program = {}, .cases = {case_of(was)}}, {.program = {}, .cases = {case_of(is)}},
                {})
       .moved();
 }
 
-/// Of one number that a solver describes so.
+/// The changes of a single number with these properties.
 std::vector<Figure> moved(const Observation& described, double was, double is) {
   Observation now = described;
   now.value = is;
-  // As files have it: the value alone.
+  // A baseline from files has the value alone.
   return moved({{.path = described.path, .value = was}}, {now});
 }
 
@@ -82,7 +82,8 @@ TEST(ObservationClaims, WorkAndWordsForPeopleArePassedOver) {
     EXPECT_TRUE(moved({{.path = "x", .value = 3.0}}, {o}).empty());
     EXPECT_TRUE(moved({}, {o}).empty());
   }
-  // What a list holds is known from its other entries, and from its name where there is none.
+  // The kind of an entry follows from other entries of its list, or from the list where it is
+  // empty.
   const Observations two{{.path = "seen[0].at", .value = 1.0},
                          {.path = "seen[1].at", .value = 2.0}};
   EXPECT_TRUE(moved(two, {{.path = "seen[0].at", .value = 7.0, .kind = Kind::work}}).empty());
@@ -109,7 +110,7 @@ TEST(ObservationClaims, WordsFlagsAndNothingMustStay) {
   EXPECT_EQ(by({}, {}), 0u);
   EXPECT_EQ(by({}, 1.0), 1u);
   EXPECT_EQ(by(std::int64_t{40}, 40.0), 0u);
-  EXPECT_EQ(by({}, NAN), 0u);  // what files have of it
+  EXPECT_EQ(by({}, NAN), 0u);  // files store NaN as an empty value
 }
 
 TEST(ObservationClaims, WhatOneRunLacksIsSaidOnce) {
@@ -144,7 +145,7 @@ TEST(ObservationClaims, OfWhatAnOlderProgramDidNotWriteResultsAloneAreMissed) {
   EXPECT_EQ(by(Kind::text), 0u);
 }
 
-/// A value and its standard error, as solved.
+/// A value and its standard error, as a solver states them.
 Observations estimate(double value, double error, bool delicate = false) {
   return {{.path = "rate", .value = value, .error_at = "rate_error", .delicate = delicate},
           {.path = "rate_error", .value = error, .kind = Kind::error}};
@@ -152,14 +153,14 @@ Observations estimate(double value, double error, bool delicate = false) {
 
 TEST(ObservationClaims, WhatChanceEntersIsJudgedInTheErrorsOfBothRuns) {
   EXPECT_EQ(moved(estimate(1, 0.1), estimate(1.55, 0.1)).size(), 0u);
-  const auto found = moved(estimate(1, 0.1), estimate(1.58, 0.1));  // 4 times sqrt(2) errors
+  const auto found = moved(estimate(1, 0.1), estimate(1.58, 0.1));  // above 4 sqrt(2) errors
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, FigureKind::simulated);
   EXPECT_NEAR(found[0].change, 5.8 / std::sqrt(2.0), 1e-12);
-  // A baseline that does not say its error: that of the new run serves for both.
+  // A baseline without the standard error: that of the new run serves for both.
   EXPECT_EQ(moved({{.path = "rate", .value = 1.0}}, estimate(1.55, 0.1)).size(), 0u);
   EXPECT_EQ(moved({{.path = "rate", .value = 1.0}}, estimate(1.58, 0.1)).size(), 1u);
-  // The error itself.
+  // The standard error is compared too.
   EXPECT_EQ(moved(estimate(1, 0.1), estimate(1, 0.13)).size(), 0u);
   EXPECT_EQ(moved(estimate(1, 0.1), estimate(1, 0.2)).size(), 1u);
   EXPECT_EQ(moved(estimate(1, 0.1), estimate(1, NAN)).size(), 1u);
@@ -221,7 +222,7 @@ TEST(ObservationClaims, WhatASimulationSaysOfItsErrorsIsComparedToo) {
     EXPECT_TRUE(moved_by(scaled("mcs", path, 0.3)).empty()) << path;
   }
   EXPECT_EQ(moved_by(scaled("mcs", "effective_samples", 3)).size(), 1u);
-  // Wide errors do not hide what they would hide.
+  // Errors that are too wide are found themselves.
   EXPECT_GE(moved_by([](results::Run& run) {
               auto& mcs = solution(run, "mcs");
               for (const auto& of : transform::kMoments)

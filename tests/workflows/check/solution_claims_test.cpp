@@ -58,10 +58,10 @@ TEST(SolutionClaims, StatedErrorsAreDetails) {
     const auto moved = by([&](auto& error) { error->moments.*of.moment += 1e-7; });
     ASSERT_EQ(moved.size(), 1u) << of.symbol;
     EXPECT_EQ(moved[0].name, std::string("error of ") + of.symbol);
-    // Small as it is, it has the moment's rounding.
+    // The error estimate of a moment is small, but has the rounding error of the moment.
     EXPECT_TRUE(by([&](auto& error) { error->moments.*of.moment += 5e-10; }).empty());
   }
-  // Lost it has moved; what a baseline lacks is not missed.
+  // A missing error estimate is reported if the baseline has it, not if the baseline lacks it.
   const tests::TwoRuns runs;
   results::Run without = runs.solved;
   solution(without, "fd-kf").error.reset();
@@ -102,7 +102,7 @@ TEST(SolutionClaims, OneOfManyErrorsMayScatterMore) {
   };
   EXPECT_GT(allowed("standard error of E[y]"), 0.6);
   EXPECT_LT(allowed("standard error of E[y]"), 0.8);
-  // A number of samples goes as the error squared.
+  // Numbers of effective samples are proportional to 1 / error^2.
   const double error = allowed("standard error of E[y]");
   EXPECT_NEAR(allowed("effective_samples"), std::pow(1 + error, 2) - 1, 1e-9);
 }

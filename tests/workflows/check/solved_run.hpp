@@ -13,10 +13,10 @@
 #include "workflows/check/check.hpp"
 #include "workflows/check/claims.hpp"
 
-/// Runs to be held against each other; nothing is solved here.
+/// Runs to compare with each other; nothing is solved here.
 namespace fpkcheck::tests {
 
-/// The paper's first case as the repository holds it: of observations, files have the values alone.
+/// The paper's first case from the repository: files store the values of metrics alone.
 inline const results::Run& paper_baseline() {
   static const results::Run run = results::load_run(FPKCHECK_BASELINES "/case1");
   return run;
@@ -36,7 +36,7 @@ inline transform::Observation& observation(transform::Solution& one, std::string
   throw std::logic_error(one.id() + " has no " + std::string(path));
 }
 
-/// Says of an observation what its solver says of it.
+/// Sets the kind, scale and error path of a metric as its solver does.
 inline void describe(transform::Observation& o) {
   using transform::Kind;
   const std::string_view path = o.path;
@@ -102,7 +102,7 @@ inline void describe(transform::Observation& o) {
   }
 }
 
-/// The same run as if it had just been solved: its observations say what they are.
+/// The same run as if this program had solved it: its metrics have their kinds.
 inline const results::Run& solved_run() {
   static const results::Run run = [] {
     results::Run solved = paper_baseline();
@@ -111,12 +111,12 @@ inline const results::Run& solved_run() {
       for (auto& o : one.observations) {
         describe(o);
         if (is_simulation && o.path == "impact_rate") o.error_at = "impact_rate_error";
-        // A handful of events.
+        // Delicate where the rate comes from a handful of events.
         if (!o.path.ends_with("].rate")) continue;
         const double rate = *number(one.observations, o.path);
         o.delicate = !(1.96 * *number(one.observations, o.error_at) <= rate / 2);
       }
-      // What is new: older files have the interval alone.
+      // Older files have the interval alone: the standard error is derived from it.
       for (const char* list : {"quantiles.y", "quantiles.ydot"}) {
         for (int k = 0;; ++k) {
           const std::string entry = std::string(list) + '[' + std::to_string(k) + "].";
@@ -136,13 +136,13 @@ inline const results::Run& solved_run() {
 
 using Change = std::function<void(results::Run&)>;
 
-/// A run as files have it, and as it was solved.
+/// The run as read from files, and as solved by this program.
 struct TwoRuns {
   results::Run files = paper_baseline();
   results::Run solved = solved_run();
 };
 
-/// What a run has of one solution alone, where nothing else matters.
+/// The run reduced to one solution, without pairs and budget.
 inline results::Run only(results::Run run, const std::string& id) {
   results::Case& one = run.cases.at(0);
   std::erase_if(one.solutions, [&](const auto& other) { return other.id() != id; });
@@ -155,14 +155,14 @@ inline TwoRuns alone(const std::string& id) {
   return {.files = only(paper_baseline(), id), .solved = only(solved_run(), id)};
 }
 
-/// What moves when a run differs from the baseline by a change alone.
+/// The compared quantities that change when the new run differs by `change` alone.
 inline std::vector<check::Figure> moved_by(const Change& change,
                                            const check::Tolerances& tolerances = {},
                                            const TwoRuns& runs = {}) {
   results::Run changed = runs.solved;
   change(changed);
   const auto forth = check::check(runs.files, changed, tolerances).moved();
-  // Which of the two changed must not matter.
+  // The result must be the same with the runs exchanged.
   EXPECT_EQ(check::check(changed, runs.solved, tolerances).moved().size(), forth.size());
   return forth;
 }
@@ -175,7 +175,7 @@ inline std::vector<check::FigureKind> kinds(const std::vector<check::Figure>& fi
 
 inline void scale(double& number, double relative) { number *= 1 + relative; }
 
-/// A number that a solver observes, whole or not.
+/// Scales a metric of type double or integer.
 inline void scale(transform::Observation& o, double relative) {
   const transform::Observations alone{o};
   o.value = transform::number(alone, o.path).value() * (1 + relative);
@@ -185,7 +185,7 @@ inline Change scaled(const std::string& id, const std::string& path, double rela
   return [=](results::Run& run) { scale(observation(solution(run, id), path), relative); };
 }
 
-/// A case of one solution, made of nothing but observations.
+/// A case with one solution that has these metrics alone.
 inline results::Case case_of(transform::Observations observations) {
   transform::Solution one{.identity = {.id = "solution", .method = "toy"}};
   one.status = transform::Status::ok;

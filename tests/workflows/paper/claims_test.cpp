@@ -50,7 +50,7 @@ TEST(Claims, AreToldApartByCaseAndWordsAndQuoteThePaper) {
     EXPECT_TRUE(seen.insert({claim.cases, words(claim)}).second) << words(claim);
     EXPECT_FALSE(claim.quote.empty());
     EXPECT_EQ(claim.panels.find_first_not_of("abcd"), std::string::npos);
-    // A panel shows one of the densities.
+    // Each panel shows one of the two densities.
     for (const auto variable : claim.variables) {
       const bool of_y = variable == transform::Variable::y;
       if (claim.panels.empty()) continue;

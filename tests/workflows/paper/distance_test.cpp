@@ -29,7 +29,7 @@ TEST(DistanceToTheSimulation, IsWhatTheErrorBudgetSays) {
   EXPECT_EQ(distance->l1, 0.013);
   EXPECT_EQ(distance->tail, 0.17);
   EXPECT_EQ(distance->tail_error, 0.004);
-  EXPECT_EQ(distance->l1_error, 0.0015);  // as the simulation says
+  EXPECT_EQ(distance->l1_error, 0.0015);  // stated by the simulation
 }
 
 TEST(DistanceToTheSimulation, IsInfiniteInTheTailWhereAClosureIsZeroInPartOfIt) {
@@ -48,11 +48,11 @@ TEST(DistanceToTheSimulation, IsNoneWithoutADensityOrAReferenceThatKnowsItself) 
 
   case_in(run, 1).solutions.back().sampling = {.y = 0.011, .ydot = 0.011};
   EXPECT_FALSE(distance_of(case_in(run, 1), 6, Variable::y, missing));
-  EXPECT_EQ(missing, "the reference of case1 may itself be off by L1 0.011 (simulate longer)");
+  EXPECT_EQ(missing, "the reference of case1 has an error of up to L1 0.011: simulate longer");
 
   case_in(run, 2).budget.clear();
   EXPECT_FALSE(distance_of(case_in(run, 2), 6, Variable::y, missing));
-  EXPECT_EQ(missing, "case2 has no reference to measure by");
+  EXPECT_EQ(missing, "case2 has no reference solution");
 
   budget_row(run, 3, 6, Variable::y).total = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(distance_of(case_in(run, 3), 6, Variable::y, missing));

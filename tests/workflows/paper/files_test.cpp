@@ -11,7 +11,7 @@
 namespace fpkcheck::paper {
 namespace {
 
-// Commas outside quotes.
+// Number of fields: commas outside quotes, plus 1.
 std::size_t fields(const std::string& line) {
   std::size_t count = 1;
   bool quoted = false;

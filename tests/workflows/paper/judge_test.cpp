@@ -63,7 +63,7 @@ TEST(Judge, TheBetterOneIsSoByMoreThanTheReferenceLeavesOpen) {
   auto run = run_with_distances();
   auto& own = budget_row(run, 3, 6, Variable::ydot);
   const auto& rival = budget_row(run, 3, 2, Variable::ydot);
-  const double open = 0.0015;  // what the simulation says of itself in p(y')
+  const double open = 0.0015;  // error of the simulation in p(y')
   own.total_tail = rival.total_tail / 2;
   own.total = rival.total - 1.1 * open;
   EXPECT_EQ(outcome(run, 3, kBetter), Outcome::established);
@@ -72,7 +72,7 @@ TEST(Judge, TheBetterOneIsSoByMoreThanTheReferenceLeavesOpen) {
   own.total = rival.total / 2;
   own.total_tail = rival.total_tail * kJustAbove;
   EXPECT_EQ(outcome(run, 3, kBetter), Outcome::not_established);
-  // Finite differences and the simulation differ by as much.
+  // Finite volumes and the simulation differ by more than the two closures.
   own.total_tail = rival.total_tail - 0.01;
   own.parts.back().links = {compare::Link::discretisation};
   own.parts.back().tail = 0.02;
@@ -94,15 +94,15 @@ TEST(Judge, BetterInOnePanelIsDecidedByItsNumberAlone) {
 TEST(Judge, PraiseOfWhatIsNoDensityIsEstablishedWithABut) {
   const auto good = judged(run_with_distances(), 4, "n=4 agrees with MCS in p(y')");
   EXPECT_EQ(good.outcome, Outcome::qualified);
-  EXPECT_EQ(good.note, "n=4 meets its equations yet is no probability density (inadmissible)");
+  EXPECT_EQ(good.note, "n=4 solves its equations but is no probability density (inadmissible)");
   EXPECT_EQ(good.status, Status::inadmissible);
   EXPECT_NE(good.reason.find("the leading form"), std::string::npos);
   const auto bad = judged(run_with_distances(0.03), 4, "n=4 agrees with MCS in p(y')");
   EXPECT_EQ(bad.outcome, Outcome::not_established);
   EXPECT_EQ(bad.note,
-            "L1 0.03 is above 0.02; and n=4 meets its equations yet is no probability density "
+            "L1 0.03 is above 0.02; and n=4 solves its equations but is no probability density "
             "(inadmissible)");
-  // That it differs is no praise.
+  // `differs` needs no admissible density.
   EXPECT_EQ(outcome(run_with_distances(0.03), 1, "n=4 differs from MCS in p(y')"),
             Outcome::established);
 }
@@ -132,7 +132,7 @@ TEST(Judge, LessGaussianIsFurtherFromTheGaussianThanInCase1) {
 TEST(Judge, OrderTwoIsHeldToTheGaussianOfEquivalentLinearisation) {
   constexpr const char* kSame = "n=2 is equivalent linearisation";
   const auto off = judged(run_with_distances(), 0, kSame);
-  EXPECT_EQ(off.outcome, Outcome::not_established);  // the made-up one is another Gaussian
+  EXPECT_EQ(off.outcome, Outcome::not_established);  // the made-up solution is another Gaussian
   EXPECT_GT(off.l1.value.value(), kSameGaussianL1);
   auto run = run_with_distances();
   std::erase_if(case_in(run, 2).curves, [](const results::Curve& curve) {
@@ -153,14 +153,14 @@ TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
   const auto found = judged(run, 1, kNotFound);
   EXPECT_EQ(found.outcome, Outcome::not_established);
   EXPECT_EQ(found.note,
-            "plain Newton steps from equivalent linearisation find a root, which meets its "
-            "equations yet is no probability density (inadmissible)");
+            "plain Newton steps from equivalent linearisation find a root, which solves its "
+            "equations but is no probability density (inadmissible)");
 
   eighth.observations = transform::Observer().work("plain_newton_converges", false).take();
   eighth.status = Status::ok;
   const auto otherwise = judged(run, 1, kNotFound);
   EXPECT_EQ(otherwise.outcome, Outcome::established);
-  EXPECT_EQ(otherwise.note, "plain Newton steps find none, but other means find a root");
+  EXPECT_EQ(otherwise.note, "plain Newton steps find no root, but other methods find a root");
 }
 
 TEST(Judge, WhatCannotBeMeasuredIsUnjudgedAndSaysWhy) {
@@ -174,11 +174,11 @@ TEST(Judge, WhatCannotBeMeasuredIsUnjudgedAndSaysWhy) {
       {[](auto& run) { closure(run, 1, 6).status = Status::failed; },
        "epc-gaussian-n6 failed in case1"},
       {[](auto& run) { run.cases.erase(run.cases.begin()); }, "the run has no case1"},
-      {[](auto& run) { case_in(run, 1).budget.clear(); }, "case1 has no reference to measure by"},
+      {[](auto& run) { case_in(run, 1).budget.clear(); }, "case1 has no reference solution"},
       {[](auto& run) { case_in(run, 1).solutions.back().sampling = {.y = 0.1, .ydot = 0.1}; },
-       "the reference of case1 may itself be off by L1 0.1 (simulate longer)"},
+       "the reference of case1 has an error of up to L1 0.1: simulate longer"},
       {[=](auto& run) { budget_row(run, 1, 6, Variable::y).total_tail = nan; },
-       "no bin of the tail is known well"}};
+       "no bin of the tail is positive and resolved in all solutions"}};
   for (const auto& [lose, why] : losses) {
     auto run = run_with_distances();
     lose(run);

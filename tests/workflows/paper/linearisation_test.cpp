@@ -13,7 +13,7 @@ namespace {
 
 using transform::Variable;
 
-// Bin averages of the Gaussian whose deviation is that of equivalent linearisation times a factor.
+// Bin averages of a Gaussian: its deviation is that of equivalent linearisation times a factor.
 results::Curve gaussian_curve(const problem::Problem& problem, Variable variable, double factor) {
   const auto linear = problem::equivalent_linearisation(problem);
   const bool of_y = variable == Variable::y;
@@ -49,7 +49,7 @@ TEST(Linearisation, AnotherDeviationIsAtTheDistanceOfTwoGaussians) {
   const double l1 =
       2 * (std::erf(x / std::numbers::sqrt2) - std::erf(x / (s * std::numbers::sqrt2)));
   for (const auto variable : transform::kVariables) {
-    // But for the bins in which they cross.
+    // Up to the bins in which they cross.
     EXPECT_NEAR(l1_to_linearisation(gaussian_curve(problem, variable, s), problem), l1, 0.01 * l1);
   }
 }

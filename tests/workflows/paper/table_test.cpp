@@ -59,10 +59,10 @@ TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
       closing_sentence(three),
       "3 claims of the paper: 1 established (the run's numbers are as the claim states); 1 not "
       "established (the numbers are not as the claim states); 1 unjudged (a number that "
-      "decides it is missing).");
+      "decides the claim is missing).");
 }
 
-// Each claim that is not simply established once, with the cases in which it came out so.
+// Lists each claim that is not simply established once, with the cases of its outcome.
 TEST(ClaimsTable, IsSummedUpByTheClaimsOfEachOtherOutcome) {
   const auto judgements = judge(tests::run_with_distances());
   const auto sentences = summary(judgements);

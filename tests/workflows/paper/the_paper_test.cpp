@@ -11,12 +11,12 @@
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 
-/// The paper's cases as they are, solved once for all tests of this file.
+/// The paper's cases, solved once for all tests of this file.
 namespace fpkcheck::paper {
 namespace {
 
-// In place of finite differences and simulation, which take longer: a density that is within L1 2e-4
-// of both (docs/results.md).
+// A density within L1 2e-4 of finite volumes and of the simulation (docs/results.md), in place of
+// both: they take longer.
 std::vector<transform::Solution> quick_references(const problem::Problem& problem) {
   auto solution =
       epc::solve(problem, {.order = 6, .formulation = epc::Formulation::polar}).solution;
@@ -38,7 +38,7 @@ const std::vector<Judgement>& judgements() {
       const auto axes = compare::comparison_axes(problem);
       std::vector<transform::Solution> solutions;
       for (const int order : {2, 4, 6, 8}) {
-        // Without an accuracy nothing is measured that the claims do not need.
+        // Without `accuracy` no error estimate is computed: the claims do not need it.
         const auto method =
             methods::builtin().by_id(closure_id(order), {{"accuracy", base::Value()}});
         solutions.push_back(methods::solve_by(*method, problem, {axes, {}}));

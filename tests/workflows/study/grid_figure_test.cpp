@@ -13,14 +13,14 @@ using tests::contains;
 
 TEST(GridFigure, HasALineForEachSchemeEachFormulationAndTheSimulation) {
   const std::string script = figure(tests::made_up_grid_study(), "study-grid");
-  EXPECT_TRUE(contains(script, "'finite differences, order 3'"));
-  EXPECT_TRUE(contains(script, "'finite differences, order 5'"));
+  EXPECT_TRUE(contains(script, "'finite volumes, order 3'"));
+  EXPECT_TRUE(contains(script, "'finite volumes, order 5'"));
   EXPECT_TRUE(contains(script, "'closure, gaussian, n = 2, 4, ..'"));
   EXPECT_TRUE(contains(script, "'closure, moment, n = 2, 4, ..'"));
   EXPECT_TRUE(contains(script, "'simulation'"));
-  // What is not ok is not drawn: of the first formulation there is one point.
+  // Solutions that are not ok are not drawn: one point of the first formulation remains.
   EXPECT_TRUE(contains(script, "$other_0 << EOD\n0 6.7 0.0044 0.03\nEOD\n")) << script;
-  // Lines have the colours that the methods have everywhere.
+  // Lines have the colours of their methods.
   EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#D55E00'"));
   EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#CC79A7'"));
 }

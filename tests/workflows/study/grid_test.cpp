@@ -12,7 +12,7 @@
 namespace fpkcheck::study {
 namespace {
 
-// White noise without losses: the density is smooth, so that every scheme shows its order.
+// White noise without losses: the density is smooth, so that every scheme converges at its order.
 problem::Problem without_losses() {
   return {"smooth",
           problem::System{{.damping = 0.1, .stiffness = 1.0, .cubic = 0.1, .restitution = 1.0}},
@@ -39,14 +39,14 @@ TEST(GridStudy, ConvergesAtTheOrderOfEachScheme) {
                                 });
   ASSERT_EQ(study.rows.size(), 8u);
   EXPECT_TRUE(reached(study));
-  EXPECT_FALSE(row(study, 3, 2).observed);  // three levels make one
+  EXPECT_FALSE(row(study, 3, 2).observed);  // an observed order needs three levels
   EXPECT_NEAR(row(study, 3, 4).observed->l1, 3, 0.5);
   EXPECT_NEAR(row(study, 5, 4).observed->l1, 5, 0.7);
 
-  // Distances are from the limit of the highest order.
+  // Distances refer to the limit of the highest order.
   EXPECT_EQ(study.truth().order, 5);
   EXPECT_EQ(study.truth().l1->y, 0.0);
-  // The limits of both orders agree better than the finest grid of the lower one is exact.
+  // The limits of both orders differ by less than the error of the finest grid of order 3.
   EXPECT_LT(study.known_to->y, row(study, 3, 4).l1->y / 3);
   for (const int order : {3, 5}) {
     for (int level = 2; level <= 4; ++level) {
@@ -59,7 +59,7 @@ TEST(GridStudy, ConvergesAtTheOrderOfEachScheme) {
   EXPECT_LT(std::abs(limit_of_3 - 0.5), std::abs(row(study, 3, 4).density->moments.v2 - 0.5) / 3);
   EXPECT_NEAR(study.truth().density->moments.v2, 0.5, 2e-6);
 
-  // Other methods of the same equation, with their cost.
+  // Other methods of the same equation, with their times.
   ASSERT_EQ(study.others.size(), 7u);
   EXPECT_EQ(study.others.front().solution.id(), "epc-moment-white-n2");
   EXPECT_EQ(study.others.back().solution.id(), "mcs-white");
@@ -68,13 +68,13 @@ TEST(GridStudy, ConvergesAtTheOrderOfEachScheme) {
     EXPECT_GT(other.solution.seconds, 0) << other.solution.id();
     EXPECT_TRUE(other.l1) << other.solution.id();
   }
-  // Exact from n = 4 on: what is left is the error of the truth.
+  // Exact from n = 4 on: the distance is the error of the limit.
   EXPECT_LT(study.others.at(1).l1->y, 1e-4);
   EXPECT_EQ(told.front(), "order 3, level 1");
   EXPECT_EQ(told.back(), "mcs-white");
 }
 
-// All levels come to the smallest grid there is: nothing converges, and nothing is claimed.
+// All levels have the smallest grid, so that nothing converges and there is no limit.
 TEST(GridStudy, HasNoTruthWithoutALimit) {
   const auto study =
       study_grid(tests::paper_case(1), {.orders = {5}, .levels = 3, .coarsest = 0.02},

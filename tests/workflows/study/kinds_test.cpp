@@ -36,7 +36,7 @@ TEST(Kinds, OfClosuresAreTheFormulationsWithTheirVariants) {
 }
 
 TEST(Kinds, OneThatIsRegisteredFromOutsideIsThereByThatAlone) {
-  // The first solver's are called without it.
+  // Names of the first solver's variants lack the solver's name.
   EXPECT_EQ(
       names(tests::toy_registry(), Role::closure),
       (Names{"flat", "flat-white", "other-flat", "other-flat-white", "plain", "plain-white"}));
@@ -51,7 +51,7 @@ TEST(Kinds, TellWhatIsUsualAndWhatSolvesTheProblemItself) {
   }
 }
 
-// All closures stand for the problem itself; of an equation of less only those that solve it.
+// Every closure approximates the full problem; for other equations only their own closures count.
 TEST(OtherMethods, AreThoseOfTheEquationWithTheImpactsOrder) {
   const auto registry = methods::builtin();
   EXPECT_EQ(ids_beside(registry, Equation::kf, Impact::map),

@@ -9,7 +9,7 @@
 #include "workflows/study/order.hpp"
 #include "workflows/study/regularisation.hpp"
 
-/// Studies that no solver made, with numbers that can be told apart.
+/// Studies with invented solutions and distinguishable numbers.
 namespace fpkcheck::tests {
 
 inline transform::Solution ok(const transform::Identity& who, double seconds) {
@@ -21,7 +21,7 @@ inline transform::Solution not_ok(const transform::Identity& who, transform::Sta
   return {.identity = who, .status = status, .reason = "it is made up", .seconds = 0.002};
 }
 
-/// Two schemes on three grids each; of the coarsest no density is ok.
+/// Two schemes on three grids each; the density of the coarsest grid is not ok.
 inline study::GridStudy made_up_grid_study() {
   const auto fd = identity("fd-kf", "fd", problem::Equation::kf, problem::Impact::map);
   study::GridStudy study{paper_case(1), fd, {}, {}, {}};
@@ -105,7 +105,7 @@ inline study::OrderStudy made_up_order_study() {
   return study;
 }
 
-/// Rows that settle, rows that grow, and one of which nothing is known.
+/// Rows without growth, rows that grow, and one row without results.
 inline study::RegularisationStudy made_up_regularisation_study() {
   using Row = fd_fpk::RegularisationRow;
   const auto settled = [&](const char* scheme, double step, double length) {
@@ -145,7 +145,7 @@ inline study::RegularisationStudy made_up_regularisation_study() {
                 settled("regularised", 0.1, 0.4), unsolved}});
 }
 
-/// The words of a text with one blank between them.
+/// The words of a text, separated by one blank.
 inline std::string in_one_line(const std::string& text) {
   std::istringstream words(text);
   std::string line;

@@ -24,7 +24,7 @@ TEST(OrderStudy, MeasuresEveryOrderByTheDiscretisationOfTheProblemItself) {
   EXPECT_LT(study.rows[1].l1->ydot, study.rows[0].l1->ydot / 2);
   EXPECT_GT(*study.rows[0].tail_ydot, 0.5);
   EXPECT_LT(*study.rows[1].tail_ydot, *study.rows[0].tail_ydot);
-  EXPECT_FALSE(study.rows[3].solution.is_ok());  // looked at, no more
+  EXPECT_FALSE(study.rows[3].solution.is_ok());  // need not converge
   EXPECT_TRUE(reached(study));
 }
 
@@ -52,22 +52,22 @@ std::string refusal(const OrderStudyOptions& options, const methods::Registry& r
 TEST(OrderStudy, RefusesWhatIsNoFormulationAndNoOrderOfOne) {
   const auto registry = tests::toy_registry();
   EXPECT_EQ(refusal({{"round"}, {2}}, registry),
-            "--formulations: 'round' is none (use some of flat, flat-white, other-flat, "
-            "other-flat-white)");
+            "--formulations: 'round' is no formulation; use some of flat, flat-white, other-flat, "
+            "other-flat-white");
   EXPECT_TRUE(refusal({{"flat"}, {3}}, registry).starts_with("toy order = 3 (must be"));
   EXPECT_EQ(refusal({{"flat"}, {40}}, registry),
-            "--orders 40 (there is no toy-flat-n40) leave it out");
+            "--orders 40: there is no toy-flat-n40; leave this order out");
 }
 
 TEST(OrderStudy, RefusesToMeasureByNothing) {
   methods::Registry registry;
   registry.add(tests::toy_solver({"toy", "toy-flat", transform::Role::closure, true}));
-  EXPECT_TRUE(refusal({{"flat"}, {2}}, registry).starts_with("nothing to measure closures by"));
+  EXPECT_TRUE(refusal({{"flat"}, {2}}, registry).starts_with("no reference for the closures:"));
 }
 
 TEST(OrderStudy, IsReachedWhereWhatIsToConvergeIsOk) {
   auto study = tests::made_up_order_study();
-  EXPECT_TRUE(reached(study));  // gaussian is looked at
+  EXPECT_TRUE(reached(study));  // gaussian need not converge
   study.rows.back().solution.status = transform::Status::inadmissible;
   EXPECT_FALSE(reached(study));
   study = tests::made_up_order_study();

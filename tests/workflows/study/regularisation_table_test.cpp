@@ -14,7 +14,7 @@ TEST(RegularisationTable, SaysInNumbersWhichSchemeGrowsAndWhichSettles) {
         "grows at h = 0.2 and 0.1, in the end as h^-4.00", "up to L1 2.3 from kf",
         "falls to -0.47 of its peak", "default length l = 0.4 grows on no step",
         "L1 0.0003 in p(y) and 0.0004 in p(y')", "threshold is l* = 0.3",
-        "10 % below it grow h = 0.1", "10 % above it none grows"}) {
+        "10 % below it the matrices of h = 0.1 grow", "10 % above it no matrix grows"}) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n" << text;
   }
 }

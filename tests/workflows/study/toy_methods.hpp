@@ -8,7 +8,7 @@
 #include "made_up_solutions.hpp"
 #include "methods/registry.hpp"
 
-/// Methods from outside the tree that solve nothing: registering them is all that a study needs.
+/// Methods from outside the tree, without a solver: registration alone makes them available.
 namespace fpkcheck::tests {
 
 struct ToyOptions {
@@ -25,7 +25,7 @@ inline const base::Description<ToyOptions>& toy_description() {
   return description;
 }
 
-/// What a toy solver is: ids are FAMILY, FAMILY-white, with -nN where there is an order.
+/// Properties of a toy solver. Its ids are FAMILY and FAMILY-white, with -nN where it has an order.
 struct Toy {
   std::string solver, family;
   transform::Role role;
@@ -45,7 +45,7 @@ struct Toy {
   }
 };
 
-/// The density of a closure comes nearer to that of the others with its order.
+/// The density of a closure approaches that of the other methods with increasing order.
 inline methods::Solver toy_solver(const Toy& toy) {
   methods::Solver solver{.name = toy.solver,
                          .summary = "",

@@ -11,7 +11,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Seconds that grow as a power of the rate and are others under another law.
+// Seconds that are a power of the rate, with another factor for another law.
 double seconds_at(const Plan& plan, std::size_t point) {
   const double rate = std::get<double>(plan.points[point][0]);
   const bool laplace = plan.points[point][1] == base::Value(std::string("laplace"));

@@ -27,11 +27,11 @@ TEST(Forecast, TellsTheWholeFromASample) {
   EXPECT_GT(found.megabytes, 1);
   const std::string text = forecast_text(plan, found, 2, {8}, {100, false});
   EXPECT_NE(text.find("40 points, 1 method:"), std::string::npos);
-  EXPECT_NE(text.find("told from 24 points"), std::string::npos) << text;
+  EXPECT_NE(text.find("predicted from 24 points"), std::string::npos) << text;
   EXPECT_NE(text.find("    8 "), std::string::npos) << text;
 }
 
-// Where all was solved before nothing is told.
+// With all points solved before, nothing is predicted.
 TEST(Forecast, OfASolvedPlanIsMeasured) {
   const Plan plan = tests::small_plan();
   const auto found = forecast(plan, tests::results_of(plan).points, 1);

@@ -7,8 +7,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Lengths in a third, times in a half: c and lambda are twice as large, k four times, mu 4 * 9 times,
-// and lambda E[Y^2], a squared velocity in a time, 2 * 4 / 9 times.
+// Units of length and time reduced to a third and a half: c and lambda become 2 times as large, k 4
+// times, mu 4 * 9 times, and lambda E[Y^2], a squared velocity per time, 2 * 4 / 9 times.
 TEST(Groups, DoNotDependOnUnits) {
   const auto one = groups_of(tests::make_problem({}));
   const auto other = groups_of(tests::make_problem(

@@ -41,7 +41,7 @@ TEST_F(JournalFile, GoesOnWhereItWas) {
                                       tests::result_of(plan_, 4), tests::result_of(plan_, 5)})));
 }
 
-// Wherever a process is killed.
+// A process may be killed at any byte of a line.
 TEST_F(JournalFile, CutOffAnywhereItLosesItsLastPointAtMost) {
   const std::string whole = text();
   const auto last = whole.rfind('\n', whole.size() - 2) + 1;
@@ -53,7 +53,7 @@ TEST_F(JournalFile, CutOffAnywhereItLosesItsLastPointAtMost) {
     journal.append(tests::result_of(plan_, 2));
     EXPECT_EQ(text(), whole);
   }
-  // In its first line: as if it had not begun.
+  // Cut in the first line: as a new journal.
   rewrite(whole.substr(0, 100));
   EXPECT_TRUE(Journal(file_, plan_).found().points.empty());
 }
@@ -103,7 +103,7 @@ TEST_F(JournalFile, TheFirstOfTwoLinesOfAPointCounts) {
   EXPECT_EQ(content.points[1].reference, "fd-kf");
 }
 
-// What is not a number stays one, and reasons may hold anything.
+// NaN remains NaN, and reasons may contain any bytes.
 TEST_F(JournalFile, KeepsWhatIsOdd) {
   auto odd = tests::result_of(plan_, 1);
   odd.methods[0].moments->y2 = std::numeric_limits<double>::quiet_NaN();

@@ -8,7 +8,7 @@
 #include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
-/// Plans and results that nobody solved.
+/// Plans and results with invented numbers.
 namespace fpkcheck::tests {
 
 inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
@@ -20,7 +20,7 @@ inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
   return plan;
 }
 
-/// Of a closure whose error nobody measures: milliseconds a point.
+/// A plan with one closure and without its error estimate: milliseconds for each point.
 inline sweep::Plan quick_plan(std::vector<sweep::Axis> axes) {
   sweep::Plan plan = plan_of(std::move(axes));
   plan.methods = methods::builtin().select("epc-gaussian-n2", {{"accuracy", {}}});
@@ -33,7 +33,7 @@ inline sweep::Plan small_plan() {
                   sweep::axis_from("system.restitution", "0.8:1:3", "test")});
 }
 
-/// Numbers by which a point and a method are known again.
+/// Numbers that identify the point and the method.
 inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) {
   sweep::PointResult result{.point = point,
                             .seconds = 2 + 2 * static_cast<double>(point),

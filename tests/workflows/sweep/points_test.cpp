@@ -27,7 +27,7 @@ TEST(Points, OfAListAreTheValuesTogether) {
   EXPECT_THROW(points_of({kRates, kLosses}, Design::list, 0), InputError);
 }
 
-// Each half, quarter, .. of each range gets its share: what random points do not.
+// Each sixteenth of each range gets the same number of points, unlike random points.
 TEST(Points, OfASobolSequenceFillTheBoxEvenly) {
   const std::vector<Axis> axes{axis_from("impulse.rate", "log:0.1:10", "x"),
                                axis_from("system.restitution", "0.5:1", "x"),

@@ -29,7 +29,7 @@ TEST(Queue, HandsOutEachPointOnceTheLongestFirst) {
     queue.finished(*point, seconds(*point));
   }
   EXPECT_EQ(seen.size(), 200);
-  // After those that told how long it takes; of the last ones none is long.
+  // After the initial sample the order is by time; the last points are short.
   for (std::size_t k = 30; k + 1 < order.size(); ++k) {
     EXPECT_GE(seconds(order[k]), 0.95 * seconds(order[k + 1]));
   }

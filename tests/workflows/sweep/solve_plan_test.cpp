@@ -30,14 +30,14 @@ TEST(Progress, SaysWhatAResumedSweepKeeps) {
     EXPECT_TRUE(says(text, "2 of 6 points kept, 4 to solve")) << text;
     EXPECT_FALSE(says(text, "damaged")) << text;
   }
-  // As a process leaves it that is killed while it writes.
+  // A killed process leaves the last line incomplete.
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 9);
   const std::string text = Progress(plan, directory.path(), {}, {}).resumed_text();
   EXPECT_TRUE(says(text, "1 of 6 points kept, 5 to solve")) << text;
   EXPECT_TRUE(says(text, "1 damaged line")) << text;
 }
 
-// Of a shard the points that are its own.
+// A shard counts its own points alone.
 TEST(Progress, OfAShardCountsItsPoints) {
   const tests::TemporaryDirectory directory;
   const Plan plan = tests::small_plan();

@@ -13,7 +13,7 @@ namespace {
 
 using transform::Status;
 
-// As `run` has it.
+// With residuals the result is that of `run`.
 TEST(SolvePoint, IsWhatARunOfThatCaseGivesWhereResidualsMeasureClosures) {
   Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
   plan.closure_errors = ClosureErrors::residuals;
@@ -40,7 +40,7 @@ TEST(SolvePoint, IsWhatARunOfThatCaseGivesWhereResidualsMeasureClosures) {
 
 TEST(SolvePoint, JudgesAClosureByItsDistanceToTheReferenceAndWhatThatStates) {
   Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
-  // In case 1 n = 2 is off by 0.0044 and 0.030, and n = 6 by 0.0023 and 0.0047.
+  // In case 1 the L1 distances of n = 2 are 0.0044 and 0.030, those of n = 6 0.0023 and 0.0047.
   plan.methods =
       methods::builtin().select("epc-gaussian-n2,epc-gaussian-n6,fd-kf", {{"stepper", "direct"}});
   const auto found = solve_point(plan, 1).result.methods;
@@ -67,7 +67,7 @@ TEST(SolvePoint, HasClosuresMeasuredByResidualsWhereThereIsNoReference) {
   EXPECT_EQ(by_default.error, by_residuals.error);
 }
 
-// A mean that leaves nothing for the variance: E[Y]^2 must be below intensity / rate = 0.1.
+// No variance remains for this mean: E[Y]^2 must be below intensity / rate = 0.1.
 TEST(SolvePoint, ValuesThatDoNotFitTogetherAreAResult) {
   const Plan plan = tests::plan_of({axis_from("impulse.mean", "0,0.5", "x")});
   const auto point = solve_point(plan, 1).result;

@@ -42,7 +42,7 @@ TEST(Advice, HasTheMostAccurateFirstOfThoseThatAreAboutAsQuick) {
   EXPECT_EQ(promised_ids(map), (Ids{"epc-polar-n6", "epc-moment-n4", "fd-kf"}));
   for (auto& point : map.points) point.answers[1]->seconds = 0.046;
   EXPECT_EQ(promised_ids(map), kAll);
-  // Whatever is not promised is no matter.
+  // Methods that are not promised do not matter.
   for (auto& point : map.points) point.answers[1] = answer(0.0004, 0.03, Status::inaccurate);
   EXPECT_EQ(promised_ids(map), (Ids{"epc-moment-n4", "fd-kf"}));
   EXPECT_EQ(advice(made_up_place(), 0.01, map).methods.front().id, "epc-moment-n4");
@@ -64,7 +64,7 @@ TEST(Advice, DoesNotPromiseWhatWasOffAtOnePointNearby) {
   auto map = made_up_map();
   map.points[4].answers[0]->l1 = 0.011;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  // Elsewhere it may be as it likes.
+  // Results at distant points do not matter.
   map.points[4].place = made_up_place(10, 0.5);
   EXPECT_EQ(promised_ids(map), kAll);
 }
@@ -81,7 +81,7 @@ TEST(Advice, CountsWhatTheReferenceMayBeOffBy) {
   auto map = made_up_map();
   map.points[2].answers[2]->l1 = 0.007;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  // Of the reference itself once.
+  // For the reference itself its error estimate counts once.
   EXPECT_EQ(promised_ids(map, 0.0075), (Ids{"epc-polar-n6", "fd-kf"}));
   EXPECT_EQ(promised_ids(map, 0.0069), Ids{});
 }
@@ -92,7 +92,7 @@ TEST(Advice, AsksEachMethodAtFourPointsOrMore) {
   EXPECT_EQ(promised_ids(map), kAll);
   map.points[1].answers[0] = std::nullopt;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  // A fourth one that is far away is asked too.
+  // A distant fourth point counts too.
   map.points.push_back(
       {made_up_place(10, 0.5), {answer(0.5, 0.03), answer(0.5, 0.3), answer(0, 1)}});
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
@@ -120,7 +120,7 @@ TEST(Advice, TellsWhoMisleads) {
     return std::ranges::find(found.methods, "epc-moment-n4", &MethodNearby::id)->misstated;
   };
   EXPECT_EQ(misstated(0.01), 1);
-  // By less than anybody asked for.
+  // The error is below the accuracy.
   EXPECT_EQ(misstated(0.02), 0);
 }
 
@@ -141,7 +141,8 @@ TEST(Advice, AStricterAccuracyPromisesNothingMore) {
   }
 }
 
-// Lengths in a third, times in a half, as in tests/workflows/sweep/groups_test.cpp.
+// Units of length and time reduced to a third and a half, as in
+// tests/workflows/sweep/groups_test.cpp.
 TEST(Advice, DoesNotDependOnUnits) {
   const auto one = advice(tests::make_problem({}), 0.005, shipped_validity_map());
   const auto other = advice(

@@ -5,7 +5,7 @@
 
 #include "workflows/sweep/map/validity_map.hpp"
 
-/// Maps that nobody solved.
+/// Maps with invented results.
 namespace fpkcheck::tests {
 
 /// Ten impulses per decay time, damping ratio 0.05, linear, r = 0.9, gaussian.
@@ -21,8 +21,8 @@ inline sweep::MappedAnswer answer(double l1, double seconds,
   return {.status = status, .l1 = l1, .misstated = false, .seconds = seconds};
 }
 
-/// A quick closure, a slow one and the reference at five points about made_up_place(), 0.1 apart in
-/// the logarithm of the impulses per decay time.
+/// A fast closure, a slow closure and the reference at five points around made_up_place(), 0.1
+/// apart in the logarithm of the impulses per decay time.
 inline sweep::ValidityMap made_up_map() {
   sweep::ValidityMap map{.methods = {"epc-moment-n4", "epc-polar-n6", "fd-kf"}, .points = {}};
   for (const double impulses :

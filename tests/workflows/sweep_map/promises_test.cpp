@@ -13,15 +13,16 @@
 #include "workflows/sweep/execution/solve_point.hpp"
 #include "workflows/sweep/map/advice.hpp"
 
-// What the promises of the shipped map are worth (docs/validity.md).
+// Reliability of the promises of the shipped map (docs/validity.md).
 namespace fpkcheck::sweep {
 namespace {
 
-// What is promised for each point by all others, by the quickest method.
+// Each point of the map with the promises made by all other points; the recommended method is
+// checked.
 struct LeftOut {
   int points = 0, promised = 0, approximate = 0;
-  int said = 0, missed = 0;  // not ok, and ok but further off
-  double worst = 0;          // L1 in units of the accuracy
+  int said = 0, missed = 0;  // not ok; ok, but L1 above the accuracy
+  double worst = 0;          // largest L1 in units of the accuracy
 };
 
 LeftOut left_out(double accuracy) {
@@ -60,7 +61,7 @@ TEST(Promises, HoldAtPointsThatAreLeftOut) {
   }
 }
 
-// A problem of the box that the plans cover, in units of its own.
+// A random problem within the box of the plans, in random units.
 problem::Problem problem_inside(std::uint64_t number) {
   boost::random::mt19937_64 engine(number);
   boost::random::uniform_01<double> unit;

@@ -63,10 +63,10 @@ TEST(ReadValidityMap, KnowsEveryLetterAndWhoWasNotAsked) {
 }
 
 TEST(ReadValidityMap, HasALetterOfItsOwnForEveryStatus) {
-  // Where two shared one, the reader would know the first of them alone.
+  // A shared letter would be read as the first of its statuses alone.
   std::set<std::pair<Status, bool>> read;
   for (char letter = 'a'; letter <= 'z'; ++letter) {
-    if (letter == 'e') continue;  // of an exponent
+    if (letter == 'e') continue;  // occurs in exponents
     try {
       const auto map =
           read_validity_map(kHeader + "1,1,0,1,gaussian,0,.1" + letter + "5,.1o1\n", "map");

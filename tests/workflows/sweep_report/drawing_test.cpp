@@ -11,7 +11,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Of every kind of plan, with all that may be wrong in it.
+// Sweeps of every kind of plan, each also with failures and missing points.
 std::vector<SweepResults> all_kinds() {
   using tests::kFiveRestitutions;
   using tests::kThreeRates;
@@ -31,7 +31,7 @@ std::vector<SweepResults> all_kinds() {
       tests::made_up_sweep(tests::made_up_plan({restitutions, rates}, Design::sobol, 9)));
   kinds.push_back(
       tests::made_up_sweep(tests::made_up_plan({restitutions, rates, cubics}, Design::sobol, 9)));
-  // A single cell, and a row of them.
+  // A single cell, and a row of cells.
   kinds.push_back(tests::made_up_sweep({{"system.restitution", "0.6"}, {"impulse.rate", "1"}}));
   kinds.push_back(tests::made_up_sweep({kFiveRestitutions, {"impulse.rate", "1"}}));
   for (std::size_t k = kinds.size(); k-- > 0;) {

@@ -38,10 +38,10 @@ TEST(KeyAxis, PutsWordsOneAfterAnother) {
 TEST(KeyAxis, OfCellsHasRoundNumbersWhereTheyLie) {
   const KeyAxis restitution = axis_of(tests::kFiveRestitutions);
   EXPECT_EQ(restitution.cell_of(0.8), 2u);
-  // 0.7 is between the first cell, 0, and the third one.
+  // 0.7 is between the first cell, 0, and the third cell.
   EXPECT_TRUE(contains(restitution.cell_commands('x'), "'0.7' 1,"));
   EXPECT_TRUE(contains(axis_of(tests::kThreeRates).cell_commands('y'), "'1' 1,"));
-  // From above too: cells are in the order of the numbers.
+  // The cells are in the order of the numbers, also for a decreasing range.
   EXPECT_EQ(axis_of({"system.restitution", "1:0.6:5"}).cell_of(0.6), 0u);
 }
 

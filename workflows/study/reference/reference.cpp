@@ -50,14 +50,14 @@ mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOpt
   return simulation;
 }
 
-// p at x: the average over a bin so narrow that its curvature counts for less than 1e-6.
+// p(x) as the average over a narrow bin: the curvature changes it by less than 1e-6.
 double density_at(const Solution& solution, Variable variable, double x, double deviation) {
   const double half = 1e-3 * deviation;
   const double edges[] = {x - half, x + half};
   return transform::marginal(*solution.density, variable, edges).density.front();
 }
 
-// x with two significant digits.
+// Rounds x to two significant digits.
 double rounded(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return std::round(x / unit) * unit;
@@ -96,9 +96,9 @@ double share_within(const Solution& exact, const transform::Marginal& simulated,
 
 int ReferenceValue::agreed_digits(int most) const {
   const double difference = std::abs(seventh - fifth) / std::abs(seventh);
-  // Half a unit of the last digit.
+  // Digits that agree to half a unit of the last digit.
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
-  // A double as long as it may be infinite or, of 0/0, no number.
+  // Kept as a double: it may be infinite, or NaN from 0/0.
   return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
 }
 
@@ -120,7 +120,7 @@ Reference reference(const problem::Problem& problem, const ReferenceOptions& opt
   const auto simulated = mcs::solve(problem, long_simulation(problem, options));
 
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    if (moment == &Moments::v1) continue;  // 0 whatever the density
+    if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
     result.moments.push_back(
         {name,
          symbol,

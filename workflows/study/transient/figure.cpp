@@ -16,13 +16,13 @@ namespace {
 
 using fd_fpk::Snapshot;
 
-// Pixels of the maps: no more than can be told apart.
+// Pixels of the maps: the resolution of the drawn figure.
 constexpr int kMostTimes = 400;
 constexpr int kHeights = 200;
 
-/// One panel: a density over (t, x), x = y or y'.
+/// A panel: colour map of a density over (t, x), x = y or y'.
 struct Map {
-  std::string block;  ///< of data in the script
+  std::string block;  ///< name of its data block in the script
   std::string title;
   std::string symbol;
   double from = 0, to = 0;                      ///< drawn range of x
@@ -30,7 +30,7 @@ struct Map {
   double largest = 0;
 };
 
-// The cell averages as a piecewise linear function through the cells' centres.
+// Interpolates the cell averages linearly between the cells' centres.
 double at(std::span<const double> edges, std::span<const double> averages, double x) {
   const auto centre = [&](std::size_t b) { return (edges[b] + edges[b + 1]) / 2; };
   std::size_t b = std::upper_bound(edges.begin() + 1, edges.end() - 1, x) - edges.begin() - 1;
@@ -42,7 +42,7 @@ double at(std::span<const double> edges, std::span<const double> averages, doubl
 
 Map map_of(const TransientRun& run, Map map, const std::vector<double>& edges,
            std::vector<double> Snapshot::*marginal) {
-  constexpr double kVisible = 2e-3;  // of the largest density
+  constexpr double kVisible = 2e-3;  // fraction of the largest density that is drawn
   const auto& snapshots = run.result.snapshots;
   for (const auto& s : snapshots)
     map.largest = std::max(map.largest, std::ranges::max(s.*marginal));
@@ -55,7 +55,7 @@ Map map_of(const TransientRun& run, Map map, const std::vector<double>& edges,
       map.to = std::max(map.to, edges[b + 1]);
     }
   }
-  // Snapshots are evenly spaced; where there are too many, columns lie between two of them.
+  // Snapshots are evenly spaced; with more snapshots than pixels, columns are interpolated.
   const int last = static_cast<int>(snapshots.size()) - 1;
   const int columns = std::min(last, kMostTimes - 1);
   for (int c = 0; c <= columns; ++c) {

@@ -25,7 +25,7 @@ std::vector<double> over_time(const TransientRun& run, Of of) {
   return values;
 }
 
-// p(time, x), row by row.
+// Values of p(time, x), row by row.
 std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::*marginal) {
   std::vector<double> values;
   for (const Snapshot& s : run.result.snapshots) {
@@ -34,7 +34,7 @@ std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::
   return values;
 }
 
-/// A coordinate of cells, with its bounds, and the marginal over it.
+/// Writes a coordinate of cells, its bounds, and the marginal density over it.
 void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const std::string& name,
                     const std::string& meaning, int time, int bounds,
                     const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {

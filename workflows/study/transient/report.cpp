@@ -18,7 +18,7 @@ using report::wrapped;
 
 constexpr const char* kFile = "transient.nc";
 
-// Without the sign of what is 0 in five digits.
+// Sets a value that rounds to 0 in five digits to 0, so that no "-0.00000" is printed.
 double in_five_digits(double value) {
   constexpr double kHalfADigit = 5e-6;
   return std::abs(value) < kHalfADigit ? 0 : value;
@@ -63,7 +63,7 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
             "cells, {} steps, {} factorisations{}.",
             result.y_edges.size() - 1, result.v_edges.size() - 1, result.steps,
             result.factorisations,
-            every == 1 ? "" : fmt::format("; each {}. snapshot is shown", every)),
+            every == 1 ? "" : fmt::format("; one of {} snapshots is shown", every)),
         width);
   }
   return text;
@@ -82,10 +82,10 @@ std::vector<std::string> write_transient(const fs::path& directory, const Transi
   if (run.result.snapshots.empty()) {
     std::error_code ignored;
     fs::remove(directory / kFile, ignored);
-    return {fmt::format("no {}: there is no density at any time", kFile)};
+    return {fmt::format("no {}: no time has a density", kFile)};
   }
   write_transient_netcdf(directory / kFile, run);
-  if (run.result.snapshots.size() < 2) return {"no picture: there is a density at t = 0 only"};
+  if (run.result.snapshots.size() < 2) return {"no picture: only t = 0 has a density"};
   return report::write_pictures(figures, stem, transient_figure(run, stem, options.width), options,
                                 gnuplot);
 }

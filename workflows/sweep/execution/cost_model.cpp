@@ -8,9 +8,9 @@
 namespace fpkcheck::sweep {
 namespace {
 
-constexpr double kLeastSeconds = 1e-6;  // has a logarithm
+constexpr double kLeastSeconds = 1e-6;  // lower bound, so that the logarithm exists
 
-/// The terms of the polynomial at a point.
+/// Values of the polynomial's basis functions for a point.
 class Terms {
  public:
   explicit Terms(const Plan& plan) : plan_(plan) {
@@ -37,7 +37,7 @@ class Terms {
         linear.push_back(
             greatest > least ? 2 * (scaled(a, *number) - least) / (greatest - least) - 1 : 0.0);
       } else {
-        // Of a word a term each.
+        // One indicator function for each word.
         for (const auto& word : plan_.axes[a].values) terms.push_back(word == value ? 1 : 0);
       }
     }
@@ -68,7 +68,7 @@ CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
   if (measured.empty()) return;
   const Terms terms(plan);
   const Eigen::Index unknowns = terms.at(0).size();
-  // A little is asked of the coefficients too, so that few points do not leave any of them free.
+  // Ridge regression, so that all coefficients are determined with few points too.
   constexpr double kRidge = 0.03;
   Eigen::MatrixXd normal = kRidge * Eigen::MatrixXd::Identity(unknowns, unknowns);
   normal(0, 0) = 0;
@@ -79,7 +79,7 @@ CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
     right += row * std::log(std::max(seconds, kLeastSeconds));
   }
   const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
-  // The mean of a power is more than the power of the mean: what was measured is to sum up.
+  // exp of the fitted mean logarithm underestimates the mean: scale to the measured sum.
   double sum = 0, fitted = 0;
   for (const auto& [point, seconds] : measured) {
     sum += seconds;
@@ -92,7 +92,7 @@ CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
 }
 
 std::vector<std::size_t> spread(const std::vector<std::size_t>& among, std::size_t count) {
-  // Steps by the golden section meet no rhythm of a product of axes.
+  // Steps by the golden section do not resonate with the period of a product of axes.
   constexpr double kGolden = 0.6180339887498949;
   std::vector<std::size_t> chosen;
   const std::size_t most = std::min(count, among.size());

@@ -16,7 +16,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// A sample of a plan: enough to fit, few beside the plan.
+// Size of the sample: enough points for the fit, few in comparison with the plan.
 constexpr std::size_t kLeastSample = 24, kMostSample = 64;
 constexpr double kPartOfThePlan = 0.06;
 
@@ -25,7 +25,8 @@ std::size_t sample_size(std::size_t points) {
                     kLeastSample, kMostSample);
 }
 
-// By leaving each out in turn: the scatter of the ratio of what was measured to what the others say.
+// By leave-one-out cross-validation: root of the sum of squares of the errors, over the sum of the
+// seconds.
 double relative_standard_error(const Plan& plan, const std::vector<CostModel::Measured>& sample) {
   if (sample.size() < 3) return 1;
   if (sample.size() >= plan.points.size()) return 0;

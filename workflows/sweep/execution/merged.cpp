@@ -60,9 +60,9 @@ Plan plan_of_journal(const Json& json, const fs::path& file, const methods::Regi
   }
 }
 
-// "1/3 (2 points), 2/3 (1 point)": the shards that solve these points, of so many.
+// The shards that contain these points, out of `of` shards: "1/3 (2 points), 2/3 (1 point)".
 std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) {
-  constexpr std::size_t kNamed = 8;  // fit a line; the others show once these are there
+  constexpr std::size_t kNamed = 8;  // fit a line; the rest are named in later runs
   std::map<std::size_t, std::size_t> counts;
   for (const std::size_t p : points) ++counts[Shard::holding(p, of).number];
   std::vector<std::string> named;
@@ -75,7 +75,7 @@ std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) 
                      others > 0 ? fmt::format(" and {} more", others) : "");
 }
 
-// @param of the number of shards that wrote the journals
+// @param of number of shards that wrote the journals
 std::string missing_text(const std::set<std::size_t>& there, std::size_t total, std::size_t of) {
   std::vector<std::size_t> missing;
   for (std::size_t p = 0; p < total; ++p) {
@@ -93,7 +93,7 @@ Merged merged(const std::vector<fs::path>& directories, const methods::Registry&
   fs::path of_plan;
   std::vector<PointResult> points;
   std::set<std::size_t> seen;
-  // Where journals are of several numbers of shards, the most: the fewest points are solved twice.
+  // With several numbers of shards, take the largest: then the fewest points are solved twice.
   std::size_t damaged = 0, of = 1;
   for (const auto& directory : directories) {
     for (const auto& file : journals_in(directory)) {
@@ -108,7 +108,7 @@ Merged merged(const std::vector<fs::path>& directories, const methods::Registry&
       }
       const std::string difference = difference_of(*plan, json);
       if (!difference.empty()) {
-        throw InputError(fmt::format("{} and {} are of different plans ({})",
+        throw InputError(fmt::format("{} and {} belong to different plans: {}",
                                      shown(of_plan.string()), shown(file.string()), difference));
       }
       damaged += content.damaged;
@@ -121,14 +121,14 @@ Merged merged(const std::vector<fs::path>& directories, const methods::Registry&
   const auto& [whole, there] = result.results;
   for (const auto& point : there) {
     if (point.point < whole.points.size() && point.methods.size() == whole.methods.size()) continue;
-    throw InputError(fmt::format("{}: point {} is none of its plan (remove the file)",
+    throw InputError(fmt::format("{}: point {} is not in its plan (remove the file)",
                                  shown(of_plan.string()), point.point));
   }
   if (!result.results.is_whole()) {
     result.remarks.push_back(missing_text(seen, whole.points.size(), of));
   }
   if (damaged > 0) {
-    result.remarks.push_back(fmt::format("{} damaged lines of journals were left out", damaged));
+    result.remarks.push_back(fmt::format("{} damaged lines of journals were ignored", damaged));
   }
   return result;
 }

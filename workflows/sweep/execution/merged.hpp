@@ -9,14 +9,15 @@
 
 namespace fpkcheck::sweep {
 
-/// What several journals have together.
+/// Joined content of several journals.
 struct Merged {
   SweepResults results;
-  std::vector<std::string> remarks{};  ///< points that are missing, lines that were damaged
+  std::vector<std::string> remarks{};  ///< on missing points and damaged lines
 };
 
-/// Reads every journal in the directories.
-/// @throws InputError on one line where there is none, or where they are of different plans
+/// Reads and joins all journals in the directories.
+/// @throws InputError with a message of one line, where a directory has no journal or the plans
+///         differ
 Merged merged(const std::vector<std::filesystem::path>& directories,
               const methods::Registry& registry);
 

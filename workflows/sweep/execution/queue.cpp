@@ -6,7 +6,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// From everywhere, before the first order. Fewer tell enough, so that no thread waits for the last.
+// Points of the initial sample, and measured points that suffice to sort the others. Fewer suffice,
+// so that no thread waits for the last point of the sample.
 constexpr std::size_t kFirst = 24, kEnough = 16;
 
 }  // namespace

@@ -11,26 +11,27 @@
 
 namespace fpkcheck::sweep {
 
-/// The points that are to be solved, handed out one by one: first a few from everywhere, and once
-/// these tell how long points take, the longest expected first, so that none is begun when all
-/// others are done. May be asked from several threads.
+/// Points to solve, in the order of their assignment: first a sample from all regions of the plan;
+/// as soon as the sample gives expected times, the longest expected point first. So no long point
+/// begins when all others are done. Thread-safe.
 class Queue {
  public:
-  /// Where it stands.
+  /// Counts of the points of this queue, and the remaining time.
   struct Standing {
-    std::size_t done = 0, total = 0;  ///< of the points that are this queue's
-    /// Seconds of all solves that are left; nothing as long as too little is known.
+    std::size_t done = 0, total = 0;  ///< numbers of points of this queue
+    /// Expected seconds of all remaining solves; empty before enough points are measured.
     std::optional<double> left = {};
   };
 
-  /// @param own the points that are this queue's, in increasing order
-  /// @param solved before; those of others among them tell how long points take
+  /// @param own points of this queue, in increasing order
+  /// @param solved points that were solved before; those of other queues still count for the cost
+  ///        model
   Queue(const Plan& plan, const std::vector<std::size_t>& own,
         const std::vector<PointResult>& solved);
 
-  /// @return nothing when there is none left
+  /// @return the next point; empty when there is none
   std::optional<std::size_t> next();
-  /// To be told of every point that was solved.
+  /// Records the wall-clock time of a solved point. Must be called for every solved point.
   void finished(std::size_t point, double seconds);
 
   Standing standing() const;
@@ -42,8 +43,8 @@ class Queue {
   mutable std::mutex mutex_;
   std::size_t total_;
   std::vector<CostModel::Measured> measured_;
-  std::vector<std::size_t> waiting_;  // the next one last
-  std::vector<double> expected_;      // empty until enough is known
+  std::vector<std::size_t> waiting_;  // in reverse order: the next point is the last element
+  std::vector<double> expected_;      // empty until enough points are measured
   std::size_t unfinished_;
   double left_ = 0;
 };

@@ -23,9 +23,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-/// Waits between two looks for messages: the longer the less there is to do, since each look takes
-/// time from the thread that solves beside it. Nobody waits for an answer meanwhile: each thread has
-/// a point in reserve.
+/// Exponential backoff between two polls for messages: each poll takes time from the solver threads
+/// on the same processor. The wait delays no thread, since each thread has a point in reserve.
 class Patience {
  public:
   void wait() {
@@ -39,14 +38,14 @@ class Patience {
   std::chrono::microseconds next_ = kShortest;
 };
 
-// What the text of a message begins with.
+// First letter of a message: its type.
 namespace word {
-constexpr char kWant = 'w';    // to the first: a point is wanted
-constexpr char kSolved = 's';  // to the first: what became of one; another is wanted
-constexpr char kFailed = 'f';  // to the first: an exception, in words; the last from this rank
-constexpr char kBye = 'b';     // to the first: the last from this rank
-constexpr char kPoint = 'p';   // from the first: its number
-constexpr char kNoMore = 'n';  // from the first: there are none left
+constexpr char kWant = 'w';    // worker to coordinator: request for a point
+constexpr char kSolved = 's';  // worker to coordinator: result of a point, and the next request
+constexpr char kFailed = 'f';  // worker to coordinator: text of an exception; final message
+constexpr char kBye = 'b';     // worker to coordinator: final message
+constexpr char kPoint = 'p';   // coordinator to worker: number of a point
+constexpr char kNoMore = 'n';  // coordinator to worker: no points remain
 }  // namespace word
 
 std::string text_of_point(std::size_t point) { return fmt::format("{}{}", word::kPoint, point); }
@@ -57,11 +56,11 @@ std::size_t point_in_text(const std::string& text) {
   return point;
 }
 
-/// The threads of a rank that solve, beside the one that talks to other ranks.
+/// The solver threads of a rank; another thread exchanges messages with the other ranks.
 class Solvers {
  public:
-  /// @param next blocks until there is a point; nothing at the end
-  /// @param done told of each
+  /// @param next blocks until there is a point; empty at the end
+  /// @param done called with each solved point
   Solvers(const Plan& plan, int threads, std::function<std::optional<std::size_t>()> next,
           std::function<void(SolvedPoint&&)> done)
       : running_(threads) {
@@ -88,10 +87,10 @@ class Solvers {
   std::atomic<int> running_;
   std::mutex mutex_;
   std::exception_ptr failure_;
-  std::vector<std::jthread> threads_;  // the last member: they end before the others go
+  std::vector<std::jthread> threads_;  // last member: destroyed, and so joined, before the others
 };
 
-/// The first rank's side of the conversation.
+/// The first rank: assigns the points and collects the results.
 class Leader {
  public:
   Leader(const Plan& plan, Progress& progress, base::Ranks& ranks, int threads)
@@ -123,7 +122,7 @@ class Leader {
  private:
   std::optional<std::size_t> next() { return failed_ ? std::nullopt : progress_.next(); }
 
-  // Whether nothing more comes from this rank; answers it if not.
+  // True for the final message of a rank. Otherwise replies with a point, or that none remain.
   bool is_last(const base::Ranks::Message& message) {
     const char word = message.text.empty() ? word::kFailed : message.text.front();
     if (word == word::kBye) return true;
@@ -156,7 +155,7 @@ class Leader {
   Solvers solvers_;
 };
 
-/// The side of the others.
+/// Every other rank: requests points and sends their results.
 class Follower {
  public:
   Follower(const Plan& plan, const std::filesystem::path& directory, base::Ranks& ranks,
@@ -173,7 +172,7 @@ class Follower {
   Follower& operator=(const Follower&) = delete;
 
   void run() {
-    // One in reserve, so that no thread waits for an answer.
+    // One request more than threads: a point in reserve, so that no thread waits for a reply.
     for (int k = 0; k <= threads_; ++k) ask(std::string(1, word::kWant));
     int solving = 0;
     Patience patience;
@@ -221,7 +220,7 @@ class Follower {
     }
   }
 
-  // Of the threads that solve:
+  // Called by the solver threads:
   std::optional<std::size_t> next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ended_ || !waiting_.empty(); });
@@ -237,7 +236,7 @@ class Follower {
     solved_.push_back(std::move(text));
   }
 
-  // Of the thread that talks:
+  // Called by the thread that exchanges messages:
   void give(std::size_t point) {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(point);
@@ -257,7 +256,7 @@ class Follower {
   std::filesystem::path directory_;
   base::Ranks& ranks_;
   int threads_;
-  int asked_ = 0;  // questions without an answer
+  int asked_ = 0;  // requests without a reply
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::size_t> waiting_;

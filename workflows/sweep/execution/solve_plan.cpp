@@ -48,9 +48,9 @@ std::string Progress::resumed_text() const {
   std::string text =
       fmt::format("resumed from {}: {} of {} points kept, {} to solve",
                   base::shown((directory_ / journal_name_).string()), done, total, total - done);
-  // A damaged line names no point.
-  if (damaged == 1) text += ", among them that of 1 damaged line";
-  if (damaged > 1) text += fmt::format(", among them those of {} damaged lines", damaged);
+  // A damaged line does not identify its point.
+  if (damaged == 1) text += ", including the point of 1 damaged line";
+  if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
   return text;
 }
 
@@ -62,7 +62,7 @@ std::optional<std::size_t> Progress::next() {
 void Progress::keep(SolvedPoint&& solved) {
   queue_.finished(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
-  // Before the journal says that the point is solved.
+  // The marginal densities must exist before the journal lists the point as solved.
   keep_marginals(plan_, directory_, solved);
   journal_.append(solved.result);
   points_.push_back(std::move(solved.result));

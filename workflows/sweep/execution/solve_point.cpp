@@ -71,7 +71,7 @@ MethodResult kept_of(const Solution& solution) {
   return result;
 }
 
-// Of both marginals, where there are both.
+// L1 distances of both marginals; empty if either is missing.
 std::optional<MarginalPair> distance(const compare::Comparison& comparison,
                                      const Solution& solution, const Solution& reference) {
   const auto l1 = [&](Variable variable) {

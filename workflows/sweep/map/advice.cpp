@@ -14,7 +14,7 @@ struct Neighbour {
   const MappedPoint* point;
 };
 
-// The points of the same impulses, the nearest first.
+// The points of the map with the same impulse law and relative mean, the closest first.
 std::vector<Neighbour> neighbours_of(const Place& place, const ValidityMap& map) {
   std::vector<Neighbour> neighbours;
   for (const auto& point : map.points) {
@@ -25,8 +25,8 @@ std::vector<Neighbour> neighbours_of(const Place& place, const ValidityMap& map)
   return neighbours;
 }
 
-// The most accurate of those that take about as long as the quickest goes first: times are no more
-// exact than that.
+// Moves the most accurate of the methods that take about as long as the fastest to the front:
+// wall-clock times are no more accurate than that.
 void put_best_first(std::vector<MethodNearby>& methods) {
   constexpr double kAboutAsLong = 1.5;
   if (methods.empty() || !methods.front().promised) return;
@@ -44,8 +44,8 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-// What an answer may be off by: the reference, of which its own statement is all that is known, is
-// not held against itself.
+// Upper bound of a result's error: L1 to the reference plus the error estimate of the reference.
+// For the reference itself its error estimate alone.
 double off_by(const MappedAnswer& answer, const MappedAnswer& reference) {
   return *answer.l1 + (&answer == &reference ? 0 : *reference.l1);
 }

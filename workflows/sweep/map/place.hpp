@@ -7,24 +7,25 @@
 
 namespace fpkcheck::sweep {
 
-/// All that the density of a problem depends on, but for units.
+/// Coordinates in the validity map: the dimensionless parameters that determine the density up to
+/// units.
 struct Place {
   Groups groups;
   double restitution;
   std::string law;
-  double mean_share;  ///< E[Y] / sqrt(E[Y^2])
+  double mean_share;  ///< E[Y] / sqrt(E[Y^2]) of the impulses
 };
 
 Place place_of(const problem::Problem& problem);
 
-/// How different two problems are:
+/// Distance of two problems:
 ///
 ///     sqrt( (ln N1/N2)^2 + (ln zeta1/zeta2)^2 + ((r1 - r2)/0.1)^2 + ((s1 - s2)/0.2)^2 ),
 ///
-/// N impulses per decay time, zeta the damping ratio, r the restitution, s the cubic share. One unit
-/// is a factor e in N or zeta, 0.1 in r, or a fifth of the stiffness that is cubic instead of linear.
-/// docs/validity.md has what that does to errors. Infinite between different laws or different mean
-/// shares.
+/// N impulses per decay time, zeta the damping ratio, r the restitution coefficient, s the cubic
+/// fraction of the stiffness. One unit is a factor e in N or zeta, 0.1 in r, or 0.2 in s.
+/// docs/validity.md shows the effect of such changes on the errors. Infinite between different laws
+/// or different relative means.
 double distance(const Place& one, const Place& other);
 
 }  // namespace fpkcheck::sweep

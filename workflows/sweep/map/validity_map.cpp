@@ -43,7 +43,7 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   }
 }
 
-// A number that is finite and, being a share, ratio, distance or time, not negative.
+// Parses a number that is finite and, being a fraction, ratio, distance or time, not negative.
 std::optional<double> mapped_number(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -52,7 +52,7 @@ std::optional<double> mapped_number(std::string_view text) {
   return number;
 }
 
-/// A line of the map, and how messages name it.
+/// A line of the map, and its location for error messages.
 struct MapLine {
   std::string_view text;
   std::string where;
@@ -71,7 +71,7 @@ struct MapLine {
 
 std::optional<MappedAnswer> answer_in(const MapLine& line, std::string_view cell) {
   if (cell.empty()) return std::nullopt;
-  // "e" of an exponent is no status.
+  // The "e" of an exponent is not a status letter.
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
   if (at == cell.size()) {
@@ -100,7 +100,7 @@ MappedPoint point_in(const MapLine& line, std::size_t methods) {
                               .law = std::string(cells[4]),
                               .mean_share = line.number(cells[5])},
                     .answers = {}};
-  // Logarithms are taken of these.
+  // The distance takes logarithms of these two.
   for (const std::size_t k : {0, 1}) {
     if (line.number(cells[k]) == 0) line.refuse(cells[k], "must be above 0");
   }

@@ -22,7 +22,7 @@ using base::Value;
 constexpr std::size_t kMostValues = 1'000'000;
 constexpr std::string_view kLogarithmic = "log:";
 
-// A twelfth digit is none that a solver sees, and 0.57 is read more easily than 0.5700000000000001.
+// Twelve digits suffice for every solver, and 0.57 is easier to read than 0.5700000000000001.
 double to_twelve_digits(double number) {
   double rounded = number;
   const std::string text = fmt::format("{:.12g}", number);
@@ -37,10 +37,10 @@ std::vector<std::string> parts_of(std::string_view text, char separator) {
   return parts;
 }
 
-/// What is being read, for messages.
+/// The key whose values are parsed, and its label in messages.
 struct Reading {
   const base::Parameter& parameter;
-  std::string label;  ///< "--vary system.restitution"
+  std::string label;  ///< e.g. "--vary system.restitution"
 
   Value value(const std::string& text) const {
     const Value found = base::value_from(parameter, text, label);
@@ -129,11 +129,11 @@ Axis axis_from(std::string_view key, std::string_view values, const std::string&
   const auto require_distinct = [&reading](const std::vector<Value>& sorted) {
     if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
       throw InputError(
-          fmt::format("{} {} is there twice (keep one)", reading.label, base::text_of(*twice)));
+          fmt::format("{} {} is given twice (keep one)", reading.label, base::text_of(*twice)));
     }
   };
   if (axis.spacing != Spacing::listed) {
-    require_distinct(axis.values);  // a range is sorted, and a copy of a million values is 40 MB
+    require_distinct(axis.values);  // a range is sorted; a copy of a million values takes 40 MB
   } else {
     auto sorted = axis.values;
     std::ranges::sort(sorted);

@@ -35,7 +35,7 @@ std::size_t points_in(const IniSetting& line) {
                                in_quotes(line.text), kMostPoints));
 }
 
-/// The lines of [sweep], by their keys.
+/// Lines of the section [sweep] by their keys.
 using SweepLines = std::map<std::string, IniSetting>;
 
 SweepLines sweep_lines(const std::vector<IniSetting>& all) {

@@ -31,7 +31,8 @@ Enum named_in(const Json& json) {
   return *value;
 }
 
-// JSON does not tell 1 from 1.0: a number is what the key takes.
+// Makes an integer a double: JSON does not distinguish 1 from 1.0, and all numbers of keys are
+// doubles.
 base::Value as_number(base::Value value) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   return whole == nullptr ? value : static_cast<double>(*whole);
@@ -53,12 +54,12 @@ methods::Method method_in(const Json& json, const methods::Registry& registry) {
   const auto solver = json.at("method").get<std::string>();
   const auto* found = registry.find(solver);
   if (found == nullptr) {
-    throw InputError(fmt::format("no solver {} here", base::in_quotes(solver)));
+    throw InputError(fmt::format("solver {} is unknown", base::in_quotes(solver)));
   }
   return registry.method(*found, results::values_in(json.at("options")));
 }
 
-// What an element of a list is called.
+// Name of an element of a list, for messages.
 std::string title_of(const Json& json) {
   for (const char* field : {"id", "key"}) {
     if (json.is_object() && json.contains(field)) return results::text_of(json.at(field));
@@ -72,7 +73,7 @@ std::string titles_of(const Json& list) {
   return base::shown(text);
 }
 
-// "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty where there is none.
+// Text of the first difference: "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty without one.
 std::string first_difference(const std::string& where, const Json& was, const Json& is) {
   if (was == is) return "";
   if (was.is_object() && is.is_object()) {

@@ -26,25 +26,26 @@ std::string place_sentence(const Advice& advice, const std::string& name) {
       name, place.groups.impulses_per_decay_time, place.groups.damping_ratio,
       100 * place.groups.cubic_share, place.restitution, place.law);
   if (place.mean_share != 0)
-    text += fmt::format(", their mean {:.2g} of their size", place.mean_share);
+    text += fmt::format(", mean {:.2g} times the root mean square", place.mean_share);
   return text + '.';
 }
 
 std::string nearest_sentence(const Advice& advice) {
   if (std::isinf(advice.nearest)) {
     return advice.place.mean_share != 0
-               ? "Outside the map: no point of it has impulses with a mean."
-               : fmt::format("Outside the map: no point of it has {} impulses.", advice.place.law);
+               ? "Outside the map: none of its points has impulses with a mean."
+               : fmt::format("Outside the map: none of its points has {} impulses.",
+                             advice.place.law);
   }
   if (advice.outside()) {
-    return fmt::format("Outside the map: its nearest point is {:.2g} away (1 is near).",
+    return fmt::format("Outside the map: the nearest point has distance {:.2g} (limit 1).",
                        advice.nearest);
   }
-  return fmt::format("Nearest of the map's points: {:.2g} away; {} within 1.", advice.nearest,
-                     advice.near);
+  return fmt::format("Nearest point of the map: distance {:.2g}; {} points within 1.",
+                     advice.nearest, advice.near);
 }
 
-// What was tried nearby of the methods that are shown.
+// Results at the nearby points of the methods that are shown.
 std::string nearby_table(const std::vector<MethodNearby>& methods,
                          const report::TextFormat& format) {
   Column id{"", "method", true, report::kAlwaysShown},
@@ -62,19 +63,19 @@ std::string nearby_table(const std::vector<MethodNearby>& methods,
   return report::rows({id, points, ok, worst, seconds}, format);
 }
 
-// "fd-white (km4/map, off by up to 0.11 at 31 of 31), ..": `ok` of another equation or impact speaks
-// of that one.
+// "fd-white (solves white/map, error up to 0.11 at 31 of 31 points), ..". The status `ok` refers to
+// the equation and impact that the method solves: the sentence states them.
 std::string misstated_sentence(const Advice& advice, const methods::Registry& registry) {
   std::vector<std::string> who;
   for (const auto& one : advice.methods) {
     if (one.misstated == 0) continue;
     const auto method = registry.by_id(one.id);
-    who.push_back(fmt::format("{} ({}off by up to {:.2g} at {} of {})", one.id,
+    who.push_back(fmt::format("{} ({}error up to {:.2g} at {} of {} points)", one.id,
                               method ? "solves " + solves_text(method->identity) + ", " : "",
                               one.worst_l1.value_or(0), one.misstated, one.points));
   }
   if (who.empty()) return {};
-  return fmt::format("Misleads there, being ok but further off than twice what it states: {}.",
+  return fmt::format("Status ok there, but error above twice the stated error: {}.",
                      fmt::join(who, "; "));
 }
 
@@ -85,7 +86,7 @@ std::string far_off_sentence(const Advice& advice) {
     who.push_back(fmt::format("{} ({:.2g})", one.id, *one.worst_l1));
   }
   if (who.empty()) return {};
-  return fmt::format("Off by more than {:g} % somewhere there, and says so: {}.", 100 * kFarOff,
+  return fmt::format("Error above {:g} % at some of these points, as stated: {}.", 100 * kFarOff,
                      fmt::join(who, ", "));
 }
 
@@ -109,14 +110,16 @@ std::string advice_text(const Advice& advice, const AdviceSetting& setting,
       paragraph(place_sentence(advice, setting.name) + ' ' + nearest_sentence(advice));
   auto promised = advice.promised();
   if (promised.empty()) {
-    text += '\n' +
-            paragraph(fmt::format("Nothing is promised for L1 {:g}. These tell their own errors:",
-                                  advice.accuracy));
+    text += '\n' + paragraph(fmt::format(
+                       "No method met L1 {:g} at all nearby points. These methods estimate "
+                       "their own errors:",
+                       advice.accuracy));
     for (const auto& command : setting.otherwise) text += "  " + command + '\n';
   } else {
-    text +=
-        fmt::format("\nFor L1 {:g} of p(y) and p(y'), the quickest that kept it nearby:\n  {}\n",
-                    advice.accuracy, setting.command(promised.front().id));
+    text += fmt::format(
+        "\nRecommended for L1 {:g} of p(y) and p(y'), met at all nearby points:\n"
+        "  {}\n",
+        advice.accuracy, setting.command(promised.front().id));
     promised.resize(std::min(promised.size(), kShownMethods));
     text += '\n' + nearby_table(promised, format);
     for (std::size_t k = 1; k < promised.size(); ++k) {
@@ -124,14 +127,14 @@ std::string advice_text(const Advice& advice, const AdviceSetting& setting,
     }
   }
   const std::string own_word =
-      "What the answer says of itself, status and stated error, is of this very problem.";
+      "Status and stated error of a solution refer to this problem itself.";
   if (advice.outside()) return text + '\n' + paragraph(own_word);
   const std::string warnings = paragraph(misstated_sentence(advice, setting.registry)) +
                                paragraph(far_off_sentence(advice)) +
                                paragraph(without_density_sentence(advice));
   if (!warnings.empty()) text += '\n' + warnings;
   return text + '\n' +
-         paragraph("No guarantee: nobody looked between the points (docs/validity.md). " +
+         paragraph("No guarantee: the map has no data between its points (docs/validity.md). " +
                    own_word);
 }
 

@@ -9,20 +9,20 @@
 
 namespace fpkcheck::sweep {
 
-/// What an advice is given besides what it says: who is advised, and what to type.
+/// Context of an advice: the problem's name, and the commands to type.
 struct AdviceSetting {
   std::string name;                                           ///< of the problem
-  std::function<std::string(const std::string& id)> command;  ///< that solves it by a method
-  /// What to type where nothing is promised: methods that tell their own errors.
+  std::function<std::string(const std::string& id)> command;  ///< command for a method's id
+  /// Commands for methods with error estimates, shown where no method is recommended.
   std::vector<std::string> otherwise;
   const methods::Registry& registry;
 };
 
-/// The advice for people: what to type, what the best gave nearby, what misleads there.
+/// Text for the terminal: the recommended command, results at nearby points, and warnings.
 std::string advice_text(const Advice& advice, const AdviceSetting& setting,
                         const report::TextFormat& format);
 
-/// For --json.
+/// JSON for --json.
 std::string advice_json(const Advice& advice, const AdviceSetting& setting,
                         const std::string& command_line);
 

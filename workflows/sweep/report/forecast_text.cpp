@@ -30,7 +30,7 @@ std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_
                   plan.points.size(), plan.methods.size(), plan.methods.size() == 1 ? "" : "s",
                   time_text(all),
                   measured ? "measured"
-                           : fmt::format("+-{:.0f} %, told from {} points",
+                           : fmt::format("+-{:.0f} %, predicted from {} points",
                                          std::max(1.0, kTwoStandardErrors * forecast.uncertainty),
                                          forecast.sample.size()),
                   time_text(std::ranges::max(forecast.seconds)), threads, threads == 1 ? "" : "s",
@@ -60,9 +60,10 @@ std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_
   return text + '\n' + report::rows({count, longest, busy, in_order, shards, memory}, format) +
          '\n' +
          report::wrapped(
-             "ranks: processes of one thread. longest first: as mpirun hands out points; busy: the "
-             "share of their time in which ranks solve. in order: to whoever is free, as points "
-             "come. shards: every N-th point to each beforehand. GB: at most, all together.",
+             "ranks: processes of one thread. longest first: the order of mpirun, the longest "
+             "expected point first; busy: fraction of the time in which its ranks solve. in order: "
+             "each point to the next free rank. shards: every N-th point to the same rank, in "
+             "advance. GB: upper bound for all ranks together.",
              format.width);
 }
 

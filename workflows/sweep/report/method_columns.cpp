@@ -11,10 +11,10 @@ namespace {
 
 using report::Column;
 
-/// What became of one method over all points.
+/// Summary of a method over all points.
 struct MethodOverPoints {
   std::map<transform::Status, int> statuses{};
-  std::vector<double> l1{};  // of `ok` answers, the larger of both marginals, in order
+  std::vector<double> l1{};  // of `ok` solutions, the larger of both marginals, sorted
   int references = 0;
   double seconds = 0;
 };
@@ -56,7 +56,7 @@ std::vector<Column> method_columns(const SweepResults& results) {
   Column id{"", "solution", true, report::kAlwaysShown}, ok{"", "ok", false, report::kAlwaysShown},
       reference{"", "reference", false, 2}, median{"L1 of ok", "median", false, 4},
       nine{"L1 of ok", "90 %", false, 3}, worst{"L1 of ok", "worst", false, 4},
-      seconds{"", "sec", false, 2}, others{"", "otherwise", true, 1};
+      seconds{"", "sec", false, 2}, others{"", "not ok", true, 1};
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     auto found = over_points(results, m);
     id.cells.push_back(plan.methods[m].id());
@@ -74,9 +74,10 @@ std::vector<Column> method_columns(const SweepResults& results) {
 }
 
 const char* method_columns_legend() {
-  return "ok: points. L1: distance to the point's reference, the larger one of p(y) and p(y'), "
-         "over the points where the answer is ok. reference: points where it is the reference, "
-         "the best known solution of the problem itself. sec: mean wall-clock time of a point.";
+  return "ok: number of points. L1: distance to the point's reference, the larger of p(y) and "
+         "p(y'), over the points where the solution is ok. reference: number of points where the "
+         "method is the reference, the most accurate solution of the full problem. sec: mean "
+         "wall-clock time per point.";
 }
 
 }  // namespace fpkcheck::sweep

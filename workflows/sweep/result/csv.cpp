@@ -13,7 +13,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// More digits than any solver states, fewer than it takes to fill a disk.
+// Ten digits: more than the accuracy of any solver, and small files.
 std::string number_cell(double number) {
   return std::isfinite(number) ? fmt::format("{:.10g}", number) : std::string();
 }
@@ -29,7 +29,7 @@ void put_pair(const std::optional<MarginalPair>& pair, std::vector<std::string>&
   cells.push_back(pair ? number_cell(pair->ydot) : "");
 }
 
-// "closure + impact" as a part of a column's name.
+// Part of a column name: "closure + impact" becomes "closure_and_impact".
 std::string column_of(std::string part) {
   for (std::size_t at = part.find(" + "); at != part.npos; at = part.find(" + ")) {
     part.replace(at, 3, "_and_");
@@ -38,7 +38,7 @@ std::string column_of(std::string part) {
   return part;
 }
 
-// Nothing where the values of the point do not fit together.
+// Empty cells where the values of the point are inconsistent.
 std::string groups_cells(const Plan& plan, std::size_t point) {
   try {
     const Groups groups = groups_of(plan.problem_at(point));

@@ -4,13 +4,13 @@
 
 namespace fpkcheck::sweep {
 
-/// What a problem depends on once units of length and time are taken out: two problems with the same
-/// groups, restitution and law of the impulses have the same density but for units; of the paper's
-/// class (problem/features.hpp), that is: others have more groups.
+/// Dimensionless groups of a problem. Two problems with the same groups, restitution and impulse
+/// law have the same density up to units. Holds for the base class (problem/features.hpp); other
+/// problems have more groups.
 struct Groups {
   double impulses_per_decay_time;  ///< lambda / kappa (problem::impulses_per_decay_time)
   double damping_ratio;            ///< c / (2 sqrt(k_eq)), k_eq of equivalent linearisation
-  /// 1 - k / k_eq: 0 of a linear spring, 1 of a purely cubic one; NaN beyond the paper's class.
+  /// 1 - k / k_eq: 0 for a linear spring, 1 for a purely cubic one; NaN outside the base class.
   double cubic_share;
 };
 

@@ -22,12 +22,12 @@ using base::shown;
 using results::Json;
 
 constexpr int kSchema = 1;
-constexpr std::size_t kChecksum = 8;  // its digits
+constexpr std::size_t kChecksum = 8;  // number of its digits
 constexpr std::size_t kMostBytes = std::size_t{4} << 30;
 
 std::string checked(const std::string& text) { return results::crc32(text) + ' ' + text; }
 
-// The text after a checksum that is its own.
+// The text after its checksum; empty where the checksum is wrong.
 std::optional<std::string> unchecked(const std::string& line) {
   if (line.size() <= kChecksum + 1 || line[kChecksum] != ' ') return std::nullopt;
   std::string text = line.substr(kChecksum + 1);
@@ -46,7 +46,7 @@ Json header(const Json& plan) {
           {"plan", plan}};
 }
 
-// The plan of a first line.
+// The plan in the first line of a journal.
 Json plan_of(const std::string& line, const std::filesystem::path& file) {
   const auto text = unchecked(line);
   const std::string name = shown(file.string());
@@ -61,8 +61,8 @@ Json plan_of(const std::string& line, const std::filesystem::path& file) {
   for (const char* part : {"schema", "program"}) {
     if (json.contains(part) && json.at(part).dump() == expected.at(part).dump()) continue;
     throw InputError(fmt::format(
-        "{} was begun by another version of the program (finish it with that one, or use another "
-        "directory): {} is {}, here {}",
+        "{} was begun by another version of the program (finish it with that version, or use "
+        "another directory): {} is {}, here {}",
         name, part, json.contains(part) ? shown(json.at(part).dump()) : "missing",
         expected.at(part).dump()));
   }
@@ -112,7 +112,7 @@ JournalContent content_of(const std::vector<std::string>& lines,
 JournalContent read_journal(const std::filesystem::path& file) {
   const auto text = base::read_input_file(file, kMostBytes);
   if (!text) {
-    throw InputError(fmt::format("{} is not a readable file (a sweep leaves it in its directory)",
+    throw InputError(fmt::format("{} is not a readable file (a sweep writes it into its directory)",
                                  shown(file.string())));
   }
   if (text->empty()) {

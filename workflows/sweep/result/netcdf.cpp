@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// A file with the dimensions of a plan.
+/// A netCDF file with the dimensions of a plan.
 class SweepFile {
  public:
   SweepFile(results::NetCdfWriter& file, const SweepResults& results)
@@ -40,8 +40,8 @@ class SweepFile {
     file_.labels("solution", solution_, ids);
   }
 
-  /// @param number of a method at a point; nothing where there is none
-  /// @return the variable
+  /// @param number value for a method's result; empty where it has none
+  /// @return the variable's id
   int put(const std::string& name, const std::string& meaning,
           const std::function<std::optional<double>(const MethodResult&)>& number,
           double nothing = kNothing) {
@@ -67,8 +67,7 @@ class SweepFile {
         values[point.point] = static_cast<double>(found - methods.begin());
       }
     }
-    file_.packed("reference", dimensions_,
-                 "index of the solution that the others are measured against, or -1", values);
+    file_.packed("reference", dimensions_, "index of the reference solution, or -1", values);
   }
 
  private:
@@ -86,7 +85,7 @@ class SweepFile {
 
   results::NetCdfWriter& file_;
   const SweepResults& results_;
-  std::vector<int> dimensions_;  // of the points
+  std::vector<int> dimensions_;  // dimensions of the points
   int solution_ = 0;
 };
 
@@ -104,7 +103,7 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
 
   SweepFile sweep(file, results);
   const int status = sweep.put(
-      "status", "how the solver ended",
+      "status", "status of the solution",
       [](const MethodResult& one) { return static_cast<double>(one.status); }, -1);
   std::vector<std::string> meanings;
   std::string values;
@@ -125,20 +124,19 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
          {std::tuple{"_y", "p(y)", &MarginalPair::y},
           std::tuple{"_ydot", "p(y')", &MarginalPair::ydot}}) {
       sweep.put(name + suffix, fmt::format("{} of {}", meaning, symbol),
-                [&pair, of = member](const MethodResult& one) {  // Clang 14 captures no binding
+                [&pair, of = member](const MethodResult& one) {  // Clang 14 cannot capture bindings
                   const Pair found = pair(one);
                   return found ? std::optional((*found).*of) : std::nullopt;
                 });
     }
   };
   put_pair("l1", "L1 distance to the reference", [](const MethodResult& one) { return one.l1; });
-  put_pair("error", "L1 error by its own account",
-           [](const MethodResult& one) { return one.error; });
+  put_pair("error", "L1 error estimate", [](const MethodResult& one) { return one.error; });
   for (const auto& part : results.budget_parts()) {
     std::string name = "budget_" + part;
     std::ranges::replace(name, ' ', '_');
     std::ranges::replace(name, '+', '_');
-    put_pair(name, fmt::format("what \"{}\" adds to the L1 distance", part),
+    put_pair(name, fmt::format("contribution of \"{}\" to the L1 distance", part),
              [&](const MethodResult& one) -> Pair {
                const auto share = std::ranges::find(one.budget, part, &BudgetShare::part);
                return share == one.budget.end() ? Pair() : Pair(share->l1);

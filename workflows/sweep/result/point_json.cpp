@@ -41,7 +41,7 @@ Json method_json(const MethodResult& result) {
 MethodResult method_in(const Json& json) {
   const auto text = json.at("status").get<std::string>();
   const auto status = base::value_named<transform::Status>(text);
-  if (!status) throw InputError(fmt::format("status {}", base::in_quotes(text)));
+  if (!status) throw InputError(fmt::format("status {} is unknown", base::in_quotes(text)));
   MethodResult result{.status = *status, .seconds = json.at("seconds")};
   if (json.contains("reason")) result.reason = json.at("reason");
   if (json.contains("moments")) {

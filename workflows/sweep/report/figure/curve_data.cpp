@@ -73,7 +73,7 @@ double CurveData::abscissa_of(std::size_t point) const {
 }
 
 double CurveData::abscissa_of(std::size_t point, std::size_t m) const {
-  constexpr double kRoom = 0.7;  // of a word's, over which its methods are spread
+  constexpr double kRoom = 0.7;  // width over which the methods are spread, 1 being a word's
   const auto count = static_cast<double>(methods());
   const double beside = (static_cast<double>(m) - (count - 1) / 2) * kRoom / count;
   return abscissa_of(point) + (is_words() ? beside : 0);
@@ -113,7 +113,7 @@ std::string CurveData::floor_blocks() const {
       const auto row = [&](double x) {
         return y ? fmt::format("{:.6g} {:.6g} {:.6g}\n", x, *y, *ydot) : "\n";
       };
-      constexpr double kHalf = 0.48;  // of a word's bar
+      constexpr double kHalf = 0.48;  // half-width: a word's bar nearly touches the next bar
       const double x = abscissa_of(point);
       rows += is_words() ? row(x - kHalf) + row(x + kHalf) + '\n' : row(x);
     }

@@ -11,19 +11,19 @@
 
 namespace fpkcheck::sweep {
 
-/// Columns of a curve's data in a script.
+/// Columns of a curve's data block in a script.
 enum CurveColumn {
   abscissa = 1,
   distance_y,
   distance_ydot,
-  mark_type,  ///< filled where the answer is ok, else open
+  mark_type,  ///< filled where the solution is ok, else open
   own_y,
   own_ydot,
   moment_y,
   moment_ydot
 };
 
-/// The curves of all methods, slice by slice, as data. Refers to what it is made of.
+/// Data of the curves of all methods, slice by slice. Keeps references to view and layout.
 class CurveData {
  public:
   CurveData(const SweepView& view, const CurvesLayout& layout);
@@ -37,21 +37,22 @@ class CurveData {
   double mark_size() const;
 
   void for_each(const std::function<void(std::size_t point, std::size_t m)>& call) const;
-  /// Distance to the point's reference; none of the reference itself.
+  /// Distance to the point's reference; empty for the reference itself.
   std::optional<double> l1(std::size_t point, std::size_t m, transform::Variable variable) const;
-  /// What the method states of it; nothing without a distance to set it against.
+  /// Error estimate of the method; empty where there is no distance for a comparison.
   std::optional<double> own_error(std::size_t point, std::size_t m,
                                   transform::Variable variable) const;
-  /// What the point's reference states of its own.
+  /// Error estimate of the point's reference.
   std::optional<double> floor(std::size_t point, transform::Variable variable) const;
-  /// There is a reference, but of this method nothing to compare with it.
+  /// True where the point has a reference, but the method has no density to compare with it.
   bool has_no_density(std::size_t point, std::size_t m) const;
-  /// Where a method's answer stands; methods stand side by side at a word.
+  /// Abscissa of a method's result; methods are side by side over a word.
   double abscissa_of(std::size_t point, std::size_t m) const;
 
-  /// $curve_SLICE_METHOD, with CurveColumns.
+  /// Data blocks $curve_SLICE_METHOD, with the columns of CurveColumn.
   std::string blocks() const;
-  /// $floor_SLICE: abscissa, error of the reference in y and ydot. A word has a bar of its own.
+  /// Data blocks $floor_SLICE: abscissa, error of the reference in y and ydot. Each word has its
+  /// own bar.
   std::string floor_blocks() const;
 
  private:
@@ -62,7 +63,7 @@ class CurveData {
   std::vector<report::SeriesLook> looks_;
 };
 
-/// As a cell of data: gnuplot leaves out what is NaN.
+/// Cell of a data block; gnuplot skips NaN.
 std::string data_cell(const std::optional<double>& number);
 
 }  // namespace fpkcheck::sweep

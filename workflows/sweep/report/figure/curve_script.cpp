@@ -11,10 +11,10 @@ namespace fpkcheck::sweep {
 using report::PanelGrid;
 namespace {
 
-// How a line looks, without its marks.
+// Style of a method's line, without its marks.
 std::string line_of(const CurveData& data, std::size_t m) {
   const transform::Look& look = data.look(m);
-  constexpr double kThin = 1.5, kBroad = 2.5;  // what lies beside others needs no width to be seen
+  constexpr double kThin = 1.5, kBroad = 2.5;  // limits: neighbouring curves need moderate widths
   return fmt::format("with {} lc rgb '{}' lw {:.2g}{}", data.is_words() ? "points" : "linespoints",
                      look.colour, std::clamp(look.width, kThin, kBroad),
                      data.is_words() ? "" : " dt " + report::dash_type(look));

@@ -18,12 +18,12 @@ using transform::Variable;
 
 constexpr const char* kFloorColour = "#DEDEDE";
 constexpr const char* kFloorEdge = "#AAAAAA";
-// An error that has no neighbours is a dot.
+// Error estimates over words are single dots.
 constexpr const char* kDotted = "lw 1.5 dt (2,4)";
 constexpr const char* kDots = "pt 7 ps 0.25";
-constexpr double kRow = 0.045;  // of a panel's height, for the crosses of a method
+constexpr double kRow = 0.045;  // height of a row of crosses, 1 being the panel's
 
-/// The picture on its way into a script.
+/// Builds the script of the figure.
 class Distances {
  public:
   Distances(const SweepView& view, const CurvesLayout& layout) : data_(view, layout) {
@@ -40,8 +40,8 @@ class Distances {
   report::Legend legend() const;
 
   CurveData data_;
-  double low_ = 0, high_ = 0;                 // of the axis
-  std::vector<std::size_t> without_density_;  // methods, at some point
+  double low_ = 0, high_ = 0;                 // ends of the ordinate's range
+  std::vector<std::size_t> without_density_;  // methods that lack a density at some point
   bool any_open_ = false, any_own_ = false, any_floor_ = false;
 };
 
@@ -67,7 +67,7 @@ void Distances::look_at_points() {
     }
   });
   if (high == 0) low = 1e-3, high = 1;
-  constexpr double kLargest = 20, kDecades = 1e8;  // of densities, 2 is the most
+  constexpr double kLargest = 20, kDecades = 1e8;  // L1 of two densities is at most 2
   high = 1.5 * std::min(high, kLargest);
   low_ = std::max(low / 1.5, high / kDecades);
   const double rows = kRow * static_cast<double>(without_density_.size());
@@ -94,7 +94,7 @@ std::string Distances::absent_blocks() const {
   return text;
 }
 
-// Along words it leads from the distance to the error.
+// Plots the error estimates; over words as a line from the distance to the error estimate.
 std::string Distances::own_error_plot(std::size_t slice, std::size_t m, int distance,
                                       int own) const {
   const std::string_view colour = data_.look(m).colour;
@@ -141,7 +141,7 @@ report::Legend Distances::legend() const {
         {data_.is_words()
              ? fmt::format("NaN with lines lc rgb '#444444' {}", kDotted)
              : fmt::format("NaN with linespoints lc rgb '#444444' {} {}", kDotted, kDots),
-         "own stated error"});
+         "error estimate"});
   }
   if (any_floor_) {
     legend.entries.push_back({fmt::format("NaN with boxes fs solid border rgb '{}' fc rgb '{}'",

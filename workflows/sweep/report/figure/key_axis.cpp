@@ -30,7 +30,7 @@ std::string tics_of(const std::vector<Tic>& tics) {
   return fmt::format("({})", fmt::join(list, ", "));
 }
 
-// 1, 2 or 5 times a power of ten, at least kMostTics / 2 of them.
+// Multiples of 1, 2 or 5 times a power of ten, no fewer than kMostTics / 2 numbers.
 std::vector<double> round_numbers(double low, double high) {
   const double rough = (high - low) / static_cast<double>(kMostTics);
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -60,7 +60,7 @@ std::vector<double> round_numbers_by_decades(double low, double high) {
   return numbers.size() < 2 ? round_numbers(low, high) : numbers;
 }
 
-// A list from 0.1 to 10 is as good as told to be logarithmic.
+// A list of values over more than a decade (e.g. 0.1 to 10) is drawn on a logarithmic axis.
 bool spans_decades(const std::vector<Value>& sorted) {
   constexpr double kMuch = 20;
   const double low = std::get<double>(sorted.front()), high = std::get<double>(sorted.back());
@@ -114,7 +114,7 @@ std::string KeyAxis::commands(char letter) const {
                                static_cast<double>(values_.size()) - 0.5, tics_of(tics));
   }
   double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
-  constexpr double kRoom = 0.03;  // for the marks at the ends
+  constexpr double kRoom = 0.03;  // margin for the marks on both ends
   if (is_logarithmic_) {
     std::vector<Tic> tics;
     for (const double number : round_numbers_by_decades(low, high)) {

@@ -21,7 +21,7 @@ namespace {
 using report::LegendEntry;
 using transform::Status;
 
-/// A line of the maps at a distance that readers ask for.
+/// A contour of the maps.
 struct ContourLevel {
   double l1;
   const char* name;
@@ -30,10 +30,10 @@ struct ContourLevel {
 constexpr ContourLevel kLevels[] = {{0.01, "one", "with lines lc rgb '#08306B' lw 2 dt solid"},
                                     {0.05, "five", "with lines lc rgb '#08306B' lw 2.6 dt (8,5)"}};
 
-// Around what is not ok.
+// Outline of cells that are not ok.
 constexpr const char* kOutline = "with lines lc rgb 'black' lw 0.8";
 
-// Light discs would be lost on white.
+// Grey background: light discs would be invisible on white.
 constexpr const char* kGround =
     "set object rectangle from graph 0,0 to graph 1,1 behind fc rgb '#E4E4E4' fs noborder\n";
 
@@ -53,8 +53,8 @@ PanelGrid map_grid(const SweepView& view, std::size_t panels) {
   return grid;
 }
 
-// From light, but not white, to strong, so that grey print has the same order; no darker than marks
-// in black allow.
+// Colours from light (not white) to dark, so that print in grey keeps the order; light enough for
+// black marks.
 std::string colour_scale(const PanelGrid& grid) {
   const auto first = grid.place(0, grid.columns - 1), last = grid.place(grid.rows - 1, 0);
   return fmt::format(
@@ -66,15 +66,15 @@ std::string colour_scale(const PanelGrid& grid) {
       first.right + 0.022, last.bottom, first.top - last.bottom);
 }
 
-// Viewers of SVG smooth images, so that few cells are rectangles there; between rectangles, a PNG
-// would have seams.
+// SVG viewers smooth images: a few cells are rendered as rectangles in SVG. In PNG rectangles would
+// have visible seams.
 std::string how_cells_are_drawn(std::size_t cells) {
   constexpr std::size_t kFew = 6000;
   return fmt::format("cells = format eq 'svg' ? '{}' : ''\n", cells <= kFew ? "pixels" : "");
 }
 
 std::string cells_plot(const MapData& map, std::size_t m) {
-  // A row or a column of cells is no image to gnuplot.
+  // Gnuplot draws no image of a single row or column of cells.
   const bool is_image = map.x().values().size() > 1 && map.y().values().size() > 1;
   return fmt::format("$map_{} using {} notitle", m,
                      is_image ? "1:2:3 with image @cells"
@@ -86,7 +86,7 @@ std::string discs_plot(std::size_t m, double size) {
                      size);
 }
 
-// By the logarithms.
+// Contours are computed from the logarithms of the distances.
 std::string contour_commands(std::size_t m, const ContourLevel& level) {
   return fmt::format(
       "set cntrparam levels discrete {0:.6g}\nset table $contour_{1}_{2}\n"
@@ -94,13 +94,13 @@ std::string contour_commands(std::size_t m, const ContourLevel& level) {
       std::log10(level.l1), level.name, m);
 }
 
-// Marks that fit beside each other.
+// Number of marks that fit side by side.
 std::size_t marks_in(double pixels) {
   constexpr double kApart = 15;
   return static_cast<std::size_t>(std::max(1.0, pixels / kApart));
 }
 
-// In gnuplot's unit, so that discs of many points do not cover each other.
+// Disc size in gnuplot's unit, smaller for many points, so that discs do not overlap.
 double disc_size(std::size_t points) {
   return std::clamp(36 / std::sqrt(static_cast<double>(points)), 0.5, 1.6);
 }
@@ -126,7 +126,7 @@ report::Legend map_legend(const MapData& map, const std::vector<std::size_t>& me
     }
   }
   if (std::ranges::any_of(methods, [&](std::size_t m) { return !map.outline_block(m).empty(); })) {
-    legend.entries.push_back({fmt::format("NaN {}", kOutline), "around what is not ok"});
+    legend.entries.push_back({fmt::format("NaN {}", kOutline), "outline: not ok"});
   }
   std::ranges::move(status_legend(statuses), std::back_inserter(legend.entries));
   if (any_reference)
@@ -137,7 +137,7 @@ report::Legend map_legend(const MapData& map, const std::vector<std::size_t>& me
   return legend;
 }
 
-// One panel's data, and the plots of it.
+// Data and plots of one panel.
 struct MapPanel {
   std::string data, contours;
   std::vector<std::string> plots;
@@ -154,7 +154,7 @@ MapPanel map_panel(const MapData& map, const PanelGrid& grid, std::size_t m) {
     panel.plots.push_back(fmt::format("$outline_{} using 1:2 {} notitle", m, kOutline));
   }
   for (const auto& level : kLevels) {
-    if (!map.crosses(m, level.l1)) continue;  // gnuplot warns of an empty table
+    if (!map.crosses(m, level.l1)) continue;  // gnuplot warns about an empty table
     panel.contours += contour_commands(m, level);
     panel.plots.push_back(
         fmt::format("$contour_{}_{} using 1:2 {} notitle", level.name, m, level.drawn));

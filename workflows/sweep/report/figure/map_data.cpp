@@ -16,10 +16,10 @@ using transform::Status;
 
 constexpr std::size_t kFewPoints = 300;
 
-// A distance of 0 has no logarithm.
+// Lower bound for a distance, so that 0 has a logarithm.
 double with_logarithm(double l1) { return std::max(l1, kLeastColour / 10); }
 
-/// Where something is marked: a status, or the reference.
+/// A point with a mark: of a status, or of the reference.
 struct Marked {
   int type;
   std::size_t point;
@@ -35,7 +35,7 @@ std::vector<Marked> marked_points(const SweepView& view, std::size_t m) {
   return marked;
 }
 
-// Which of so many parts of the axis a value is in.
+// Index of the tile that contains a value, of this number of tiles along the axis.
 std::size_t tile(const KeyAxis& axis, const base::Value& value, std::size_t tiles) {
   const auto count = static_cast<double>(tiles);
   return static_cast<std::size_t>(std::min(axis.part(value) * count, count - 1));
@@ -126,7 +126,7 @@ bool MapData::crosses(std::size_t m, double l1) const {
     const auto found = view_.larger_l1(cells_[i][j], m);
     return !found ? 0 : *found < l1 ? -1 : 1;
   };
-  // A contour needs a square of four cells around it.
+  // Gnuplot computes a contour within squares of four cells.
   for (std::size_t i = 1; i < columns(); ++i) {
     for (std::size_t j = 1; j < rows(); ++j) {
       const int corner = side(i - 1, j - 1), right = side(i, j - 1), above = side(i - 1, j),

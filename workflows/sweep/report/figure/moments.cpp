@@ -16,7 +16,7 @@ namespace {
 using transform::Moments;
 using transform::Variable;
 
-// By what may be trusted, if anything: a wild answer would press all others together.
+// Range of the solutions that are ok, if any: outliers among the others would compress the axis.
 std::string moment_range(const CurveData& data, double Moments::*moment) {
   std::vector<double> ok, all;
   data.for_each([&](std::size_t point, std::size_t m) {
@@ -36,7 +36,7 @@ std::string moment_range(const CurveData& data, double Moments::*moment) {
 
 std::string moment_panel(const CurveData& data, std::size_t slice, Variable variable) {
   const bool is_y = variable == Variable::y;
-  std::vector<std::string> plots;  // what is trusted least comes last, on top of what it misses
+  std::vector<std::string> plots;  // by decreasing trust: the least trusted curve is drawn last
   for (std::size_t m = data.methods(); m-- > 0;) {
     plots.push_back(curve_plot(data, slice, m, is_y ? moment_y : moment_ydot));
   }

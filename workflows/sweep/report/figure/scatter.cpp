@@ -20,8 +20,8 @@ using report::PanelGrid;
 namespace {
 
 constexpr std::size_t kMostBins = 8;
-constexpr std::size_t kFewestPoints = 3;  // in a part of a range, for a median
-constexpr double kSpread = 0.6;           // of the room of a word, over which its methods stand
+constexpr std::size_t kFewestPoints = 3;  // for the median in a section of a range
+constexpr double kSpread = 0.6;           // width of the spread of methods, 1 being a word's
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -29,7 +29,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// A key, and the bins of its medians: its values where they are few, else parts of its range.
+/// A key with the bins of its medians: single values where they are few, else sections of its
+/// range.
 class Binned {
  public:
   Binned(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
@@ -63,10 +64,10 @@ class Binned {
   KeyAxis axis_;
   std::size_t place_;
   double low_ = 0, high_ = 0;
-  std::size_t parts_ = 0;  // of the range; none where each value is a bin
+  std::size_t parts_ = 0;  // number of sections; 0 where each value is a bin
 };
 
-// "x L1 point-type" of a method's answers, and "x median" over the bins.
+// Data blocks "x L1 point-type" of a method's results, and "x median" over the bins.
 std::string blocks(const SweepView& view, const Binned& key, std::size_t m, double dodge,
                    const report::SeriesLook& look) {
   std::string points;
@@ -85,7 +86,7 @@ std::string blocks(const SweepView& view, const Binned& key, std::size_t m, doub
     if (!key.is_enough(values.size())) continue;
     medians += fmt::format("{:.6g} {:.4g}\n", key.centre(bin) + dodge, median_of(values));
   }
-  // A block without a row is none to gnuplot.
+  // Gnuplot rejects a data block without a row.
   const std::string none = "NaN NaN NaN\n";
   return report::data_block(fmt::format("points_{}_{}", key.place(), m),
                             points.empty() ? none : points) +

@@ -29,7 +29,7 @@ int point_type(Status status) {
 }
 
 std::string mark_drawn(int point_type, double size) {
-  constexpr int kDot = 7;  // filled: a large one would hide the colour
+  constexpr int kDot = 7;  // filled: a large dot would hide the colour
   return fmt::format("with points lc rgb 'black' lw 1.2 pt {} ps {:.3g}", point_type,
                      point_type == kDot ? size / 2 : size);
 }

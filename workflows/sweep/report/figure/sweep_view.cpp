@@ -11,7 +11,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// "c = 0.1", "k = 1", ..
+// Parameters that are not varied and not at their defaults: "c = 0.1", "k = 1", ..
 std::vector<std::string> fixed_list(const Plan& plan) {
   std::vector<std::string> list;
   for (const auto& parameter : problem::shown_parameters(plan.base)) {

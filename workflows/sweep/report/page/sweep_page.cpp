@@ -20,7 +20,8 @@ namespace {
 using report::element;
 using report::escaped;
 
-// Beside that of a run's page. Where a screen is narrow a picture scrolls rather than shrinks.
+// In addition to the style of a run's page. On a narrow screen a picture scrolls instead of
+// shrinking.
 constexpr const char* kPictureStyle =
     "figure { margin: 1.2rem 0; }\n"
     ".picture { overflow-x: auto; }\n"
@@ -35,7 +36,7 @@ std::string plural(std::size_t count, const char* noun) {
 
 std::string axis_sentence(const Axis& axis) {
   if (axis.spacing == Spacing::listed) return axis.text();
-  const char* how = axis.spacing == Spacing::logarithmic ? " by their logarithms" : "";
+  const char* how = axis.spacing == Spacing::logarithmic ? " on a logarithmic scale" : "";
   return axis.values.empty()
              ? fmt::format("{} in {:g} .. {:g}{}", axis.key, axis.from, axis.to, how)
              : fmt::format("{} from {:g} to {:g} ({} values, evenly spaced{})", axis.key, axis.from,
@@ -47,7 +48,7 @@ const char* how_points_lie(Design design) {
     case Design::product:
       return "every value with every other";
     case Design::list:
-      return "the k-th values of all together";
+      return "the k-th values of all keys together";
     case Design::sobol:
       return "points of a Sobol sequence";
   }
@@ -59,9 +60,9 @@ std::string introduction(const SweepResults& results) {
   std::vector<std::string> varied;
   for (const auto& axis : plan.axes) varied.push_back(axis_sentence(axis));
   std::string text =
-      fmt::format("Of {} what varies is {}", plan.base.name, fmt::join(varied, "; "));
+      fmt::format("Varied parameters of {}: {}", plan.base.name, fmt::join(varied, "; "));
   if (plan.axes.size() > 1 || plan.design == Design::sobol) {
-    text += fmt::format(": {}", how_points_lie(plan.design));
+    text += fmt::format("; design: {}", how_points_lie(plan.design));
   }
   text += fmt::format(". {}, each solved by {}.", plural(plan.points.size(), "point"),
                       plural(plan.methods.size(), "method"));
@@ -70,12 +71,12 @@ std::string introduction(const SweepResults& results) {
   }
   if (!results.points.empty() &&
       std::ranges::all_of(results.points, &std::string::empty, &PointResult::reference)) {
-    text += " No method solves the problem itself, so that there is no reference.";
+    text += " No method solves the full problem, so there is no reference.";
   }
   return text;
 }
 
-// The columns of the terminal's table.
+// The table of methods, with the columns of the table on the terminal.
 std::string methods_table(const SweepResults& results) {
   std::vector<report::HtmlColumn> columns;
   for (auto& column : method_columns(results)) {
@@ -113,7 +114,7 @@ std::string reasons_html(const SweepResults& results) {
   constexpr std::size_t kMost = 40;
   const auto groups = reason_groups(results);
   if (groups.empty()) return "";
-  std::string html = element("h2", "Why answers are not ok") + "<ul class=\"reasons\">\n";
+  std::string html = element("h2", "Reasons why solutions are not ok") + "<ul class=\"reasons\">\n";
   for (std::size_t k = 0; k < std::min(kMost, groups.size()); ++k) {
     const ReasonGroup& group = groups[k];
     html += fmt::format("<li><strong>{} {}</strong>, {}, first at {}: {}.</li>\n",
@@ -122,7 +123,7 @@ std::string reasons_html(const SweepResults& results) {
                         escaped(example_of(results.plan, group.point)), escaped(group.reason));
   }
   if (groups.size() > kMost) {
-    html += fmt::format("<li>and {} more kinds, in sweep.csv</li>\n", groups.size() - kMost);
+    html += fmt::format("<li>and {} more reasons (see sweep.csv)</li>\n", groups.size() - kMost);
   }
   return html + "</ul>\n";
 }
@@ -136,7 +137,7 @@ std::string sweep_page(const SweepResults& results, const std::vector<PagePictur
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<!-- The page holds all it needs, and may ask for nothing else. -->\n"
+      "<!-- The page is self-contained: it loads nothing. -->\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
       "style-src 'unsafe-inline'; img-src data:\">\n"
       "{}<style>\n{}{}</style>\n</head>\n<body>\n<main>\n{}{}{}{}{}{}"
