@@ -215,7 +215,7 @@ TEST(Contact, IsRefusedToWhatHasNoAtoms) {
       .left = 0, .left_restitution = 0.7, .right = 1, .right_restitution = 0.7};
   const auto box =
       tests::with_impulses(System({.damping = 0}, walls), tests::gaussian_impulses(1, 0.5));
-  EXPECT_NE(characteristics_objection(box).find("no place of rest"), std::string::npos);
+  EXPECT_NE(characteristics_objection(box).find("no rest point"), std::string::npos);
 }
 
 }  // namespace
