@@ -8,7 +8,7 @@ namespace fpkcheck::fd_fpk {
 /// every impact raises by the same amount for any speed: h = f + f_1,
 ///
 ///     D f_vv + v f_y = 0,              f = log(y) / 3 + phi(s),             s = v / (D y)^(1/3),
-///     D f_1,vv + v f_1,y = F_0 f_v,    f_1 = (F_0 / D) (D y)^(1/3) chi(s),  F_0 the force at y = 0,
+///     D f_1,vv + v f_1,y = F_0 f_v,    f_1 = (F_0 / D) (D y)^(1/3) chi(s), F_0 the force at y = 0,
 ///
 /// with phi and chi without a component that grows as e^(s^3/9). By substitution
 ///
