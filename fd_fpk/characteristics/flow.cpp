@@ -9,8 +9,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Product of damping and largest Runge-Kutta step. The method is stable up to 2.78 on the negative
-// real axis; up to this value its decay is also accurate.
+// Largest product of damping and Runge-Kutta step. The stability limit on the negative real axis is
+// 2.78; up to 0.75 the decay is also accurate.
 constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
