@@ -7,7 +7,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// True for external noise, and for equations whose excitation term contains a diffusion in place of
+// True for external noise, and for equations whose excitation term contains a diffusion instead of
 // the impulses.
 bool diffuses(const problem::Features& features, const Options& options) {
   return features.noise || options.equation == Equation::white || options.equation == Equation::km4;

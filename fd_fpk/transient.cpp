@@ -169,10 +169,10 @@ void judge(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
   }
 }
 
-// A discretisation that resolves the initial and the stationary density, with at most kMaxCells
-// cells: time steps on more cells take minutes. Mass that concentrates in wells, or at rest under
-// rare impulses, is narrower than any cell; kTransientLimits then detect the insufficient
-// resolution.
+// A discretisation that resolves the initial and the stationary density, with at most
+// kMaxTransientCells cells: time steps on more cells take minutes. Mass that concentrates in wells,
+// or at rest under rare impulses, is narrower than any cell; kTransientLimits then detect the
+// insufficient resolution.
 Discretisation affordable(const problem::Problem& problem, const Box& box, Options& options) {
   constexpr double kAffordable = 10000;
   Discretisation on = discretise(problem, options, box);

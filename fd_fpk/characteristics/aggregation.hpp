@@ -15,8 +15,8 @@ namespace fpkcheck::fd_fpk {
 /// whose mass follows those of the cells, is a block of its own.
 class Aggregation {
  public:
-  /// Blocks with about equal numbers of cells, at most `max_blocks` in total; v = 0 separates two
-  /// blocks.
+  /// Blocks with about equal numbers of cells, no more than `max_blocks` in total; v = 0 separates
+  /// two blocks.
   Aggregation(const Grid& grid, int atoms, int most);
 
   /// The grid of the blocks.

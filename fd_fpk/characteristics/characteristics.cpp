@@ -357,7 +357,7 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
     const auto faster_into = [&](double u) {
       return side == Side::left ? law.cumulative(-u) : 1 - law.cumulative(u);
     };
-    // P(0 < speed after the impulse < u)
+    // P(0 < post-impulse speed < u)
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };

@@ -59,7 +59,7 @@ class Transform {
  public:
   using Scalar = double;
 
-  /// The shifted inverse itself.
+  /// The operator (L - sigma)^-1 itself.
   explicit Transform(const ShiftedInverse& inverse) : Transform(inverse, 0, 1) {}
   /// The Cayley transform C = 1 + 2 (sigma - m) (L - sigma)^-1.
   static Transform cayley(const ShiftedInverse& inverse, double m) {
@@ -95,7 +95,7 @@ struct EigenPairs {
   Eigen::MatrixXcd vectors;  // shape (size, values)
 };
 
-// The converged ones among the `count` eigenvalues of L that are largest under the transform.
+// The converged ones among the `count` eigenvalues of L that are dominant under the transform.
 EigenPairs largest(Transform& transform, int count, long restarts) {
   Spectra::GenEigsSolver<Transform> solver(transform, count, kBasis);
   solver.init();

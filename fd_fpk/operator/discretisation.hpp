@@ -10,7 +10,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Lengths over which the density varies in either direction; 0 where not yet determined.
+/// Distances over which the density varies in either direction; 0 where not yet determined.
 struct Lengths {
   double x1 = 0, x2 = 0;
 };

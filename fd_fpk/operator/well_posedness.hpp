@@ -7,7 +7,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Well-posedness of the discretised excitation.
+/// Result of the stability check of the discretised excitation.
 struct Posedness {
   Growth growth{0, 0};  ///< largest_growth; zero for equations that are well-posed for any cells
   /// Why the scheme is ill-posed and what to do; empty when it is well-posed.

@@ -76,7 +76,7 @@ Options in_box_of(Options options, const Summary& summary) {
   return options;
 }
 
-// The grid may have been refined automatically, and its box computed: the levels of an estimate use
+// The grid and box may differ from the options by automatic changes: all levels of an estimate use
 // the final values. In separate boxes their difference would include more than the discretisation
 // error.
 Options as_used(Options options, const Summary& summary) {

@@ -24,7 +24,7 @@ using SolveOnOneGrid = std::function<Result(const Options&)>;
 /// extrapolation where transform::has_limit accepts the observed order.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
 
-/// Target of the automatic grid for the error in L1, where time allows.
+/// Target of the automatic grid for the error in L1, where time permits.
 inline constexpr double kUsualAccuracy = 1e-4;
 
 /// Goal of refine_until_deadline().
@@ -39,8 +39,8 @@ struct Aim {
 Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
                     const Aim& aim);
 
-/// True if the first result is better: `ok` before not `ok`, with before without an error estimate,
-/// with before without a density, then by the smaller estimate.
+/// True if the first result is preferable: `ok` before not `ok`, with before without an error
+/// estimate, with before without a density, then by the smaller estimate.
 bool better(const Result& one, const Result& other);
 
 /// The solution on the first of a sequence of grids, each with cells narrower by

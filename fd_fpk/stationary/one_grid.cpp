@@ -117,7 +117,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
                          const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
-  // Well-posedness depends on the velocity step alone, so it is checked before any solve.
+  // Growth rates depend on the velocity step alone, so they are checked before any solve.
   const auto first =
       discretise(problem, options, initial_box(problem, surroundings.scales, options));
   describe(first, summary);
