@@ -58,7 +58,7 @@ Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales
   return start;
 }
 
-// The largest v^2/2 + V(y) on the ellipse of kStartBox standard deviations, truncated at the walls.
+// The largest v^2/2 + V(y) on an ellipse of kStartBox standard deviations, up to the walls.
 double most_energy(const problem::System& system, const numerics::Polynomial& potential,
                    const Gaussian& start) {
   constexpr int kDirections = 120;
