@@ -58,7 +58,8 @@ Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales
   return start;
 }
 
-// The largest v^2/2 + V(y) on an ellipse of kStartBox standard deviations, up to the walls.
+// The largest v^2/2 + V(y), between the walls, on an ellipse of kStartBox standard
+// deviations.
 double most_energy(const problem::System& system, const numerics::Polynomial& potential,
                    const Gaussian& start) {
   constexpr int kDirections = 120;
