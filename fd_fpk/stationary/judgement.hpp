@@ -15,8 +15,8 @@ void judge_box(const problem::Frame& frame, const Grid& grid, Result& result);
 void judge_resolution(const Options& options, Result& result);
 
 /// Changes `ok` to `inaccurate` where a balance of power, virial or momentum has a residual above
-/// kBalances. For problems outside the paper's class, where an independent solution may be
-/// unavailable.
+/// kBalances. For problems outside the paper's class, where an independent solution may
+/// be unavailable.
 void judge_balances(Result& result);
 inline constexpr double kBalances = 1e-4;
 
