@@ -7,7 +7,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Noise, or what stands for the impulses has the diffusion of one.
+// True for external noise, and for equations whose excitation term contains a diffusion instead of
+// the impulses.
 bool diffuses(const problem::Features& features, const Options& options) {
   return features.noise || options.equation == Equation::white || options.equation == Equation::km4;
 }
@@ -24,17 +25,17 @@ std::string objection(const problem::Problem& problem, const Options& options) {
   }
   if (options.impact != Impact::map &&
       (features.no_wall || features.two_walls || features.rests_in_contact)) {
-    return "the impact to first order in 1-r is that of the paper's closure: at one wall, where "
-           "nothing comes to rest";
+    return "impact delta (first order in 1-r): requires one wall without rest in contact; use map";
   }
-  // White noise lifts the mass off again at once.
+  // Under white noise the contact ends at once, so there is no atom.
   const bool rests = features.rests_in_contact && !noise;
   if (rests && !may_follow_characteristics(options)) {
-    return "the mass comes to rest in contact with a wall, where the law has an atom: that takes the "
-           "transport along characteristics, for kf, on cells and of an order of its own";
+    return "the mass comes to rest in contact with a wall: only characteristics treat this atom; "
+           "use kf and leave out transport, order, nx, nv and origin-refinement";
   }
   if (rests || options.transport == Transport::characteristics) {
-    return noise ? "along characteristics nothing is random between two impulses"
+    return noise ? "characteristics: the motion between impulses must be deterministic; use "
+                   "transport upwind"
                  : characteristics_objection(problem);
   }
   return "";
@@ -43,8 +44,8 @@ std::string objection(const problem::Problem& problem, const Options& options) {
 std::string objection_over_time(const problem::Problem& problem, const Options& options) {
   const auto features = problem::features(problem);
   if (features.rests_in_contact && !diffuses(features, options)) {
-    return "the mass comes to rest in contact with a wall, where the law has an atom, which "
-           "differences do not hold: take the stationary density";
+    return "the mass comes to rest in contact with a wall: differences do not represent this atom; "
+           "compute the stationary density";
   }
   return objection(problem, options);
 }
@@ -58,18 +59,18 @@ bool may_follow_characteristics(const Options& options) {
 std::string characteristics_objection(const problem::Problem& problem) {
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses) {
-    return "along characteristics nothing is random between two impulses";
+    return "characteristics: impulses alone must excite the oscillator; use transport upwind";
   }
-  if (features.no_wall) return "characteristics begin at walls";
+  if (features.no_wall) return "characteristics: start at walls, and there is none";
   if (features.negative_damping) {
-    return "characteristics end at rest, and this damping gives energy to the motion";
+    return "characteristics: end at rest points, and this damping gives energy to the motion";
   }
   const Flow flow(problem.system);
   const auto places = rest_places(flow);
-  if (places.empty()) return "characteristics end at rest, and here is no place of rest";
+  if (places.empty()) return "characteristics: end at rest points, and there is no rest point";
   for (const RestPlace& place : places) {
     if (!place.contact && flow.contraction({place.y, 0}) <= 0) {
-      return "characteristics end at rest, and nothing damps the motion about an equilibrium";
+      return "characteristics: end at rest points, and an equilibrium is undamped";
     }
   }
   return "";

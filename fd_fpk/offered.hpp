@@ -7,21 +7,24 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Why this solver does not treat a problem, in one phrase; empty where it does.
+/// Why this solver does not treat a problem, in one phrase; empty where the solver treats the
+/// problem.
 std::string objection(const problem::Problem& problem, const Options& options);
 
-/// Likewise of a density over time, for which there are differences alone.
+/// As unsupported_reason, for a density over time: only upwind differences compute one.
 std::string objection_over_time(const problem::Problem& problem, const Options& options);
 
-/// Characteristics are offered where the motion between impulses is that of the equation, unless the
-/// options ask for what they do not have.
+/// The options allow characteristics: equation `kf` with the impact `map`, and no option that
+/// characteristics lack (cell numbers, grading, order, transport by differences).
 bool may_follow_characteristics(const Options& options);
 
-/// Why the density of `kf` cannot be followed along characteristics (fd_fpk/characteristics/), which
-/// go from walls and the sides of the box to rest: all motion has to lose energy.
+/// Why the density of `kf` cannot be computed along characteristics (fd_fpk/characteristics/);
+/// empty where it can. Characteristics start at walls and on the sides of the box and end at rest
+/// points, so every motion has to lose energy.
 std::string characteristics_objection(const problem::Problem& problem);
 
-/// The mass comes to rest in contact with a wall, and the law of this equation has an atom there.
+/// True where mass comes to rest in contact with a wall, so that the law of this equation has an
+/// atom there.
 bool rests_in_contact(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

@@ -17,9 +17,11 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Of the whole matrix, which dense jumps fill: beyond it KLU takes minutes.
+// Limit for factoring the whole matrix, which the dense jumps fill: KLU takes minutes above this
+// number of cells.
 constexpr int kMostCellsFactored = 5000;
-// A matrix grows when its rightmost eigenvalue is this far right of zero, in units of sqrt(k_eq).
+// An operator is unstable when the real part of its rightmost eigenvalue exceeds this, in units of
+// sqrt(k_eq).
 constexpr double kZero = 1e-7;
 
 struct Scheme {
@@ -40,12 +42,12 @@ double frequency(const problem::Problem& problem) {
   return std::sqrt(problem::equivalent_linearisation(problem).stiffness);
 }
 
-// The box of the solver, its velocities a whole number of steps.
+// The box of the solver, with a velocity range of a whole number of steps.
 Options options_on(const problem::Problem& problem, double step, int nx) {
   Options options;
   const Box box = initial_box(problem, options);
   const int half = std::max(8, static_cast<int>(std::ceil(box.x2_max / step - 1e-9)));
-  options.origin_refinement = 1;  // uniform: h is the width of every cell
+  options.origin_refinement = 1;  // uniform: all cells have the width h
   options.nx = nx;
   options.nv = 2 * half;
   options.x1_max = box.x1_max;
@@ -65,7 +67,7 @@ NullVector by_gmres(const problem::Problem& problem, const Options& options,
   return null_vector(op, preconditioner, gaussian_start(on.grid, problem));
 }
 
-// The density of the jump equation on a grid, or why there is none.
+// The density of the jump equation (kf) on a grid, or the reason for its absence.
 NullVector reference(const problem::Problem& problem, Options options) {
   options.equation = Equation::kf;
   const Discretisation on = discretise(problem, options, box_of(options));
@@ -78,7 +80,7 @@ void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperato
                       bool symbol_grows, RegularisationRow& row) {
   if (op.areas.size() > kMostCellsFactored) {
     append(row.remark,
-           fmt::format("no eigenvalue sought on more than {} cells", kMostCellsFactored));
+           fmt::format("no eigenvalue: not computed for more than {} cells", kMostCellsFactored));
     return;
   }
   auto [values, vector, residual, factorisations, solves, failure] = rightmost_eigenvalues(
@@ -91,13 +93,13 @@ void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperato
 void find_density(const problem::Problem& problem, const Options& options, const Discretisation& on,
                   const FokkerPlanckOperator& op, bool symbol_grows, const NullVector& kf,
                   RegularisationRow& row) {
-  // GMRES leans on an approximation that does not grow.
+  // The preconditioner of GMRES approximates stable operators only.
   const NullVector found =
       symbol_grows ? factored_null_vector(op, gaussian_start(on.grid, problem), frequency(problem))
                    : by_gmres(problem, options, on, op);
   if (!found.averages) return append(row.remark, "no null vector: " + found.failure);
   row.min_density = found.averages->minCoeff() / found.averages->cwiseAbs().maxCoeff();
-  if (!kf.averages) return append(row.remark, "no kf to compare with: " + kf.failure);
+  if (!kf.averages) return append(row.remark, "no reference density of kf: " + kf.failure);
   const Marginals mine = marginals(on.grid, *found.averages);
   const Marginals of_kf = marginals(on.grid, *kf.averages);
   row.l1_y = on.grid.x1.widths().dot((mine.y - of_kf.y).cwiseAbs());
@@ -137,8 +139,8 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const std::function<void(int, int)>& progress) {
   if (!problem::of_the_paper(problem)) {
     throw InputError(
-        "a study of the cut series beyond the paper's class (one wall at the equilibrium, constant "
-        "damping and impulses alone)");
+        "study of the regularisation: requires one wall at the equilibrium, constant damping and "
+        "impulses without noise; choose a case of that class");
   }
   const auto& law = problem.impulses.law();
   RegularisationStudy study{.default_length = default_regularisation_length(law),

@@ -15,12 +15,12 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Impulses per decay time beyond which characteristics are not tried.
+// Impulses per decay time above which characteristics are not computed.
 constexpr double kMostFrequent = 3000;
 
-// The acceleration by which a mean of the impulses presses the oscillator against the wall, by the
-// spring's at a deviation: beyond 1 it bounces rather than swings, the lower the more energy an
-// impact takes.
+// Mean acceleration towards the wall due to impulses of nonzero mean, relative to the acceleration
+// of the spring at one standard deviation. Above 1 the oscillator makes short flights between
+// impacts instead of half-cycles, and their height decreases with the energy loss of an impact.
 double pressing(const problem::Problem& problem) {
   const auto linear = problem::equivalent_linearisation(problem);
   return -problem.impulses.rate_moment(1) / problem.system.force()(linear.displacement_deviation);
@@ -31,12 +31,12 @@ bool bounces(const problem::Problem& problem) {
   return pressing(problem) > kPressed && problem.system.restitution() < kLosses;
 }
 
-// Whether they are the first choice at so many impulses per decay time: by experience with random
-// problems (docs/limits.md).
+// True where characteristics are the first choice at this number of impulses per decay time. The
+// thresholds are empirical, from random problems (docs/limits.md).
 bool prefer_characteristics(const problem::Problem& problem, double per_decay_time) {
   constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
   constexpr double kStrongLosses = 0.4;
-  constexpr double kOffTheWall = 2;  // deviations, of the static deflection
+  constexpr double kOffTheWall = 2;  // static deflection, in standard deviations
   if (!problem::of_the_paper(problem)) return per_decay_time < kRare;
   const auto linear = problem::equivalent_linearisation(problem);
   const bool losses =
@@ -45,15 +45,15 @@ bool prefer_characteristics(const problem::Problem& problem, double per_decay_ti
   return per_decay_time < kRare || (losses && per_decay_time < kFrequent) || bounces(problem);
 }
 
-// Whether differences have no hope: they do not hold what is unbounded, nor what bounces within
-// their cells.
+// True where upwind differences cannot resolve the density: an unbounded density, or flights
+// between impacts that are shorter than a cell.
 bool need_characteristics(const problem::Problem& problem) {
   constexpr double kPressedDown = 5;
   if (!problem::of_the_paper(problem)) return false;
   return unbounded_at_origin(problem) || (bounces(problem) && pressing(problem) > kPressedDown);
 }
 
-// Whether finer grids than the options' may answer.
+// True where the solver may choose finer grids than those of the options.
 bool grid_is_free(const Options& options) {
   const Options usual;
   return options.error_estimate && options.refine_unresolved && !options.nx && !options.nv &&
@@ -79,15 +79,16 @@ class Solver {
     const bool along = prefer_characteristics(problem_, per_decay_time);
     if (!grid_is_free(options_)) return by(along ? Transport::characteristics : Transport::upwind);
     if (along && need_characteristics(problem_)) return by(Transport::characteristics);
-    // The first choice may take half of the time, lest there is none for the other.
+    // The first choice has half of the time, which leaves the second half for the alternative.
     Result first = by(along ? Transport::characteristics : Transport::upwind,
                       Deadline(options_.tolerance ? deadline_.in_all() : deadline_.in_all() / 2));
-    // Where they are not the first choice differences do not know what they err.
+    // Differences that are not the first choice need a small error: their error estimate is
+    // unreliable there.
     if (first.solution.is_ok() && (along || good(first))) return first;
-    // A tolerance that one has missed the other will not meet in less time.
+    // A tolerance that the first choice misses cannot be met faster with the alternative.
     if (options_.tolerance && first.solution.density) return first;
-    // Characteristics between so many impulses visit too many cells, and a box that was given is the
-    // same for both.
+    // Characteristics would visit too many cells at this impulse rate. A box that the options set
+    // is the same for both transports.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && per_decay_time > kMostFrequent)) return first;
     Result second = by(along ? Transport::upwind : Transport::characteristics, deadline_);
@@ -106,15 +107,15 @@ class Solver {
   Result by(Transport transport, const Deadline& deadline) const {
     Options options = options_;
     options.transport = transport;
-    // Characteristics have no order to choose.
+    // Characteristics have no adjustable order.
     if (transport == Transport::upwind) {
       options.order = options.order.value_or(automatic_order(problem_));
     }
     const bool family = !problem::of_the_paper(problem_);
     Surroundings surroundings{.scales = scales_};
-    // All grids share it, and the lengths by which their cells are measured. What a box of the usual
-    // wall density cuts off the tails of impulses is 2e-7 of E[v^2], and a hundred times as much of
-    // what the fourth cumulant has beside it.
+    // All grids share the box and the length scales that set the cell widths. A box of the default
+    // wall density truncates the tails due to impulses: 2e-7 of E[v^2], and a hundred times this
+    // fraction of the excess of E[v^4] due to the fourth cumulant.
     if (family && transport == Transport::upwind) {
       constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
       options.wall_density *= problem_.impulses.present() ? kTailsOfImpulses : kTails;
@@ -137,7 +138,7 @@ class Solver {
   const problem::Problem& problem_;
   const problem::Scales scales_;
   const Options& options_;
-  // Of max_seconds; what is under way is given up at the next look at the clock.
+  // Fraction of max_seconds; a running solve ends when it next checks its deadline.
   static constexpr double kUntilTheEnd = 0.98;
   Deadline deadline_;
 };

@@ -13,7 +13,7 @@ namespace {
 using transform::counted;
 using transform::Observer;
 
-// Densities next to 0, in units of the peak: below this one is as good as another.
+// Densities relative to the peak: differences below this level are insignificant.
 constexpr double kFaint = 1e-6;
 
 void observe_faint(Observer& observer, const std::string& path, double density) {
@@ -21,12 +21,13 @@ void observe_faint(Observer& observer, const std::string& path, double density) 
 }
 
 void observe(Observer& observer, const ErrorEstimate& error) {
-  // Stated, and no part of the answer to which a repeated run is held: the rate is.
+  // The error of the impact rate may differ in a repeated run, which must reproduce the rate only.
   if (std::isfinite(error.impact_rate)) observer.work("error.impact_rate", error.impact_rate);
-  // Of the logarithm of a quotient of small differences.
+  // The logarithm of a quotient of small differences: sensitive to rounding.
   observer.add({.path = "error.observed_order", .value = error.observed_order, .delicate = true});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // A limit has the rounding of the moment, E[y'] that of the velocities.
+    // The scale of rounding errors in a limit is that of the moment; for E[y'] that of the
+    // velocities.
     observer.add({.path = std::string("error.extrapolated.") + name,
                   .value = error.extrapolated.*moment,
                   .least_scale = std::max(0.1, std::abs(error.extrapolated.*size))});

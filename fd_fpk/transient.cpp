@@ -26,11 +26,12 @@ namespace {
 
 using transform::Status;
 
-// Deviations of the start that the box holds, and cells to one of them at least.
+// Half-width of the box in standard deviations of the initial density, and the least number of
+// cells per standard deviation.
 constexpr double kStartBox = 6;
 constexpr double kStartCells = 5;
 
-// The start after the options, in the problem's frame.
+// The initial Gaussian of the options, in wall coordinates.
 Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales,
                   const TransientOptions& transient) {
   constexpr double kDefault = 0.5;
@@ -39,7 +40,7 @@ Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales
           transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
       .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
       .mean_displacement = problem::of_the_paper(problem) ? 0 : scales.centre};
-  // In a symmetric well it is 0 but for rounding.
+  // In a symmetric well the mean is 0 except for rounding.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
     start.mean_displacement = 0;
@@ -51,14 +52,14 @@ Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales
   if ((left && start.mean_displacement < left->position) ||
       (right && start.mean_displacement > right->position)) {
     throw InputError(
-        fmt::format("a start in the middle of y = {:.6g} (that is behind a wall: give a "
-                    "start-mean-y between the walls)",
+        fmt::format("start-mean-y = {:.6g}: behind a wall; choose a value between the walls",
                     frame.y(start.mean_displacement)));
   }
   return start;
 }
 
-// The largest v^2/2 + V(y) on the ellipse of kStartBox deviations, as far as walls leave it.
+// The largest v^2/2 + V(y), between the walls, on an ellipse of kStartBox standard
+// deviations.
 double most_energy(const problem::System& system, const numerics::Polynomial& potential,
                    const Gaussian& start) {
   constexpr int kDirections = 120;
@@ -74,7 +75,8 @@ double most_energy(const problem::System& system, const numerics::Polynomial& po
   return most;
 }
 
-// Holds the stationary density, the start, and what a start at rest or at the wall turns into.
+// A box for the stationary density, the initial density, and all states that the initial energy can
+// reach.
 Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
            const Gaussian& start, const Deadline& deadline) {
   const auto& system = problem.system;
@@ -92,10 +94,11 @@ Box box_of(const problem::Problem& problem, const problem::Scales& scales, const
   return box;
 }
 
-// A start narrower than the stationary density wants narrower cells, in both directions: it turns.
+// An initial density narrower than the stationary density needs narrower cells in both directions,
+// since the flow rotates it in the phase plane.
 Options resolving(const problem::Problem& problem, const problem::Scales& scales, Options options,
                   const Lengths& of_stationary, const Gaussian& start) {
-  constexpr double kCells = 6;  // of the automatic grid to a length
+  constexpr double kCells = 6;  // cells of the automatic grid per length scale
   const Lengths lengths =
       problem::of_the_paper(problem)
           ? Lengths{.x1 = scales.displacement_deviation, .x2 = scales.velocity_deviation}
@@ -103,8 +106,8 @@ Options resolving(const problem::Problem& problem, const problem::Scales& scales
   const double narrowness =
       std::max(lengths.x1 / start.displacement_deviation, lengths.x2 / start.velocity_deviation);
   options.refinement *= std::max(1.0, narrowness * kStartCells / kCells);
-  // Steps are short against the oscillation: the narrow cells of an automatic grading would make
-  // the equations stiff for the sake of one point.
+  // Time steps are short compared with the period: narrow cells of an automatic grading would make
+  // the equations stiff for the benefit of a single point.
   options.origin_refinement = options.origin_refinement.value_or(1);
   return options;
 }
@@ -118,7 +121,7 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   Snapshot s{.time = time,
              .moments = physical_moments(frame, grid, averages, order_of(options)),
              .yv = physical_yv(frame, grid, averages, order_of(options))};
-  // U is 0 at y = 0, wherever that is.
+  // U is 0 at y = 0, for any origin of the wall coordinates.
   s.energy =
       mean_energy(system, grid, averages, order_of(options)) - system.potential()(frame.x(0));
   const double energy_rate = mean_energy(system, grid, change, order_of(options));
@@ -128,7 +131,7 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
                                   averages, order_of(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
-  // The start is a Gaussian, bounded at the walls.
+  // The initial Gaussian is bounded at the walls.
   s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, order_of(options))
                             : impact_rate(system, on.excitation, options.impact, grid, averages,
                                           change, order_of(options));
@@ -145,7 +148,7 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   return s;
 }
 
-// What is wrong with a density; fills in status and reason.
+// Sets status and reason where a snapshot violates a limit.
 void judge(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
            TransientResult& result) {
   const std::string when = fmt::format("at t = {:.4g} ", at.time);
@@ -155,21 +158,22 @@ void judge(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
   } else if (!kBarsOverTime.allow_density(at.min_density)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
-        "at t = {:.4g} the density is negative down to {:.1g} of its peak: grid or time steps do not "
-        "resolve it (refine, start wider, take order 3 or a smaller time tolerance)",
+        "the density at t = {:.4g} is negative, {:.1g} of its peak: insufficient resolution; "
+        "refine the grid, widen the initial density, use order 3, or reduce time-tolerance",
         at.time, at.min_density);
   } else if (!kBarsOverTime.allow_imbalance(at.power_residual)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
-        "at t = {:.4g} the balance of power is missed by {:.1g} of the input: the grid does not "
-        "resolve the density (refine it, or start wider)",
+        "the power balance at t = {:.4g} has a residual of {:.1g} of the input: insufficient "
+        "resolution; refine the grid or widen the initial density",
         at.time, at.power_residual);
   }
 }
 
-// Cells that are as narrow as the start and the stationary density want, unless there are so many that
-// stepping through time takes minutes: mass that settles in wells, or that rare impulses leave at rest,
-// is narrower than any grid. What the cells then do not resolve, the bars say.
+// A discretisation that resolves the initial and the stationary density, with at most
+// kMaxTransientCells cells: time steps on more cells take minutes. Mass that concentrates in wells,
+// or at rest under rare impulses, is narrower than any cell; kTransientLimits then detect the
+// insufficient resolution.
 Discretisation affordable(const problem::Problem& problem, const Box& box, Options& options) {
   constexpr double kAffordable = 10000;
   Discretisation on = discretise(problem, options, box);
@@ -183,10 +187,11 @@ void step_through(const problem::Problem& problem, const Options& options,
                   const Discretisation& on, const FokkerPlanckOperator& op,
                   Preconditioner& preconditioner, const Deadline& deadline,
                   TransientResult& result) {
-  constexpr long kMostSteps = 1000000;  // between two snapshots
-  // Of the local error; the rest of it goes into mass that is lost.
+  constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
+  // Tolerance of GMRES as a fraction of the local error. The linear residual shows up as lost mass.
   constexpr double kLinearTolerance = 1e-3;
-  constexpr long kStepsPerFactorisation = 10000;  // L is constant: a new gamma is what asks for one
+  // L is constant: CVODE factors for a new gamma alone.
+  constexpr long kStepsPerFactorisation = 10000;
 
   const Grid& grid = on.grid;
   const Eigen::VectorXd start = averages_of(gaussian, grid);
@@ -209,13 +214,14 @@ void step_through(const problem::Problem& problem, const Options& options,
     } catch (const OutOfTime&) {
       result.status = Status::not_converged;
       result.reason = fmt::format(
-          "max_seconds are over before t = {:.4g} (take more of them, or fewer cells)", time);
+          "t = {:.4g} not reached: max_seconds expired; increase max-seconds or use fewer cells",
+          time);
       break;
     }
     const auto [flag, reached] = to;
     if (flag < 0) {
       result.status = Status::not_converged;
-      result.reason = fmt::format("CVODE stopped at t = {:.4g} on the way to {:.4g} (flag {}): {}",
+      result.reason = fmt::format("CVODE stopped at t = {:.4g} before t = {:.4g} (flag {}): {}",
                                   reached, time, flag, cvode.message());
       break;
     }
@@ -271,7 +277,7 @@ TransientResult integrate(const problem::Problem& problem, const Options& option
   validate(options, transient);
   const problem::Problem seen = problem::seen_from(problem::frame_of(problem.system), problem);
   if (const std::string why = objection_over_time(seen, options); !why.empty()) {
-    throw InputError(fmt::format("no density over time ({})", why));
+    throw InputError(fmt::format("no density over time: {}", why));
   }
   const Stopwatch stopwatch;
   TransientResult result = integrate_untimed(seen, options, transient);

@@ -6,7 +6,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Every `stride`-th face from the first on, and the last.
+// Every `stride`-th face, starting with the first, and the last face.
 std::vector<double> coarser(const std::vector<double>& faces, int stride) {
   std::vector<double> kept;
   for (std::size_t f = 0; f + 1 < faces.size(); f += static_cast<std::size_t>(stride)) {
@@ -56,7 +56,7 @@ void Aggregation::set_chain(const std::function<Eigen::VectorXd(const Eigen::Vec
     system.col(b) = one - step(one);
     one(b) = 0;
   }
-  // 1 - A has no inverse. Any mass that is added in proportion to the areas gives it one.
+  // 1 - A is singular. Adding any mass in proportion to the areas makes the matrix regular.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
   added.head(blocks_.size()) = blocks_.areas() / blocks_.areas().sum();
   system.colwise() += added;
@@ -64,7 +64,7 @@ void Aggregation::set_chain(const std::function<Eigen::VectorXd(const Eigen::Vec
 }
 
 void Aggregation::spread_like(const Eigen::VectorXd& masses) {
-  constexpr double kEven = 1e-6;  // of the mass of all
+  constexpr double kEven = 1e-6;  // relative to the total mass
   const Eigen::VectorXd areas = grid_.areas();
   weights_ = masses.cwiseMax(0);
   weights_.head(grid_.size()) += kEven / areas.sum() * areas;

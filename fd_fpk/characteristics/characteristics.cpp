@@ -12,12 +12,14 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// A step of the motion is crossed in this many chords.
+// Chords that represent one step of the motion.
 constexpr int kChords = 10;
-// Decay times of the impulses after which nothing is left that could be followed.
+// Time limit of a characteristic, in mean times between impulses: the remaining probability is then
+// negligible.
 constexpr double kLongest = 40;
 constexpr long kMostSteps = 20000;
-// What creeps to rest for a long time has no area left, and still is in some cell.
+// Overdamped motion that approaches rest for a long time has a vanishing area, and still needs a
+// cell.
 constexpr double kLeastFlux = 1e-200;
 
 int cell_of(const Line& line, double x) {
@@ -26,7 +28,7 @@ int cell_of(const Line& line, double x) {
   return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, line.cells() - 1);
 }
 
-// Hermite's cubic over a step.
+// Cubic Hermite interpolation over a step.
 class Cubic {
  public:
   Cubic(const Flow& flow, const State& from, const State& to, double time)
@@ -50,9 +52,9 @@ class Cubic {
 
 struct Characteristics::Position {
   State state;
-  int i, j;           // its cell
-  double flux;        // of area, now
-  std::size_t first;  // visit of the track
+  int i, j;           // indices of its cell
+  double flux;        // current flux of area
+  std::size_t first;  // first visit of the track
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid, double rate,
@@ -79,13 +81,13 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
 }
 
 std::string Characteristics::failure() const {
-  if (out_of_time_) return "max_seconds are over before the characteristics are laid";
+  if (out_of_time_) return "characteristics: max_seconds expired during their construction";
   if (!ended()) return "";
-  return fmt::format("characteristics visit cells more than {} times", kMostVisits);
+  return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMostVisits);
 }
 
-// Through the outer sides of the box, where the flow enters it: everything inside came from there,
-// from a wall, or from next to an unstable equilibrium.
+// Characteristics through the outer sides of the box, where the flow enters it. Every state inside
+// comes from there, from a wall, or from the neighbourhood of an unstable equilibrium.
 void Characteristics::lay_from_box(int per_cell) {
   constexpr double kInside = 1e-12;
   const double length = grid_.x1_max() - grid_.x1_min();
@@ -116,8 +118,8 @@ void Characteristics::lay_from_box(int per_cell) {
   }
 }
 
-// In contact the innermost cell's motion is a cascade of impacts, and about an equilibrium at the
-// wall it is at rest.
+// The innermost cell gets no characteristic at a wall with rest: in contact its motion is a cascade
+// of impacts, and about an equilibrium at the wall it is at rest.
 void Characteristics::lay_from_wall(Side side, int per_cell) {
   const int middle = grid_.nv() / 2;
   const double y = flow_.wall(side)->position;
@@ -153,8 +155,8 @@ void Characteristics::sort_from_walls() {
   }
 }
 
-// A cell that none has crossed, where the flow converges strongly, gets one of its own. Its strip
-// is so narrow that it takes nothing from cells that have others.
+// A cell without a characteristic (strong convergence of the flow) gets its own. Its strip is so
+// narrow that it takes a negligible area from cells with other characteristics.
 void Characteristics::lay_through_gaps() {
   constexpr double kNarrow = 1e-9;
   std::vector<bool> crossed = at_rest_;
@@ -173,7 +175,7 @@ void Characteristics::lay_through_gaps() {
   }
 }
 
-// The equilibrium whose cells no motion from here leaves.
+// The equilibrium whose cells no motion from this state leaves.
 std::optional<int> Characteristics::rest_within(const State& at) const {
   const int cell = cell_of(grid_.x1, at.y) * grid_.nv() + cell_of(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
@@ -194,7 +196,7 @@ Track Characteristics::follow(const State& from, double flux) {
               .flux = flux,
               .first = visits_.size()};
   if (given_up_.is_over()) out_of_time_ = true;
-  constexpr double kAlike = 0.7;  // energies, for which the reach need not be looked for again
+  constexpr double kAlike = 0.7;  // ratio of energies above which the accessible interval is reused
   Track track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
   Reach reach = flow_.reach(from);
   double energy = track.energy - reach.least_potential, time = 0;
@@ -211,7 +213,7 @@ Track Characteristics::follow(const State& from, double flux) {
     if (hit) {
       span = flow_.impact_time(at.state, span, *hit);
       end = {flow_.wall(*hit)->position, flow_.after(at.state, span).v};
-      // By rounding errors alone it may seem to leave the wall.
+      // Rounding errors may give the impact velocity the wrong sign.
       end.v = *hit == Side::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
     }
     const Cubic path(flow_, at.state, end, span);
@@ -229,7 +231,7 @@ Track Characteristics::follow(const State& from, double flux) {
   return track;
 }
 
-// What leaves the wall again within the innermost cells comes to rest there.
+// Motion that leaves the wall slower than the innermost cells comes to rest there.
 void Characteristics::land(Side side, double speed, Landing& landing) const {
   landing.wall = side;
   landing.speed = speed;
@@ -244,7 +246,7 @@ void Characteristics::land(Side side, double speed, Landing& landing) const {
   }
 }
 
-// Along a straight line, from face to face.
+// Traverses a straight chord from face to face.
 void Characteristics::cross(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
@@ -257,7 +259,7 @@ void Characteristics::cross(Position& at, const State& to, double time) {
   at.state = to;
   double done = 0;
   while (true) {
-    double y_face = 2, v_face = 2;  // beyond the end
+    double y_face = 2, v_face = 2;  // fractions of the chord; above 1: not on the chord
     if (dy > 0 && at.i + 1 < grid_.nx()) y_face = (grid_.x1.faces()[at.i + 1] - from.y) / dy;
     if (dy < 0 && at.i > 0) y_face = (grid_.x1.faces()[at.i] - from.y) / dy;
     if (dv > 0 && at.j + 1 < grid_.nv()) v_face = (grid_.x2.faces()[at.j + 1] - from.v) / dv;
@@ -292,7 +294,8 @@ void Characteristics::cross(Position& at, const State& to, double time) {
   }
 }
 
-// Until here the shares are areas, and positions are from the centre of the cell.
+// Converts areas to fractions of the cell, and positions from the cell's centre to positions from
+// the mean of all visits.
 void Characteristics::share_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
@@ -307,11 +310,11 @@ void Characteristics::share_areas() {
   for (std::size_t n = 0; n < visits_.size(); ++n) {
     Visit& visit = visits_[n];
     const Cover& cover = covers[visit.cell];
-    const double expected = rate_ * durations_[n];  // impulses
+    const double expected = rate_ * durations_[n];  // expected number of impulses
     const double ended = -std::expm1(-expected);
     visit.ended = static_cast<float>(ended);
     visit.ended_begun = static_cast<float>(expected > 1e-4 ? 1 - ended / expected : expected / 2);
-    // What begins at rest stays there.
+    // Mass that starts at rest remains there.
     visit.share = at_rest_[visit.cell] ? 0 : visit.share / cover.area;
     visit.y -= cover.y / cover.area;
     visit.v -= cover.v / cover.area;
@@ -346,14 +349,15 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
   for (const int contact : contacts_) {
     const Side side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
-    // Of an impulse off the wall, and into it.
+    // Probabilities that an impulse off the wall is slower than u, and that one into the wall is
+    // faster.
     const auto slower_off = [&](double u) {
       return side == Side::left ? law.cumulative(u) : 1 - law.cumulative(-u);
     };
     const auto faster_into = [&](double u) {
       return side == Side::left ? law.cumulative(-u) : 1 - law.cumulative(u);
     };
-    // P(0 < speed after the impulse < u)
+    // P(0 < post-impulse speed < u)
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
@@ -364,7 +368,7 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
       emission.shares[fan.tracks[k]] = slower(above) - slower(fan.below[k]);
     }
     emission.stays = slower(fan.below.back());
-    // E[Y^-] and its square's mean, by parts, between the law's breaks; of atoms they are sums.
+    // E[Y^-] and E[(Y^-)^2], by parts between the breakpoints of the law; for atoms they are sums.
     const double into = side == Side::left ? -1 : 1;
     std::vector<double> ends{0};
     for (const double end : law.smooth_pieces()) {

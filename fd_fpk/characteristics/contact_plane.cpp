@@ -10,20 +10,21 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kCellWidth = 0.2;  // in usual amplitudes
-// Of the usual speed: below it the impacts in contact are a cascade.
+constexpr double kCellWidth = 0.2;  // in typical amplitudes
+// In units of the typical speed: at lower speeds the impacts in contact form a cascade.
 constexpr double kContactCore = 0.02;
-// Where cells cease to shrink towards an equilibrium, of the usual amplitudes: where impulses are
-// rare, and where they leave nothing of a motion that comes so near. Cells on both sides of a well
-// leave its mean as it is; to one at a wall they shrink further, to core_at_rest().
+// Lower limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
+// constant width: for rare impulses, and for frequent impulses, which leave no motion at smaller
+// distances. Cells on both sides of a well do not bias its mean; cells towards an equilibrium at a
+// wall decrease further, to relative_core_width().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
-// Half an impulse leads to so much, however rare they are.
+// The typical speed is at least half an impulse, even for rare impulses.
 double usual_speed_in_contact(const problem::Problem& problem, const problem::Scales& scales) {
   return std::max(scales.velocity_deviation, 0.5 * std::sqrt(problem.impulses.law().moment(2)));
 }
 
-// How near to an equilibrium the motion comes before an impulse.
+// Distance to the equilibrium to which the motion decays between impulses.
 double equilibrium_core(const problem::Problem& problem, const problem::Scales& scales,
                         bool at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
@@ -43,8 +44,8 @@ bool at_wall(const Flow& flow, const RestPlace& place) {
 struct UsualLengths {
   double speed, core_v;
   std::vector<RestPlace> places;
-  std::vector<double> core_y = {};  // of each place
-  double widest = 0;                // distance that the usual speed reaches from one of them
+  std::vector<double> core_y = {};  // for each rest point
+  double widest = 0;  // largest distance from a rest point that the typical speed attains
 };
 
 UsualLengths usual_lengths(const problem::Problem& problem, const problem::Scales& scales,
@@ -57,7 +58,7 @@ UsualLengths usual_lengths(const problem::Problem& problem, const problem::Scale
     const double length = std::max(place.y - reach.low, reach.high - place.y);
     found.widest = std::max(found.widest, length);
     if (place.contact) {
-      // The first cell is as high as the speed of the first cell flies.
+      // The height of the first cell is that of a flight with the speed of the first cell.
       const double slow = kCellWidth * kContactCore * found.speed;
       const double height = slow * slow / (2 * std::abs(flow.force(place.y)));
       found.core_y.push_back(height / kCellWidth);
@@ -86,7 +87,7 @@ Grid contact_grid(const problem::Problem& problem, const problem::Scales& scales
   anchors.push_back(box.x1_max);
   const auto width_in_y = [&](double y) {
     const double speed = std::sqrt(2 * std::max(0.0, flow.potential(y) - least));
-    // Next to a saddle the force says nothing of the density.
+    // Near a saddle the force is not a measure of the density's length scale.
     double nearest = scale.widest;
     for (const RestPlace& place : scale.places) {
       nearest = std::max(nearest, std::abs(y - place.y) / 4);

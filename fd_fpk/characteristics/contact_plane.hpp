@@ -8,15 +8,15 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Cells for characteristics of a motion with walls anywhere, that comes to rest in equilibria and in
-/// contact. In v they are a fifth of the usual speed, in y what a speed larger by so much reaches
-/// farther, dy = v dv / |g|; towards places of rest they shrink in proportion to the distance, in contact in
-/// y as the square of v, down to where what is left is as good as at rest; all divided by
-/// options.refinement.
+/// Cells for characteristics of motion between arbitrary walls, with rest in equilibria and in
+/// contact. Far out their width in v is a fifth of the typical speed; in y the height gained by a
+/// speed increase of that size, dy = v dv / |g|. Towards rest points the widths decrease in
+/// proportion to the distance, and in contact in y as the square of v. They have a lower limit,
+/// below which the motion is practically at rest. All widths are divided by options.refinement.
 Grid contact_grid(const problem::Problem& problem, const problem::Scales& scales,
                   const Options& options, const Box& box);
 
-/// Where to look for the density at first.
+/// The initial, generous box in which to compute the density.
 Box generous_contact_box(const problem::Problem& problem, const problem::Scales& scales,
                          const Options& options);
 

@@ -23,12 +23,12 @@ class Chain {
 
   const Characteristics& characteristics() const { return characteristics_; }
 
-  // From q to p.
+  // p = T q.
   Eigen::VectorXd carried(const Eigen::VectorXd& after, WallImpacts* impacts = nullptr) const {
     return passage_(after, tilted_ ? tilts_after_(after) : none(), impacts);
   }
 
-  // From p to q. What has rested in contact until now the passage starts.
+  // q = J p. The transport operator sets mass at rest in contact in motion.
   Eigen::VectorXd kicked(const Eigen::VectorXd& before) const {
     Eigen::VectorXd after = before;
     columns(after).noalias() = jumps_.even * columns(before);
@@ -53,7 +53,7 @@ class Chain {
   Eigen::VectorXd carried_evenly(const Eigen::VectorXd& after) const {
     return passage_(after, none());
   }
-  // The masses of each cell of x1 as a column.
+  // The masses of each x1 cell as a column.
   Eigen::Map<Eigen::MatrixXd> columns(Eigen::VectorXd& masses) const {
     return {masses.data(), grid_.nv(), grid_.nx()};
   }
@@ -69,10 +69,11 @@ class Chain {
   bool tilted_ = false;
 };
 
-// Of the residual. Without tilts q is only what limits them.
+// Tolerances of the residual. The solution without slopes serves only as the slope limiter, so its
+// tolerance is larger.
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
-// Improves q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has no mass.
+// Corrects q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has mass 0.
 void improve(const Chain& chain, const Aggregation& aggregation, double tolerance,
              const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
   const Eigen::VectorXd defect = chain.kicked(chain.carried(after)) - after;
@@ -93,7 +94,7 @@ void improve(const Chain& chain, const Aggregation& aggregation, double toleranc
   after /= after.sum();
 }
 
-// The more impulses it takes to forget, the more of the error is slow.
+// Slow convergence of the chain (many impulses per decay time) requires more blocks.
 int blocks_for(const problem::Problem& problem, const problem::Scales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);
@@ -126,7 +127,7 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const proble
   StationaryMasses result{.masses = std::nullopt,
                           .rest = places,
                           .visits = static_cast<long>(characteristics.visits().size())};
-  // The first impulse finds the oscillator at rest.
+  // Initial state: the oscillator at rest.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
   for (const RestPlace& place : places) {
     if (place.contact) continue;

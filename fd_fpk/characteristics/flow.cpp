@@ -9,13 +9,13 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Damping times the longest step of the Runge-Kutta method: of 2.78 on the negative axis, where it
-// decays as it should.
+// Largest product of damping and Runge-Kutta step. The stability limit on the negative real axis is
+// 2.78; up to 0.75 the decay is also accurate.
 constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// expm1(s t)/s
+// int_0^t exp(s t') dt' = expm1(s t) / s.
 double grown(double s, double time) { return s == 0 ? time : std::expm1(s * time) / s; }
 
 }  // namespace
@@ -49,8 +49,9 @@ double Flow::contraction(const State& at) const {
   return damping_(at.y) + 3 * rayleigh_ * at.v * at.v;
 }
 
-// Exactly, with the forces linear about the state: exponentials of the roots s of
-// s^2 + f_v s + (f_y + g') = 0, real where a step is longer than explicit formulas stand.
+// Exact solution for forces linearised about the state: exponentials of the roots s of s^2 + f_v s
+// + (f_y + g') = 0. The roots are real where a step exceeds the stability limit of explicit
+// methods.
 State Flow::after_creeping(const State& from, double time) const {
   const auto [slow, fast, v_slow, v_fast] = modes(from);
   return {from.y + v_slow * grown(slow, time) + v_fast * grown(fast, time),
@@ -85,8 +86,8 @@ State Flow::after(const State& from, double time) const {
 }
 
 double Flow::longest_step(const State& from, const Reach& reach) const {
-  constexpr double kChange = 0.1;  // of the state, in the norm of the energy
-  // Over a saddle, and where no force acts, the state changes little and what comes next much.
+  constexpr double kChange = 0.1;  // relative change of the state, in the energy norm
+  // Near a saddle, and where no force acts, the state changes slowly although fast changes follow.
   constexpr double kLongest = 0.3, kOfTheWay = 0.1;
   const double size = std::sqrt(2 * std::max(0.0, energy(from) - reach.least_potential));
   const double rate = std::hypot(reach.frequency * from.v, acceleration(from));
@@ -96,7 +97,7 @@ double Flow::longest_step(const State& from, const Reach& reach) const {
   const double span = std::min({free, kLongest / reach.frequency, across});
   const double damping = contraction(from);
   if (damping * span <= kStability) return span;
-  // What decays fast changes the sign of v, and bends the path at the begin of a step.
+  // The fast mode changes the sign of v, and bends the path at the beginning of a step.
   constexpr double kDecayed = 0.05, kNone = 1e-300;
   const Modes modes = this->modes(from);
   const double smooth =
@@ -104,7 +105,7 @@ double Flow::longest_step(const State& from, const Reach& reach) const {
   return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
-// Between neighbouring turns U is monotone; beyond the last it grows.
+// U is monotone between neighbouring extrema and increases outside them.
 double Flow::end_of_reach(double y, double energy, Side side) const {
   const double sign = -inwards(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
@@ -166,7 +167,7 @@ Winding Flow::winding(double speed) const {
     const double span = longest_step(state, reach);
     const State end = after(state, span);
     if (state.v > 0 && end.v <= 0) {
-      // The parabola's top.
+      // The apex of the parabola.
       const double until = span * state.v / (state.v - end.v);
       winding.height = std::max(winding.height, after(state, until).y - wall);
     }
@@ -177,7 +178,7 @@ Winding Flow::winding(double speed) const {
       winding.duration = time + until;
       break;
     }
-    if (hit) {  // the other wall
+    if (hit) {  // the right wall
       winding.height = system_.right()->position - wall;
       break;
     }
@@ -190,7 +191,8 @@ Winding Flow::winding(double speed) const {
 double Flow::impact_time(const State& from, double time, Side side) const {
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
-  // Where the chord meets the wall; a flight from the wall itself has none.
+  // Intersection of the chord with the wall; for a flight that starts at the wall, half of the
+  // time.
   double guess = distance_now > 0
                      ? time * distance_now / (distance_now - distance(after(from, time).y, side))
                      : time / 2;

@@ -8,7 +8,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// What a visit needs of its cell, side by side in memory: visits go through the plane at random.
+// The data of a cell that a visit uses, contiguous in memory: visits access cells in random order.
 struct CellMass {
   double mass, tilt_y, tilt_v;
   double ended = 0;
@@ -53,14 +53,14 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
     const CellMass& cell = cells[visit.cell];
     return visit.share * (cell.mass + cell.tilt_y * visit.y + cell.tilt_v * visit.v);
   };
-  // What is left at the end of a track.
+  // Mass that remains at the end of a track.
   constexpr std::true_type kWithSources;
-  constexpr std::false_type kAgain;  // the sources have begun already
+  constexpr std::false_type kAgain;  // sources are already included
   const auto follow = [&](const Track& track, double mass, auto with_sources) {
     for (std::size_t n = track.first; n < track.last; ++n) {
       const Visit& visit = visits[n];
       const double begins = with_sources ? source(visit) : 0;
-      // Both for themselves: what is left waits for nothing but what was left before.
+      // Two independent updates: the recurrence of `mass` depends on its previous value alone.
       cells[visit.cell].ended += visit.ended * mass + visit.ended_begun * begins;
       mass = (1.0 - visit.ended) * mass + (1.0 - visit.ended_begun) * begins;
     }
@@ -72,7 +72,7 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
       at_rest[place] += mass;
       return;
     }
-    // What an impulse ends on the way is on either side of v = 0.
+    // Mass whose cascade an impulse ends lies on both sides of v = 0.
     const Cascade& cascade = *landing.cascade;
     at_rest[place] += cascade.survival * mass;
     for (const auto& [cell, share] : rest[place].cells) {
@@ -103,7 +103,7 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
       const Landing& landing = track.landing;
       double mass = std::exchange(entering[n], 0.0);
       if (!with_sources && mass == 0) continue;
-      // Part of what leaves here may land here again: the mass is then that of all rounds.
+      // Part of the mass may return to this characteristic: sum over all rounds.
       double again = 0;
       if (landing.wall && !landing.rest) {
         if (landing.faster == static_cast<int>(n)) again += landing.to_faster;
@@ -121,12 +121,12 @@ Eigen::VectorXd Passage::operator()(const Eigen::VectorXd& masses, const Tilts& 
       }
       const double left = follow(track, mass, with_sources);
       land(track, left);
-      // All rounds are in `left` already.
+      // `left` already includes all rounds.
       entering[n] -= again * left;
     }
   };
   leave_walls(kWithSources);
-  // Between two walls a part may land on a characteristic that has had its turn.
+  // With two walls, mass may continue on a characteristic that has been processed already.
   constexpr int kMostRounds = 1000;
   constexpr double kNothing = 1e-15;
   for (int round = 0; round < kMostRounds; ++round) {

@@ -8,35 +8,38 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Impacts per impulse, at one wall.
+/// Sums over the impacts at one wall, per impulse.
 struct ImpactSums {
-  double number = 0;  ///< those of a cascade to rest, of which there are infinitely many, left out
-  double momentum = 0;  ///< of the speeds
-  double energy = 0;    ///< of their cubes over the speed, v^2: what int |v|^3 p dv sums
+  /// Number of impacts, without those of a cascade to rest, which are infinitely many.
+  double number = 0;
+  double momentum = 0;  ///< sum of the impact speeds
+  double energy = 0;    ///< sum of v^2 over the impacts: int |v|^3 p dv
 };
 struct WallImpacts {
   ImpactSums left, right;
   ImpactSums& at(Side side) { return side == Side::left ? left : right; }
 };
 
-/// Where the oscillator is when the next impulse comes, given where the last one took it: p, the
-/// density between impulses, from q, that after an impulse,
+/// The transport operator p = T q. It maps the density q after an impulse to the density p between
+/// impulses, which is also that of the state at the next impulse:
 ///
-///     p = lambda int_0^infinity exp(-lambda t) (q carried along the motion for t) dt.
+///     p = lambda int_0^infinity exp(-lambda t) (q transported along the motion for t) dt.
 ///
-/// Each visit of a characteristic takes its share of what starts in its cell, with its tilt, adds it
-/// to what comes from the visit before, and passes on what no impulse has ended. Exact along the
-/// characteristics; the mass is kept.
+/// Each visit of a characteristic takes its fraction of the mass that starts in its cell, with the
+/// cell's slopes, adds the mass from the preceding visit, and passes on the mass that no impulse
+/// has ended. The transport is exact along the characteristics and conserves mass.
 ///
-/// Both are masses on the cells, and after them of each place of contact: of p what rests there, of q
-/// what an impulse has just taken from there.
+/// Both vectors contain the masses on the cells, followed by one mass for each rest point in
+/// contact: for p the mass at rest there, for q the mass that an impulse has just set in motion
+/// from there.
 class Passage {
  public:
-  /// They must outlive it.
+  /// Both arguments must outlive the operator.
   Passage(const Characteristics& characteristics, const problem::ImpulseLaw& law)
       : characteristics_(characteristics), emissions_(characteristics.emissions(law)) {}
 
-  /// @param masses of q; tilts of q
+  /// @param masses of q
+  /// @param slopes of q
   Eigen::VectorXd operator()(const Eigen::VectorXd& masses, const Tilts& tilts,
                              WallImpacts* impacts = nullptr) const;
 

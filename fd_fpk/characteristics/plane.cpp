@@ -11,18 +11,19 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kWidth = 0.2;  // of cells far out, in usual amplitudes
-// And towards other singularities, nearer by.
+constexpr double kWidth = 0.2;  // width of cells far out, in typical amplitudes
+// Grading towards other singularities, over shorter distances.
 constexpr double kSpikeReach = 0.25;
 constexpr double kSpikeCore = 0.005;
 
-// The acceleration by which the mean of the impulses presses the oscillator against the wall.
+// Acceleration towards the wall due to the mean of the impulses.
 double pressing(const problem::Problem& problem) {
   return std::max(0.0, -problem.impulses.rate_moment(1));
 }
 
-// Where a mean G presses it against the wall, the oscillator bounces: it meets the wall G / 2 v
-// times per unit time, and the power D2 of the impulses is c v^2 + (1 - r^2) G v / 4.
+// With a mean acceleration G towards the wall the oscillator makes short flights between impacts.
+// It meets the wall G / 2 v times per unit time, and the input power D2 of the impulses equals c
+// v^2 + (1 - r^2) G v / 4.
 double deviation_of_speed(const problem::Problem& problem) {
   const double linear = problem::equivalent_linearisation(problem).velocity_deviation;
   const double r = problem.system.restitution(), c = problem.system.damping();
@@ -42,7 +43,7 @@ double usual_height(const problem::Problem& problem, const Flow& flow, double sp
   return std::min(flow.winding(speed).height, bounce);
 }
 
-// |Y| does not exceed it but with this probability.
+// The amplitude that |Y| exceeds with this probability.
 double largest_impulse(const problem::ImpulseLaw& law, double probability) {
   double amplitude = std::sqrt(law.moment(2));
   while (1 - law.cumulative(amplitude) + law.cumulative(-amplitude) > probability) {
@@ -51,13 +52,14 @@ double largest_impulse(const problem::ImpulseLaw& law, double probability) {
   return amplitude;
 }
 
-// Amplitudes and speeds at which the density is as singular as at rest, or steps.
+// Amplitudes and speeds at which the density is as singular as at rest, or discontinuous.
 struct Singularities {
   std::vector<double> y, v;
 };
 
-// Atoms take what is at rest to a speed; its characteristic turns at known heights and meets the
-// wall at known speeds. A law that begins with a step leaves one up to that speed.
+// An atom of the law takes mass at rest to a known speed. Its characteristic has turning points at
+// known heights and impacts at known speeds. A law that begins with a step causes a discontinuity
+// at the speed of that step.
 Singularities singularities(const problem::Problem& problem, const Flow& flow, double usual_speed) {
   constexpr int kWindings = 6;
   constexpr double kFaint = 0.02, kSlow = 0.02, kApart = 0.9, kStep = 1e-3;
@@ -72,7 +74,7 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow, d
       found.y.push_back(winding.height);
       found.v.push_back(speed);
       found.v.push_back(winding.landing);
-      // Windings that lie close together make no spikes of their own.
+      // Half-cycles with nearly equal amplitudes cause no separate spikes.
       const double next = problem.system.restitution() * winding.landing;
       if (next > kApart * speed) break;
       speed = next;
@@ -87,7 +89,7 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow, d
   return found;
 }
 
-// The origin, and what else is singular, once where there are two as good as one.
+// Refinement points at the origin and at the other singularities, without near duplicates.
 std::vector<Centre> centres(double usual, double core, std::vector<double> singular) {
   const Grading to_spike{.reach = kSpikeReach * usual, .core = kSpikeCore * usual};
   std::vector<Centre> centres{{0, {.reach = usual, .core = core * usual}}};
@@ -105,7 +107,7 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
   const double v = usual_speed(problem), y = usual_height(problem, flow, v);
   const double width = kWidth / options.refinement;
   const double core = core_at_rest(deviation_of_speed(problem), v);
-  // What is at rest is then as sharp after an impulse.
+  // The spike at rest is equally sharp after an impulse.
   const Singularities singular =
       unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
   return symmetric_grid(faces_graded_to(0, box.x1_max, width * y, centres(y, core, singular.y)),
@@ -114,7 +116,8 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
 
 Box generous_box(const problem::Problem& problem, const Options& options) {
   constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
-  // A box in a constant field is as high as the square of the speed, and as many cells.
+  // In a constant field the height of the box is proportional to the square of the speed, as is the
+  // number of cells.
   constexpr double kTimesPressed = 5;
   const double times = pressing(problem) > 0 ? kTimesPressed : kTimes;
   const double v_max = options.x2_max.value_or(

@@ -7,14 +7,14 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Cells for characteristics: as wide as a fifth of the usual amplitude far from the origin, a
-/// constant part of the distance to it nearer by, down to core_at_rest(), all divided by
-/// options.refinement; as narrow in v where impulses from rest lead with atoms or up to steps of their
-/// law. The usual amplitude is that of equivalent linearisation, or what half an
-/// impulse leads to where that is more.
+/// Cells for characteristics. Far from the origin their width is a fifth of the typical amplitude;
+/// nearer by a constant fraction of the distance to the origin, down to relative_core_width(). All
+/// widths are divided by options.refinement. In v they are equally narrow at the speeds to which
+/// atoms or steps of the impulse law take mass at rest. The typical amplitude is that of equivalent
+/// linearisation, or the amplitude due to half an impulse where that is larger.
 Grid characteristic_grid(const problem::Problem& problem, const Options& options, const Box& box);
 
-/// Where to look for the density at first: far out, in cells that are wide there.
+/// The initial, generous box in which to compute the density, with cells that are wide far out.
 Box generous_box(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

@@ -12,15 +12,15 @@ double pressing(const Flow& flow, Side side) {
   return inwards(side) * flow.force(flow.wall(side)->position);
 }
 
-// One small motion off the wall, from impact to impact or until it creeps: the part of the time with
-// v < 0, weighted by exp(-rate t), and how long it takes.
+// One small half-cycle from the wall, up to the next impact or until the motion is overdamped: the
+// fraction of the time with v < 0, weighted by exp(-rate t), and the impact rate.
 struct SmallMotion {
   double share_below;
   double impact_rate;
 };
 SmallMotion small_motion(const Flow& flow, Side side, double speed, double rate) {
   constexpr double kAtRest = 1e-6;
-  constexpr int kFiner = 10;  // steps
+  constexpr int kFiner = 10;  // factor by which steps are shortened
   constexpr long kMostSteps = 20000;
   const double wall = flow.wall(side)->position;
   const SmallMotion creeping{.share_below = side == Side::left ? 1.0 : 0.0, .impact_rate = 0};
@@ -49,7 +49,7 @@ SmallMotion small_motion(const Flow& flow, Side side, double speed, double rate)
   return creeping;
 }
 
-// The columns next to y: one where it is a wall, two where it is a face between cells.
+// The columns of cells next to y: one where y is a wall, two where y is a face between cells.
 std::vector<int> columns_at(const Line& line, double y) {
   std::vector<int> columns;
   for (int i = 0; i < line.cells(); ++i) {
@@ -64,7 +64,7 @@ void find_cells(const Flow& flow, const Grid& grid, double rate, RestPlace& plac
   const auto columns = columns_at(grid.x1, place.y);
   const double low = grid.x1.face(columns.front()), high = grid.x1.face(columns.back() + 1);
   const auto cell = [&](int i, int j) { return i * grid.nv() + j; };
-  // On the boundary of the cells, but for walls.
+  // The least energy on the boundary of the cells, except for walls.
   place.least_energy = flow.potential(place.y) + v * v / 2;
   for (const double end : {low, high}) {
     if (end != place.y) place.least_energy = std::min(place.least_energy, flow.potential(end));
@@ -97,7 +97,8 @@ std::vector<RestPlace> rest_places(const Flow& flow) {
   const auto at_wall = [&](Side side) {
     if (!flow.wall(side)) return;
     const double wall = flow.wall(side)->position, g = pressing(flow, side);
-    // Of a wall at an equilibrium what U does next to it tells: how far it is to the next turn.
+    // For a wall at an equilibrium the potential half way to the next extremum determines
+    // stability.
     const double beside = side == Side::left ? (turns.empty() ? wall + 1 : turns.front())
                                              : (turns.empty() ? wall - 1 : turns.back());
     const bool stable =
@@ -109,7 +110,7 @@ std::vector<RestPlace> rest_places(const Flow& flow) {
   };
   at_wall(Side::left);
   for (const double turn : turns) {
-    // U grows on either side: g changes from - to +.
+    // A minimum of U: g changes sign from - to +.
     const double next = [&] {
       for (const double other : turns) {
         if (other > turn) return other;

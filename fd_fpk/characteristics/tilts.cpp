@@ -5,8 +5,8 @@
 
 namespace fpkcheck::fd_fpk {
 
-// With densities m_i / h_i at the centres, the slope at a cell's centre of the parabola through
-// three of them; times h, of masses.
+// With densities m_i / h_i at the centres: the slope at a cell's centre of the parabola through
+// three of them, times h, in terms of masses.
 std::vector<TiltRule::Weights> TiltRule::weights(const Line& line) {
   std::vector<Weights> weights(line.cells(), Weights{0, 0, 0});
   for (int i = 0; i < line.cells(); ++i) {
@@ -79,7 +79,7 @@ void TiltRule::limit_by(const Eigen::VectorXd& masses) {
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
       const int cell = i * grid_.nv() + j;
-      // The densities' least value, in a corner, relative to the mean one.
+      // Largest decrease of the density in a corner of the cell, relative to its mean.
       const double dip =
           (std::abs(y(cell)) * grid_.x1.width(i) + std::abs(v(cell)) * grid_.x2.width(j)) / 2;
       const double mass = std::max(masses(cell), 0.0);

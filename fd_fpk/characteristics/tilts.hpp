@@ -7,30 +7,31 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// How masses on cells lean: of a density p + p_y (y - y_c) + p_v (v - v_c) in a cell, the area
+/// Slopes of masses in cells: for a density p + p_y (y - y_c) + p_v (v - v_c) in a cell, the area
 /// times p_y and p_v.
 struct Tilts {
   Eigen::VectorXd y;
   Eigen::VectorXd v;
 };
 
-/// Tilts by central differences of the densities of neighbours, linear in the masses; none in the
-/// cells at rest, nor at the ends of the lines but for walls, where the neighbour in front of them
-/// tells. What follows the masses of the cells has none.
+/// Reconstructs slopes by central differences of the neighbours' densities, linear in the masses.
+/// Slopes are zero in the cells at rest and at the ends of the axes without a wall; at a wall they
+/// are one-sided. Masses stored after those of the cells have no slopes.
 class TiltRule {
  public:
-  /// @param places whose cells are at rest
+  /// @param points rest points, whose cells have no slopes
   TiltRule(const Grid& grid, const std::vector<RestPlace>& places);
 
   Tilts operator()(const Eigen::VectorXd& masses) const;
   Eigen::VectorXd in_v(const Eigen::VectorXd& masses) const;
 
-  /// From now on tilts are smaller by the factors that keep these masses' densities from being
-  /// negative anywhere in their cells: 1 where they are not. Frozen, so that the rule stays linear.
+  /// Sets limiting factors, which keep the densities of these masses nonnegative inside their
+  /// cells: 1 where no limit is needed. The factors are then constant, so that the reconstruction
+  /// remains linear.
   void limit_by(const Eigen::VectorXd& masses);
 
  private:
-  // Weights of the masses of the neighbour below, the cell and the neighbour above.
+  // Weights of the masses of the lower neighbour, the cell and the upper neighbour.
   struct Weights {
     double below, own, above;
   };
@@ -38,7 +39,7 @@ class TiltRule {
 
   const Grid& grid_;
   std::vector<Weights> of_y_, of_v_;
-  std::vector<bool> at_rest_;  // by cell
+  std::vector<bool> at_rest_;  // for each cell
   Eigen::VectorXd limits_y_, limits_v_;
 };
 

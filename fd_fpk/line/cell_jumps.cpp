@@ -10,7 +10,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Gauss-Legendre's four points on [-1/2, 1/2].
+// Gauss-Legendre rule with four points on [-1/2, 1/2].
 struct Node {
   double at;
   double weight;
@@ -20,12 +20,12 @@ constexpr std::array kNodes{Node{-0.43056815579702629, 0.17392742256872693},
                             Node{0.16999052179242813, 0.32607257743127307},
                             Node{0.43056815579702629, 0.17392742256872693}};
 
-// The upper end of a cell; the last one reaches as far as anything jumps.
+// The upper end of a cell; the last cell extends to infinity.
 double upper_end(const Line& line, int cell) {
   return cell + 1 < line.cells() ? line.face(cell + 1) : std::numeric_limits<double>::infinity();
 }
 
-// A law with a density: from four points of the cell, with their weights.
+// For a law with a density: quadrature over four points of the source cell.
 void add_continuous(const Line& line, const problem::ImpulseLaw& law, int from, CellJumps& jumps) {
   for (const auto& [at, weight] : kNodes) {
     const double offset = at * line.width(from);
@@ -41,7 +41,7 @@ void add_continuous(const Line& line, const problem::ImpulseLaw& law, int from, 
   }
 }
 
-// An atom moves the cell as a whole, and the cells that it falls on share it.
+// An atom shifts the whole cell; the target cells receive the fractions that overlap.
 void add_atom(const Line& line, const problem::Atom& atom, int from, CellJumps& jumps) {
   const double left = line.face(from) + atom.amplitude;
   const double right = line.face(from + 1) + atom.amplitude;

@@ -10,13 +10,14 @@ class ImpulseLaw;
 
 namespace fpkcheck::fd_fpk {
 
-/// What an impulse does to masses on the cells of a velocity line, column by column. Unlike
-/// jump_matrix nothing is interpolated across cells, so that a spike stays a positive mass.
+/// The effect of an impulse on the masses of velocity cells, column by column. Unlike jump_matrix
+/// this operator does not interpolate across cells, so that a spike remains a positive mass.
 struct CellJumps {
-  /// From a cell in which the mass is evenly spread, shape (cells, cells): its columns sum to 1.
-  /// What would leave the line stays in the cell at its end.
+  /// From a cell with uniformly distributed mass, shape (cells, cells): columns sum to 1. Mass that
+  /// would leave the axis is kept in the cell at its end.
   Eigen::MatrixXd even;
-  /// What a tilt of 1 adds, the mass 1 (v - centre) dv / width; its columns sum to 0.
+  /// The contribution of a slope of 1, i.e. of the mass distribution (v - centre) dv / width;
+  /// columns sum to 0.
   Eigen::MatrixXd tilt;
 };
 

@@ -36,8 +36,8 @@ void CumulativeInterpolation::add(double x, double factor,
   }
   const auto above = std::upper_bound(faces.begin(), faces.end(), x);
   const Stencil& stencil = stencils_[above - faces.begin() - 1];
-  // Lagrange: weight_a = prod_{b != a} (x - x_b) / (x_a - x_b), as the product before a times the
-  // one after it.
+  // Lagrange: weight_a = prod_{b != a} (x - x_b) / (x_a - x_b), as the product over b < a times the
+  // product over b > a.
   std::array<double, kMostPoints> before;
   double product = factor;
   for (int a = 0; a < points_; ++a) {
@@ -47,7 +47,7 @@ void CumulativeInterpolation::add(double x, double factor,
   double after = 1;
   for (int a = points_ - 1; a >= 0; --a) {
     const int face = stencil.first + a;
-    if (face <= 0) break;  // C = 0 there and before
+    if (face <= 0) break;  // C = 0 at the first face and left of it
     face_weights(std::min(face, last)) += before[a] * after * stencil.inverse_denominators[a];
     after *= x - stencil.faces[a];
   }

@@ -8,27 +8,27 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Interpolates the cumulative C(x) = int_{first face}^x p between the faces of a line, where cell
-/// averages give it exactly. Whatever is done with C, differences of it over the cells keep mass.
+/// Interpolates the cumulative C(x) = int_{first face}^x p between the faces of an axis, where cell
+/// averages determine C exactly. Differences over cells of any function of C conserve mass.
 class CumulativeInterpolation {
  public:
   static constexpr int kMostPoints = 10;
 
-  /// @param points faces a stencil, up to kMostPoints: exact for p of degree points - 2
-  /// @param beyond_left boundary: stencils stay on the line; vacuum: C = 0 before it. After the
-  ///        line C is constant.
+  /// @param points faces in a stencil, up to kMostPoints: exact for p of degree points - 2
+  /// @param beyond_left boundary: stencils remain on the axis; vacuum: C = 0 left of the axis.
+  /// Right of the axis C is constant.
   CumulativeInterpolation(const Line& line, int points, Beyond beyond_left);
 
   /// Adds `factor` times the weights of the face values C_0 .. C_cells in C(x).
   void add(double x, double factor, Eigen::Ref<Eigen::VectorXd> face_weights) const;
 
-  /// The weights of cell averages that stand for weights of face values: C_f is the sum of width
-  /// times average over the cells before face f.
+  /// Converts weights of face values to weights of cell averages: C_f is the sum of width times
+  /// average over the cells left of face f.
   Eigen::VectorXd on_averages(const Eigen::Ref<const Eigen::VectorXd>& face_weights) const;
 
  private:
-  // The faces around a cell and 1 / prod_{b != a} (x_a - x_b), the Lagrange polynomials'
-  // denominators: they are the same for every x in the cell.
+  // The faces around a cell and the inverse denominators 1 / prod_{b != a} (x_a - x_b) of the
+  // Lagrange polynomials, which are the same for every x in the cell.
   struct Stencil {
     int first;
     std::array<double, kMostPoints> faces;

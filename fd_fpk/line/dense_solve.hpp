@@ -4,7 +4,8 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The solution of a x = b by LU with partial pivoting. Here, so that Eigen's LU is compiled once.
+/// The solution of a x = b by LU with partial pivoting; a file of its own, so that Eigen's LU is
+/// compiled once.
 Eigen::VectorXd dense_solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd dense_solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

@@ -7,15 +7,15 @@ namespace fpkcheck::fd_fpk {
 
 std::vector<double> faces_by_width(std::span<const double> anchors,
                                    const std::function<double(double)>& width) {
-  constexpr double kPart = 0.05;  // of a cell, over which its width is as good as constant
+  constexpr double kPart = 0.05;  // fraction of a cell over which the width is nearly constant
   std::vector<double> faces{anchors.front()};
-  std::vector<double> x, cells;  // how many cells it is to x
+  std::vector<double> x, cells;  // number of cells up to x
   for (std::size_t n = 0; n + 1 < anchors.size(); ++n) {
     const double from = anchors[n], to = anchors[n + 1];
     x.assign(1, from);
     cells.assign(1, 0);
     while (x.back() < to) {
-      // The width at the step's end may be less than at its begin, next to a narrow anchor.
+      // Next to a narrow anchor the width decreases over the step: the smaller width counts.
       double step = kPart * width(x.back());
       step = std::min(step, kPart * width(std::min(to, x.back() + step)));
       const double next = x.back() + step < to ? x.back() + step : to;

@@ -6,10 +6,10 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Faces on which all anchors lie, between which cells are about as wide as `width` says where they
-/// are, a little less so that they fill each interval.
+/// Faces that include all anchors, with cells of about the local `width`, slightly narrower so that
+/// whole cells fill each interval.
 /// @param anchors increasing, at least two
-/// @param width > 0, changing by no more than a part of itself over itself
+/// @param width cell width at a position, > 0; its relative change over one width must be small
 std::vector<double> faces_by_width(std::span<const double> anchors,
                                    const std::function<double(double)>& width);
 

@@ -10,7 +10,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Of kramers_moyal on cells of this width.
+// Maximum growth rate of kramers_moyal on cells of this width.
 Growth kramers_moyal_growth(const problem::ImpulseTrain& impulses, double width, int points,
                             double length) {
   const int reach = cells_of_a_row(length, width, points);
@@ -28,7 +28,7 @@ Growth largest_growth(const Line& line, const Excitation& excitation, int points
   constexpr int kWaves = 2000;
   const Eigen::ArrayXd phases =
       Eigen::ArrayXd::LinSpaced(kWaves, std::numbers::pi / kWaves, std::numbers::pi);  // q step
-  // sum_j row(middle + j) cos(j phase), cosines by their recurrence
+  // sum_j row(middle + j) cos(j phase), with the cosines by their recurrence
   const Eigen::ArrayXd twice = 2 * phases.cos();
   Eigen::ArrayXd rates = Eigen::ArrayXd::Constant(kWaves, row(middle));
   Eigen::ArrayXd before = Eigen::ArrayXd::Ones(kWaves), cosines = twice / 2;
@@ -81,7 +81,8 @@ double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
     });
   };
   if (!too_short(from)) return from;
-  // It ends: with a length of many cells the fourth difference vanishes beside the second.
+  // The loop terminates: for a length of many cells the fourth difference is negligible beside the
+  // second.
   double shorter = from, longer = kStep * from;
   for (; too_short(longer); longer *= kStep) shorter = longer;
   while (longer > kClose * shorter) {

@@ -15,7 +15,7 @@ LineOperator exact_map(const Line& speeds, double restitution, int order) {
   Eigen::VectorXd below = Eigen::VectorXd::Zero(cells + 1);
   for (int a = 0; a < cells; ++a) {
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
-    // The last cell takes all that is faster, so that the differences telescope.
+    // The last cell takes the flux of all higher speeds, so that the differences telescope.
     const double face = a + 1 == cells ? speeds.face(cells) : speeds.face(a + 1) / restitution;
     cumulative.add(face, 1.0, above);
     const Eigen::VectorXd row = cumulative.on_averages(above - below) / speeds.width(a);

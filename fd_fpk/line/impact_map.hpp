@@ -5,18 +5,18 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The impact as a map of probability flux. Outgoing particles reach x1 = 0 with speed u and flux
-/// f(u) = u p(0, -u). What returns is, for
+/// The impact as a map of probability flux. Particles reach x1 = 0 with speed u and flux f(u) = u
+/// p(0, -u). The returned flux is
 ///
 ///     map     f(w/r)/r,                          p(0+, w) = p(0-, w/r)/r^2: exact
-///     delta   f(w) + (1-r) d(w f)/dw,            the first order of it in 1-r: paper (12)
+///     delta   f(w) + (1-r) d(w f)/dw,            its first order in 1-r: paper (12)
 ///
-/// The matrix, shape (cells, cells), takes averages of f over the cells of the speed line to
-/// averages of the returned flux. Either is the difference over a cell of a function of the
-/// cumulative flux, so mass is kept whatever the interpolation; stencils never reach across u = 0,
+/// The matrix, shape (cells, cells), maps averages of f over the cells of the speed axis to
+/// averages of the returned flux. Both forms are differences over a cell of a function of the
+/// cumulative flux, so that mass is conserved for any interpolation. Stencils never cross u = 0,
 /// where the density jumps.
 ///
-/// @param speeds faces from 0 on
+/// @param speeds faces from 0 upwards
 /// @param restitution r, 0 < r <= 1
 /// @param impact map or delta
 LineOperator impact_map(const Line& speeds, double restitution, problem::Impact impact, int order);

@@ -12,11 +12,11 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr int kFaces = 8;  // of an interpolation stencil: degree 7
+constexpr int kFaces = 8;  // faces in an interpolation stencil: degree 7
 
-constexpr int kMoments = 8;  // degree of the polynomial through the faces around one
+constexpr int kMoments = 8;  // degree of the polynomial through a face and its neighbours
 
-// Calls visit(y, weight) for a rule on [a, b] whose panels are no longer than `longest`.
+// Calls visit(y, weight) for a composite rule on [a, b] with panels not longer than `longest`.
 template <class Visitor>
 void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
   using Rule = boost::math::quadrature::gauss<double, 8>;
@@ -31,12 +31,12 @@ void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
   }
 }
 
-// What the jumps do to the cumulative: column f of `change` holds the weights of C_0 .. C_cells in
-// the change of the cumulative at face f.
+// The generator from the change of the cumulative: column f of `change` holds the weights of C_0 ..
+// C_cells in the change of the cumulative at face f.
 Eigen::MatrixXd as_generator(const Line& line, const CumulativeInterpolation& cumulative,
                              const Eigen::MatrixXd& change) {
   const int cells = line.cells();
-  Eigen::MatrixXd masses(cells, cells);  // what cell j (average 1) brings to cell i
+  Eigen::MatrixXd masses(cells, cells);  // mass from cell j (average 1) to cell i
   for (int i = 0; i < cells; ++i) {
     masses.row(i) = cumulative.on_averages(change.col(i + 1) - change.col(i)).transpose();
   }
@@ -46,7 +46,7 @@ Eigen::MatrixXd as_generator(const Line& line, const CumulativeInterpolation& cu
   return line.widths().cwiseInverse().asDiagonal() * generator;
 }
 
-// Whether the impulses stay among the faces around this one: E[Y^8]^(1/8) is below each cell there.
+// True if E[Y^8]^(1/8) is below the width of each cell around the face.
 bool stays_among_neighbours(const Line& line, int face, double length) {
   for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
     if (length >= line.width(cell)) return false;
@@ -54,17 +54,17 @@ bool stays_among_neighbours(const Line& line, int face, double length) {
   return true;
 }
 
-// Adds E[C(face - Y)] - C(face) by the polynomial through the faces around this one: the sum of
-// (-1)^k E[Y^k]/k! times its derivatives at the face, k = 1 .. kMoments.
+// Adds E[C(face - Y)] - C(face) by the polynomial through this face and its neighbours: the sum of
+// (-1)^k E[Y^k]/k! times the derivatives at the face, k = 1 .. kMoments.
 void add_moments(const Line& line, int face, const problem::ImpulseLaw& law,
                  Eigen::Ref<Eigen::VectorXd> weights) {
   constexpr int kAround = kMoments / 2;
   const double unit = line.width(face);
-  std::array<double, kMoments + 1> moments;  // of -Y / unit
+  std::array<double, kMoments + 1> moments;  // moments of -Y / unit
   for (int k = 0; k <= kMoments; ++k) moments[k] = law.moment(k) / std::pow(-unit, k);
   for (int a = -kAround; a <= kAround; ++a) {
-    if (face + a <= 0) continue;  // C = 0 there and before
-    // prod_{b != a} (z - z_b) / (z_a - z_b) by its coefficients
+    if (face + a <= 0) continue;  // C = 0 at the first face and left of it
+    // coefficients of prod_{b != a} (z - z_b) / (z_a - z_b)
     const auto at = [&](int b) { return (line.face(face + b) - line.face(face)) / unit; };
     std::array<double, kMoments + 1> coefficients{1};
     int degree = 0;
@@ -87,7 +87,7 @@ void add_piece(const Line& line, const CumulativeInterpolation& cumulative, doub
                const problem::ImpulseLaw& law, double from, double to,
                Eigen::Ref<Eigen::VectorXd> weights) {
   const double longest = law.deviation();
-  // In u = face - y the interpolation changes its polynomial at the faces of the line.
+  // In u = face - y the interpolating polynomial changes at the faces of the axis.
   const double left = std::max(face - to, line.faces().front());
   const double right = std::min(face - from, line.faces().back());
   const auto visit = [&](double u, double weight) {
@@ -100,7 +100,7 @@ void add_piece(const Line& line, const CumulativeInterpolation& cumulative, doub
     gauss_legendre(u, end, longest, visit);
     u = end;
   }
-  // Beyond the line the cumulative is constant.
+  // Right of the axis the cumulative is constant.
   const double farthest = face - faces.back();
   if (from < std::min(to, farthest)) {
     gauss_legendre(from, std::min(to, farthest), longest, [&](double y, double weight) {

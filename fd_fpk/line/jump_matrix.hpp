@@ -8,16 +8,16 @@ namespace fpkcheck::problem {
 class ImpulseLaw;
 }  // namespace fpkcheck::problem
 
-/// Jumps of the velocity as matrices on cell averages of a velocity line, shape (cells, cells). The
-/// cumulative of p is interpolated with degree 7 and moved: the moments 0 .. 6 of what arrives are
-/// exact wherever p is smooth. What would leave the line stays where it is.
+/// Velocity jumps as matrices on cell averages of a velocity axis, shape (cells, cells). The
+/// cumulative of p is interpolated with degree 7 and shifted: moments 0 .. 6 after the jump are
+/// exact wherever p is smooth. Jumps that would leave the axis do not take place.
 namespace fpkcheck::fd_fpk {
 
-/// p(x2 - amplitude) - p(x2), for jumps that stay on the line.
+/// p(x2 - amplitude) - p(x2), for jumps that end on the axis.
 Eigen::MatrixXd shift_matrix(const Line& line, double amplitude);
 
-/// E[p(x2 - Y)] - p(x2): the jump integral of paper (15) before it is expanded, for any law and any
-/// line; the law's density is integrated by Gauss-Legendre panels against the interpolation.
+/// E[p(x2 - Y)] - p(x2): the jump integral of paper (15) before its expansion, for any law and any
+/// axis. Gauss-Legendre panels integrate the law's density against the interpolation.
 Eigen::MatrixXd jump_matrix(const Line& line, const problem::ImpulseLaw& law);
 
 }  // namespace fpkcheck::fd_fpk

@@ -6,22 +6,21 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// What lies beyond an end of a line: nothing (p = 0 there, an outer wall of the box), or a
-/// boundary across which p must not be continued (an impact wall), so that stencils are shifted
-/// inwards.
+/// Continuation of a density across an end of an axis. vacuum: p = 0 outside (a wall of the box).
+/// boundary: p must not be continued (an impact wall), so that stencils are shifted inwards.
 enum class Beyond { vacuum, boundary };
 
-/// A line cut into cells: `cells() + 1` increasing faces.
+/// An axis divided into cells: `cells() + 1` increasing faces.
 class Line {
  public:
   explicit Line(std::vector<double> faces, Beyond left = Beyond::vacuum,
                 Beyond right = Beyond::vacuum);
-  /// `cells` cells of width `step`; the first begins at `origin`.
+  /// `cells` cells of width `step`, of which the first begins at `origin`.
   static Line uniform(double origin, double step, int cells, Beyond left = Beyond::vacuum);
 
   int cells() const { return static_cast<int>(faces_.size()) - 1; }
-  /// Position of a face. Faces before the first and after the last continue the line with cells as
-  /// wide as the one at that end, for stencils that reach into the vacuum.
+  /// Position of a face. Indices below the first and above the last face continue the axis with
+  /// cells as wide as the cell at that end, for stencils that extend into the vacuum.
   double face(int f) const;
   double centre(int i) const { return (face(i) + face(i + 1)) / 2; }
   double width(int i) const { return face(i + 1) - face(i); }
@@ -31,7 +30,7 @@ class Line {
   Beyond right() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
   Eigen::VectorXd widths() const;
-  /// The line that begins at an inner face, with vacuum on both sides.
+  /// The part of the axis from an inner face upwards, with vacuum at both ends.
   Line from(int first_face) const;
 
  private:
@@ -39,12 +38,12 @@ class Line {
   Beyond left_, right_;
 };
 
-/// How cells grow away from x = 0. The number of cells up to x is proportional to
+/// Grading of cells towards x = 0. The number of cells up to x is proportional to
 ///
-///     x + reach log(1 + x / core),
+///     x + reach log(1 + x / core).
 ///
-/// so that far out the width is h, at the origin h / (1 + reach/core), and between them it grows by
-/// about h/reach from cell to cell. reach = 0 is a uniform line.
+/// With h the width far out, the width at the origin is h / (1 + reach/core), and between them the
+/// width increases by about h/reach from cell to cell. reach = 0 is a uniform axis.
 struct Grading {
   double reach = 0;
   double core = 1;
@@ -53,19 +52,19 @@ struct Grading {
 /// Faces 0 = x_0 < ... < x_cells = length, graded towards 0.
 std::vector<double> graded_faces(double length, int cells, const Grading& grading);
 
-/// Where cells shrink.
+/// A point towards which cells shrink.
 struct Centre {
   double x;
   Grading grading;
 };
 
-/// Faces from `from` to `to` on which every centre between lies, graded towards each of them; cells
-/// are `step` wide far from all.
+/// Faces from `from` to `to` that include every refinement point between, graded towards each of
+/// them; far from all the cells have the width `step`.
 /// @param centres increasing
 std::vector<double> faces_graded_to(double from, double to, double step,
                                     std::span<const Centre> centres);
 
-/// Cells that graded_faces needs for cells of width `step` far from the origin, not rounded.
+/// Number of cells (not rounded) of graded_faces with width `step` far from the origin.
 double graded_cells(double length, double step, const Grading& grading);
 
 }  // namespace fpkcheck::fd_fpk

@@ -17,8 +17,8 @@ double monomial_average(double a, double b, int power) {
   return (std::pow(b, power + 1) - std::pow(a, power + 1)) / ((power + 1) * (b - a));
 }
 
-// Weights w with sum_c w_c avg_c(xi^a) = functional(a) for a < points, where c runs over the cells
-// first .. first + points - 1 and xi = (x - origin)/scale.
+// Weights w with sum_c w_c avg_c(xi^a) = functional(a) for a < points. The cells c are first ..
+// first + points - 1, and xi = (x - origin)/scale.
 Eigen::VectorXd exact_weights(const Line& line, int first, int points, double origin, double scale,
                               const std::function<double(int)>& functional) {
   Eigen::MatrixXd averages(points, points);
@@ -38,7 +38,7 @@ LineOperator assemble(int rows, int columns, const Triplets& entries) {
   return matrix;
 }
 
-// Cells beyond the line hold p = 0.
+// Cells outside the axis have p = 0.
 void append(Triplets& entries, const Line& line, int row, int first_cell,
             const Eigen::VectorXd& weights) {
   for (int c = 0; c < weights.size(); ++c) {
@@ -49,18 +49,18 @@ void append(Triplets& entries, const Line& line, int row, int first_cell,
   }
 }
 
-// Shifts a stencil off a boundary at the end of the line.
+// Moves a stencil inwards of a boundary at the last face.
 int not_beyond(const Line& line, int first, int points) {
   return line.right() == Beyond::boundary ? std::min(first, line.cells() - points) : first;
 }
 
-// Shifts a stencil off a boundary at face `limit` on its left.
+// Moves a stencil to the right of a boundary at face `limit`.
 int not_before(const Line& line, int first, int limit) {
   return limit > 0 || line.left() == Beyond::boundary ? std::max(first, limit) : first;
 }
 
-// A functional of the local coordinate xi = (x - x_face)/width on every inner face, divided by the
-// width to the power `derivative`.
+// A functional of the local coordinate xi = (x - x_face)/width on every inner face, divided by
+// width^derivative.
 LineOperator on_inner_faces(const Line& line, int points, Bias bias, int derivative,
                             const std::function<double(int)>& functional) {
   Triplets entries;
@@ -75,7 +75,7 @@ LineOperator on_inner_faces(const Line& line, int points, Bias bias, int derivat
   return assemble(line.cells() + 1, line.cells(), entries);
 }
 
-// The first cell of a stencil about cell i that does not reach across a barrier.
+// The first cell of a stencil around cell i that does not cross the barrier.
 int first_about(const Line& line, int i, int points, std::optional<int> barrier) {
   const bool beyond = barrier && i >= *barrier;
   int first = not_before(line, i - points / 2, beyond ? *barrier : 0);
@@ -118,7 +118,7 @@ LineOperator weighted_averages(const Line& line, int points, const numerics::Pol
   const std::size_t degree = weight.degree();
   for (int i = 0; i < line.cells(); ++i) {
     const int first = first_about(line, i, points, barrier);
-    // weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division.
+    // weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {
       for (std::size_t s = degree; s-- > q;) local[s] += line.centre(i) * local[s + 1];

@@ -5,26 +5,26 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Carries what a callback throws past the C frames of SUNDIALS that called it, which no exception
-/// may cross: the callback returns a flag instead, and whoever called SUNDIALS throws on the other
-/// side.
+/// Captures an exception of a callback that SUNDIALS calls. Exceptions must not propagate through
+/// the C frames of SUNDIALS: the callback returns a flag instead, and the caller of SUNDIALS
+/// rethrows the exception.
 class CarriedException {
  public:
-  /// For SUNDIALS a negative flag is beyond repair: it gives up and returns.
+  /// SUNDIALS treats a negative flag as unrecoverable and returns.
   static constexpr int kUnrecoverable = -1;
 
-  /// What `callback` returns, a flag; kUnrecoverable when it throws.
+  /// Calls `callback` and returns its flag; kUnrecoverable when it throws.
   template <class Callback>
   int flag_of(const Callback& callback) noexcept {
     try {
       return callback();
     } catch (...) {
-      if (!thrown_) thrown_ = std::current_exception();  // what comes after it may follow from it
+      if (!thrown_) thrown_ = std::current_exception();  // later exceptions may be consequences
       return kUnrecoverable;
     }
   }
 
-  /// Throws what was thrown first since the last call, if anything was.
+  /// Rethrows the first exception captured since the last call, if any.
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }

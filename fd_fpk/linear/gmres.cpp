@@ -58,8 +58,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
         "SUNLinSolSetScalingVectors");
   check(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
   check(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
-  // One basis loses its orthogonality before the residual has fallen by much more than kReduction,
-  // and then runs to its end: on fine grids without any gain.
+  // A Krylov basis loses its orthogonality before the residual has fallen by much more than
+  // kReduction. Further iterations then give no reduction on fine grids, so the solve restarts.
   constexpr double kReduction = 1e-7;
   const double norm = weights.cwiseProduct(b).norm();
   GmresResult result{std::nullopt};
@@ -74,8 +74,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
     if (flag < 0) break;
   }
   if (callbacks.late) {
-    result.failure = fmt::format(
-        "GMRES had not converged in {} iterations when max_seconds were over", result.iterations);
+    result.failure = fmt::format("GMRES did not converge: max_seconds expired after {} iterations",
+                                 result.iterations);
     return result;
   }
   const bool reduced = flag == kSuccess || flag == SUNLS_RES_REDUCED;

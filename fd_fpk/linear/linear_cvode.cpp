@@ -7,7 +7,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-// Part of Handles, which the header declares.
+// Part of Handles, which is declared in the header.
 struct Callbacks {
   LinearSystem system;
   std::string message = {};

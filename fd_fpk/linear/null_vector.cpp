@@ -18,7 +18,7 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
   auto [correction, iterations, failure] =
       gmres(times, nearby, -(op * start), op.areas, kTolerance, deadline);
   const double seconds = stopwatch.seconds();
-  if (!correction) return {std::nullopt, iterations, failure + " (take another grid)", seconds};
+  if (!correction) return {std::nullopt, iterations, failure + "; use another grid", seconds};
   Eigen::VectorXd averages = start + *correction;
   averages /= op.mass(averages);
   return {std::move(averages), iterations, "", seconds};
@@ -26,7 +26,7 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
 
 NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::VectorXd& start,
                                 double frequency) {
-  constexpr double kShift = 1e-7;  // off the singular matrix, in units of frequency
+  constexpr double kShift = 1e-7;  // shift off the singular matrix, in units of frequency
   constexpr int kIterations = 4;
   constexpr double kResidual = 1e-8;
   KluFactorisation klu;
@@ -39,7 +39,8 @@ NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::Vec
   }
   const double residual = op.residual(averages) / frequency;
   if (!(residual < kResidual)) {
-    return {std::nullopt, 0, fmt::format("inverse iteration stopped at residual {:.1e}", residual)};
+    return {std::nullopt, 0,
+            fmt::format("inverse iteration did not converge: residual {:.1e}", residual)};
   }
   return {std::move(averages), 0};
 }

@@ -12,9 +12,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// METIS draws from the C library's random numbers, one sequence for the whole process: it seeds them
-// for each dissection, but two dissections at once would draw from one another's, and their orders
-// (and the last digits of all that is solved by them) would depend on who came when.
+// METIS uses the random numbers of the C library, one sequence for the whole process. It seeds them
+// for each dissection, but concurrent dissections would share the sequence. Their orderings, and
+// the last digits of all solutions, would then depend on the timing of threads.
 std::mutex dissection_mutex;
 
 std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
@@ -23,17 +23,18 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
   cholmod_sparse graph{};
   graph.nrow = graph.ncol = n;
   graph.nzmax = static_cast<std::size_t>(symmetric.nonZeros());
-  // It only reads them.
+  // CHOLMOD does not modify these arrays.
   graph.p = const_cast<SparseColumns::StorageIndex*>(symmetric.outerIndexPtr());
   graph.i = const_cast<SparseColumns::StorageIndex*>(symmetric.innerIndexPtr());
-  graph.stype = 1;  // symmetric, the upper triangle counts
+  graph.stype = 1;  // symmetric: the upper triangle is read
   graph.itype = CHOLMOD_LONG;
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
   cholmod_common common;
   cholmod_l_start(&common);
   common.print = 0;
-  // Without memory METIS ends the program: CHOLMOD looks first whether there is twice what it needs.
+  // METIS aborts the program when memory is exhausted: CHOLMOD first checks for twice the memory
+  // that METIS needs.
   common.metis_memory = 2;
   std::vector<std::int64_t> order(n), parents(n), components(n);
   const std::lock_guard alone(dissection_mutex);
@@ -44,8 +45,8 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
   return order;
 }
 
-/// By what a pattern is known again: were two patterns of as many unknowns taken for one another, the
-/// order would be a poorer one, and nothing else.
+/// Key of a sparsity pattern. A hash collision of two patterns with equal sizes would cause a less
+/// efficient ordering, and no error.
 struct Pattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
@@ -58,7 +59,7 @@ struct Pattern {
   bool operator==(const Pattern&) const = default;
 };
 
-/// The orders that were asked for last.
+/// Cache of the most recent orderings.
 class Kept {
  public:
   std::vector<std::int64_t> find(const Pattern& pattern) {
@@ -83,14 +84,14 @@ class Kept {
 
   using Entry = std::pair<Pattern, std::vector<std::int64_t>>;
   std::mutex mutex_;
-  std::list<Entry> orders_;  // the last one first
+  std::list<Entry> orders_;  // most recent first
   std::size_t unknowns_ = 0;
 };
 
 }  // namespace
 
 std::vector<std::int64_t> ordering(const SparseColumns& matrix) {
-  static Kept& kept = *new Kept;  // never destroyed: a thread may still ask at the end
+  static Kept& kept = *new Kept;  // never destroyed: threads may still use it at exit
   const Pattern pattern(matrix);
   auto order = kept.find(pattern);
   if (!order.empty()) return order;

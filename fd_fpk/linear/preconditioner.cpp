@@ -10,18 +10,18 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// With lumped weights each row keeps to its line and its column: the fewest entries of any order
-// that GMRES gets along with.
+// Order 3: with lumped weights each row couples one row and one column of cells only. It has the
+// fewest entries of all orders for which GMRES converges well.
 constexpr int kOrder = 3;
 
-// The exchange acts as -i a q - D q^2 on long waves and saturates at its rate on short ones. A
-// diffusion of full strength would be far too strong on the shortest waves of a fine grid, q = pi/h:
-// it is weakened so that there it is of the size of the saturated rate; the drift, by which a mean
-// of the impulses holds the oscillator off the wall, only where it is many times that.
+// The exchange acts as -i a q - D q^2 on long waves and saturates at its rate on short waves. A
+// diffusion of full strength would be far too strong for the shortest waves of a fine grid, q =
+// pi/h. It is limited to the size of the saturated rate there. The drift, by which a mean of the
+// impulses holds the oscillator off the wall, is limited only where it is many times that rate.
 Excitation without_exchange(const Excitation& excitation, const Line& x2) {
   constexpr double kOvershoot = 1.5;
   const double step = x2.smallest_width();
-  // By trial: on graded lines the narrow cells do not get along with more.
+  // Empirical: on graded axes with narrow cells GMRES does not converge for larger values.
   const double overshoot_of_drift = x2.widths().maxCoeff() > 1.5 * step ? 3 : 10;
   const double shortest = std::numbers::pi / step;
   const double fastest = overshoot_of_drift * excitation.exchange_rate / shortest;

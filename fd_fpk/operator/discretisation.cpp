@@ -13,36 +13,37 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// In deviations of equivalent linearisation. A hardening spring keeps p(y) short, the impulses make
-// p(y') long; the steep tail of p(y) in turn wants the finer step.
+// In standard deviations of equivalent linearisation. A hardening spring shortens the tail of p(y),
+// the impulses lengthen that of p(y'); the steep tail of p(y) requires the finer step.
 constexpr double kX1Box = 6;
 constexpr double kX2Box = 7;
-// Deviations of a single impulse that the velocity box holds at least.
+// Least half-width of the velocity box, in standard deviations of a single impulse.
 constexpr double kImpulseBox = 6.5;
-// A graded grid has narrow cells where they matter: wider ones far out leave their number as it
-// was.
+// A graded grid has narrow cells near the origin; wider cells far out keep the total number
+// unchanged.
 constexpr double kGradedWidth = 1.6;
-// Lengths sqrt(b) beyond which the kernel of the Pade approximant is less than 1e-12 of its peak.
+// Distance, in lengths sqrt(b), at which the kernel of the Pade approximant falls below 1e-12 of
+// its peak.
 constexpr double kPadeReach = 28;
 constexpr double kX1Step = 0.15;
 constexpr double kX2Step = 0.16;
 
-// Cells of a graded grid have grown to half of their full width at about as many deviations: x1
-// where it follows a singularity, and all else.
+// Distance, in standard deviations, at which cells of a graded grid have half of their full width:
+// for x1 where it is graded to a singularity, and for all other axes.
 constexpr double kLongReach = 2;
 constexpr double kReach = 0.75;
 
-// Whether cells of x1 may shrink as the cube of those of x2: centred orders and the seventh ring on
-// cells as uneven as that takes.
+// True if cells of x1 may be graded as the cube of those of x2: centred orders and order 7
+// oscillate on cells as uneven as this.
 bool follows_cubes(const Options& options) {
   return order_of(options) == 3 || order_of(options) == 5;
 }
 
-// Whether single impulses are so short that the density at a wall has the singularity of white noise
-// down to lengths that cells resolve. By the error that is estimated, and what the finest grids
-// tend to, cells graded as under white noise are better from an eighth of the deviation on: case 1
-// with r = 0.3 .. 0.7, rates 30 .. 1e6, gaussian and exponential (build/release/benchmarks/
-// fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
+// True if single impulses are so short that the density at a wall has the singularity of white
+// noise down to lengths that cells resolve. Cells graded as under white noise are better below an
+// eighth of the standard deviation of velocity. Measured by the estimated error and the limit of
+// the finest grids for case 1 with r = 0.3 .. 0.7, rates 30 .. 1e6, gaussian and exponential
+// (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
 bool impulses_are_short(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
   if (!problem.impulses.present()) return false;
@@ -50,31 +51,32 @@ bool impulses_are_short(const problem::Problem& problem) {
          kShort * problem::scales(problem).velocity_deviation;
 }
 
-// Whether what excites the mass takes hold of the shortest lengths, as white noise does.
+// True if the excitation acts on the shortest lengths, as white noise does.
 bool acts_as_noise(const problem::Problem& problem, Equation equation) {
   return equation == Equation::white || impulses_are_short(problem);
 }
 
-// Where the density at the wall goes as u^-beta (exact::wall_exponent) and cells may follow it.
+// True if the density at the wall goes as u^-beta (exact::wall_exponent) and cells may be graded to
+// this singularity.
 bool follows_singularity(const problem::Problem& problem, const Options& options) {
   const double r = problem.system.restitution();
   return options.impact == Impact::map && r < 1 && follows_cubes(options) &&
          acts_as_noise(problem, options.equation);
 }
 
-// Cells at the origin narrower by this factor than far from it.
+// Grading with cells at the origin narrower by this factor than far out.
 Grading grading(double factor, double deviation) {
   if (factor == 1) return {};
   return {.reach = kReach * deviation, .core = kReach * deviation / (factor - 1)};
 }
 
-// Of x1, given that of x2. Under white noise with losses the density near the origin is v^-beta
-// times a function of D2 y / v^3 (Cornell, Swift, Bray 1998): where x2 is resolved down to its
-// core, x1 must be down to core^3 / D2. On cells graded alike the density at the wall is flat
-// instead, and the impact rate too small (by 1 % at r = 0.6). Impulses that come one by one leave
-// a mere step at the origin. Cells that grow by more than a quarter from one to the next let a
-// ripple of the grid grow with them, by 4 % of p(y) in the end: hence the long reach, which leaves
-// a factor of 2 for the coarser grids of an error estimate.
+// Grading of x1, given that of x2. Under white noise with losses the density near the origin is
+// v^-beta times a function of D2 y / v^3 (Cornell, Swift, Bray 1998). Where x2 is resolved down to
+// its core, x1 must be resolved down to core^3 / D2. On cells graded alike the density at the wall
+// is flat instead, and the impact rate too small (by 1 % at r = 0.6). Separate impulses leave a
+// mere step at the origin. Where neighbouring cells differ by more than a quarter, a grid-scale
+// ripple is amplified, up to 4 % of p(y). The long reach avoids this, with a factor of 2 in reserve
+// for the coarser grids of an error estimate.
 Grading x1_grading(const problem::Problem& problem, const Options& options, double factor,
                    const Grading& of_x2, double deviation) {
   if (factor == 1 || !follows_singularity(problem, options)) return grading(factor, deviation);
@@ -84,7 +86,7 @@ Grading x1_grading(const problem::Problem& problem, const Options& options, doub
 
 Excitation of_impulses(const problem::ImpulseTrain& impulses, const Options& options,
                        const Line& line, double regularisation_length) {
-  if (!impulses.present()) return {};  // then all equations are the same
+  if (!impulses.present()) return {};  // all equations coincide
   switch (options.equation) {
     case Equation::white:
       return white_noise(impulses);
@@ -106,7 +108,7 @@ Excitation excitation(const problem::Problem& problem, const Options& options, c
   return terms;
 }
 
-// l of km4 on these cells: 0 asks for the literal scheme.
+// l of km4 on these cells; option value 0 selects the literal scheme.
 double regularisation_length(const problem::Problem& problem, const Options& options,
                              const Line& line) {
   if (options.equation != Equation::km4 || !problem.impulses.present()) return 0;
@@ -117,8 +119,9 @@ double regularisation_length(const problem::Problem& problem, const Options& opt
   return length > 0 ? length : line.smallest_width();
 }
 
-// As a double: a box may ask for more cells than an int can count. The fewest follow the refinement,
-// so that the levels of an error estimate differ; one-sided stencils take kFewest.
+// Number of cells, as a double, since a box may need more cells than an int can hold. The minimum
+// is proportional to the refinement, so that the levels of an error estimate differ; one-sided
+// stencils need kFewest.
 double cells_over(double length, double step, const Grading& grading, double refinement) {
   constexpr double kUsually = 16, kFewest = 8;
   const double fewest = std::max(kFewest, std::ceil(kUsually * refinement - 1e-9));
@@ -133,7 +136,7 @@ Discretisation no_grid(const Box& box, std::string refusal, double cells) {
           .cells = cells};
 }
 
-// Why a grid cannot be made or would not do; empty when it can.
+// Reason for the absence of a usable grid; empty when there is one.
 std::string objection(const problem::Problem& problem, const Options& options, const Box& box,
                       double nx, double nv) {
   if (options.impact == Impact::map) {
@@ -142,26 +145,27 @@ std::string objection(const problem::Problem& problem, const Options& options, c
   }
   if (!(nx * nv <= kMostCells)) {
     return fmt::format(
-        "the grid needs {:.9g} x {:.9g} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
-        kMostCells);
+        "the grid needs {:.9g} x {:.9g} cells, more than {}: use fewer cells (nx, nv) or a smaller "
+        "box",
+        nx, nv, kMostCells);
   }
   if (!problem.impulses.present()) return "";
   if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
-    return "the Pade approximant of the truncated series does not exist for so skew a law, "
-           "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2 (solve km4 or kf)";
+    return "the Pade approximant of the truncated series does not exist: the law is too skew, "
+           "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2; use km4 or kf";
   }
   if (const double length = options.regularisation_length.value_or(
           default_regularisation_length(problem.impulses.law()));
       options.equation == Equation::km4 && length > box.x2_max / 2) {
     return fmt::format(
-        "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g} (take a shorter "
-        "regularisation length or a wider box)",
+        "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g}: the step must be at "
+        "most half of the box; use a shorter regularisation length or a larger box",
         length, box.x2_max);
   }
   return "";
 }
 
-// The gradings of both lines.
+// The gradings of both axes.
 struct Gradings {
   Grading of_x1, of_x2;
 };
@@ -173,11 +177,11 @@ Gradings gradings(const problem::Problem& problem, const Options& options) {
           .of_x2 = of_x2};
 }
 
-// Where a line of `cells` from 0 to `length` ends when it goes on for so many more.
+// The upper end of an axis with `more` additional cells, where `cells` cells end at `length`.
 double end_after(int more, int cells, double length, const Grading& grading) {
   const double wanted = graded_cells(length, 1, grading) * (cells + more) / cells;
   double end = length;
-  for (int n = 0; n < 20; ++n) {  // Newton: convex, and close to a line
+  for (int n = 0; n < 20; ++n) {  // Newton: convex, and nearly linear
     end -= (graded_cells(end, 1, grading) - wanted) / (1 + grading.reach / (grading.core + end));
   }
   return end;
@@ -194,10 +198,10 @@ double local_diffusion(const problem::Problem& problem, Equation equation) {
   return problem.noise.diffusion() + (local ? problem.impulses.rate_moment(2) / 2 : 0);
 }
 
-// Where cells shrink beyond the paper's class, and how far: at walls with losses and at x2 = 0.
-// Noise takes hold of what is slow at the wall whatever the force: under it those of x1 shrink as
-// the cube of x2's (x1_grading). The long reach in both directions: with it neighbours differ by
-// less than a fifth.
+// Gradings outside the paper's class: at walls with losses and at x2 = 0. Noise dominates slow
+// motion at the wall for any force; under noise the cells of x1 are graded as the cube of those of
+// x2 (x1_grading). The long reach in both directions limits the difference of neighbouring widths
+// to a fifth.
 struct GradingsAtWalls {
   Grading x1, x2;
 };
@@ -215,14 +219,14 @@ GradingsAtWalls gradings_at_walls(const problem::Problem& problem, const Options
   return gradings;
 }
 
-// The automatic choice of origin_refinement() beyond the paper's class.
+// The automatic value of origin_refinement() outside the paper's class.
 double refinement_at_walls(const problem::Problem& problem, const Options& options) {
   if (!loses(problem.system.left()) && !loses(problem.system.right())) return 1;
   const bool singular = local_diffusion(problem, options.equation) > 0;
   return singular ? kOriginUnderWhiteNoise : kRefinedOrigin;
 }
 
-// Faces between the walls or the ends of the box, so many if they are given.
+// Faces between the walls or the ends of the box; `cells` sets their number, if given.
 std::vector<double> faces_between_walls(const problem::System& system, const Box& box, double step,
                                         const Grading& grading, std::optional<int> cells) {
   std::vector<Centre> centres;
@@ -283,9 +287,9 @@ bool loses(const std::optional<problem::Wall>& wall) {
 
 Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
                    const problem::Scales& scales) {
-  constexpr double kFaint = 1e-3;     // of the peak: what is below may be noise of the grid
-  constexpr double kShortest = 0.25;  // deviations
-  constexpr double kMost = 25;        // lengths from end to end: a long tail is smooth
+  constexpr double kFaint = 1e-3;  // fraction of the peak: smaller densities may be numerical noise
+  constexpr double kShortest = 0.25;  // shortest length, in standard deviations
+  constexpr double kMost = 25;  // maximum number of lengths along the axis: a long tail is smooth
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
   const double faint = kFaint * averages.maxCoeff();
   double of_x1 = 0, of_x2 = 0, mass = 0;
@@ -365,8 +369,8 @@ double origin_refinement(const problem::Problem& problem, const Options& options
   constexpr double kSmallJump = 0.1;
   const double r = problem.system.restitution();
   const bool jumps = 1 / (r * r) - 1 > kSmallJump;
-  // High orders ring on narrow cells at the spike that rare impulses leave; wide ones hold it as
-  // the mass that it is. White noise leaves none.
+  // High orders oscillate on narrow cells at the spike of rare impulses, where wide cells represent
+  // the spike as a mass. White noise leaves no spike.
   const bool singular = follows_singularity(problem, options);
   const bool narrow =
       jumps && !off_the_wall(problem) && (singular || !unbounded_at_origin(problem));
@@ -393,7 +397,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   const auto [of_x1, of_x2] = gradings(problem, options);
   const double width =
       (origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
-  // Not value_or(), which would make an int of it.
+  // value_or() would convert to int
   const double nx = options.nx
                         ? *options.nx
                         : cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation,
@@ -428,7 +432,7 @@ UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const 
   const double length = regularisation_length(problem, options, Line::uniform(0, step, 1));
   int reach = cells_of_a_row(length, step, points);
   if (options.equation == Equation::km4_pade) {
-    // The inverse in the Pade approximant reaches as exp(-|x2| / sqrt(b)).
+    // The kernel of the inverse in the Pade approximant decays as exp(-|x2| / sqrt(b)).
     reach += static_cast<int>(
         std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / step));
   }

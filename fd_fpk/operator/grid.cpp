@@ -13,7 +13,7 @@ Eigen::VectorXd Grid::areas() const {
 
 Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2, Beyond left,
                     Beyond right) {
-  std::vector<double> x2;  // 0 once, and not -0
+  std::vector<double> x2;  // 0 occurs once, with a positive sign
   for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
   x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
   return {Line(std::move(x1), left, right), Line(std::move(x2))};

@@ -12,7 +12,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Three Gauss-Legendre points of a cell.
+// Gauss-Legendre rule with three points in a cell.
 constexpr int kPoints = 3;
 const double kOffset = std::sqrt(0.6) / 2;
 const std::array<double, kPoints> kFractions{0.5 - kOffset, 0.5, 0.5 + kOffset};
@@ -22,7 +22,7 @@ double at(const Line& line, int cell, int point) {
   return line.face(cell) + kFractions[point] * line.width(cell);
 }
 
-// A wall, and coordinates from it: d = sign (x - position) >= 0, and w = sign v away from it.
+// A wall and its coordinates: d = sign (x - position) >= 0, and w = sign v away from the wall.
 struct SeenFromWall {
   double position;
   double sign;
@@ -78,7 +78,7 @@ class Balance {
            excitation_.drift;
   }
 
-  // The integral of weight p, of the averages of p.
+  // The integral of weight times p, from the averages of p.
   template <class Weight>
   double integral(const Eigen::VectorXd& averages, const Weight& weight) const {
     const Eigen::MatrixXd p = of_x2_ * columns(averages) * of_x1_.transpose();
@@ -101,7 +101,7 @@ class Balance {
     return sum;
   }
 
-  // What impacts on the other wall add to E[h] per unit time.
+  // The change of E[h] per unit time due to impacts on the other wall.
   double raised_by(const problem::Wall& other, End end, const SeenFromWall& from,
                    const WallTestFunction& h, const Eigen::VectorXd& averages) const {
     const int half = grid_.nv() / 2;
@@ -110,7 +110,7 @@ class Balance {
     const Eigen::VectorXd p = point_values(grid_.x2, weighting_points(order_), kFractions, half) *
                               (columns(averages) * to_wall.transpose());
     const double distance = from.distance(other.position), r = other.restitution;
-    // Of the paper's impact: the flux f returns as f(w) + (1-r) d(w f)/dw, by parts.
+    // First-order impact of the paper: the flux f returns as f(w) + (1-r) d(w f)/dw; by parts.
     const auto raise = [&](double u) {
       const double before = h(distance, u);
       return impact_ == problem::Impact::map

@@ -14,20 +14,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// factor x^power
+// The polynomial factor x^power.
 numerics::Polynomial monomial(int power, double factor = 1) {
   numerics::Polynomial::Coefficients a{};
   a[static_cast<std::size_t>(power)] = factor;
   return numerics::Polynomial(a);
 }
 
-// Integral of a polynomial against the averages of a marginal.
+// Integral of a polynomial weighted with the averages of a marginal.
 double integral(const Line& line, const Eigen::VectorXd& marginal, int order,
                 const numerics::Polynomial& weight) {
   return line.widths().dot(weighted_averages(line, weighting_points(order), weight) * marginal);
 }
 
-// The integral of a product of polynomials against the joint density.
+// Integral of a product of polynomials weighted with the joint density.
 double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int order,
                       const numerics::Polynomial& of_x1, const numerics::Polynomial& of_x2) {
   const int points = weighting_points(order);
@@ -51,7 +51,7 @@ Eigen::VectorXd bell(const Line& line, double deviation, double centre) {
 }  // namespace
 
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
-  // Column i of the map holds the velocity cells at x1 cell i.
+  // Column i of the map is the velocity cells at x1 cell i.
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   return {p.transpose() * grid.x2.widths(), p * grid.x1.widths()};
 }
@@ -83,17 +83,17 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
 
 namespace {
 
-// What is missing of the moments n = 0 .. 4 for the end x of a line: int_0^inf |x + t|^n p e^(-s t) dt,
-// where p and s follow from how the logarithm of the marginal falls, and ever more steeply if it does,
-// from 0.6 to 0.2 of the way between its mean and the end, since cells next to the end miss part of
-// theirs. Under noise that is as much again; what impulses would have taken beyond the end is missing on
-// all the way back, where it would have a density of p V / v.
+// Missing moments n = 0 .. 4 beyond the end x of an axis: int_0^inf |x + t|^n p e^(-s t) dt. The
+// decay of the logarithm of the marginal, and its increase in steepness, determine p and s. They
+// are taken from 0.6 to 0.2 of the distance between the end and the mean, since cells next to the
+// end miss part of their mass. Under noise the missing mass counts twice. A path that impulses
+// would have taken beyond the end is also missing on its whole way back, with a density of p V / v.
 std::array<double, 5> missing_moments(const Line& line, const Eigen::VectorXd& marginal, bool last,
                                       double x, bool of_impulses) {
   const double end = last ? line.faces().back() : line.faces().front();
   const double mean = integral(line, marginal, 1, monomial(1)) / line.widths().dot(marginal);
   struct Sample {
-    double distance, log;  // from the end, of the density
+    double distance, log;  // distance from the end; logarithm of the density
   };
   const auto sample = [&](double part) {
     const double at = end + part * (mean - end);
@@ -142,7 +142,7 @@ transform::Moments beyond_box(const problem::Problem& problem, const Grid& grid,
     if ((last ? grid.x1.right() : grid.x1.left()) == Beyond::boundary) continue;
     const double end = problem.frame.y(last ? grid.x1_max() : grid.x1_min());
     const auto of_y = missing_moments(grid.x1, y, last, end, false);
-    // What is missing of v is missing of the displacements that it leads to.
+    // Missing velocities imply missing displacements.
     const double second = beyond.v2 / of_all.v2 / 2, fourth = beyond.v4 / of_all.v4 / 2;
     beyond.y1 += of_y[1] + second * std::abs(of_all.y1);
     beyond.y2 += of_y[2] + second * of_all.y2;
@@ -252,7 +252,7 @@ WallDensity relative_wall_density(const problem::Problem& problem, const Grid& g
 
 WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages) {
-  // Two half-plane Gaussians at the origin: 2 / (2 pi sigma_1 sigma_2).
+  // Peak of a Gaussian folded to the half-plane: 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
       1 / (std::numbers::pi * scales.displacement_deviation * scales.velocity_deviation);
   return wall_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));

@@ -8,7 +8,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// A acts on x1, B on x2; the index of a cell is i nv + j.
+// The Kronecker product A (x) B: A acts on x1, B on x2; cell (i, j) has index i nv + j.
 SparseColumns tensor(const LineOperator& a, const LineOperator& b) {
   const SparseColumns a_columns(a), b_columns(b);
   SparseColumns product(a.rows() * b.rows(), a.cols() * b.cols());
@@ -31,14 +31,14 @@ LineOperator identity(int n) {
   return matrix;
 }
 
-// The single entry `value` at (row, column).
+// The matrix with the single nonzero `value` at (row, column).
 LineOperator entry(int rows, int columns, int row, int column, double value) {
   LineOperator matrix(rows, columns);
   matrix.insert(row, column) = value;
   return matrix;
 }
 
-// Rows first .. first+count-1 of `matrix` in place, all others empty.
+// Rows first .. first+count-1 of `matrix`; all other rows are empty.
 LineOperator rows_only(const LineOperator& matrix, int first, int count) {
   LineOperator mask(matrix.rows(), matrix.rows());
   for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
@@ -57,7 +57,8 @@ SparseColumns streaming(const Grid& grid, int order, int weight_points) {
          tensor(leftwards, rows_only(minus_speed, 0, half));
 }
 
-// The velocity cell of speed cell b of what moves to an end, and of what leaves it.
+// The velocity cell of speed cell b for motion into the wall at an end, and for motion away from
+// it.
 int outgoing(const Grid& grid, End end, int b) {
   const int half = grid.nv() / 2;
   return end == End::left ? half - 1 - b : half + b;
@@ -66,8 +67,8 @@ int returning(const Grid& grid, End end, int b) {
   return outgoing(grid, end == End::left ? End::right : End::left, b);
 }
 
-// Outgoing probability leaves the column of cells at the wall, at x2 < 0 on the left, and returns
-// to it with the other sign of x2.
+// The probability flux into the wall leaves the column of cells at the wall (x2 < 0 at the left
+// end) and re-enters the column with the other sign of x2.
 SparseColumns exchange_at_wall(double restitution, problem::Impact impact, const Grid& grid,
                                int order, End end) {
   const int half = grid.nv() / 2;
@@ -88,7 +89,7 @@ SparseColumns exchange_at_wall(double restitution, problem::Impact impact, const
   return tensor(into_column, exchange) * wall_flux(grid, order, end);
 }
 
-// d/dx2 [ x2^power p ] by fluxes through the inner faces of x2, whose values of p these are.
+// d/dx2 [ x2^power p ] by fluxes through the inner faces of x2, from the face values `values` of p.
 LineOperator divergence_of_power(const Line& x2, int power, const LineOperator& values) {
   LineOperator factor(x2.cells() + 1, x2.cells() + 1);
   for (int f = 0; f <= x2.cells(); ++f) factor.insert(f, f) = std::pow(x2.face(f), power);
@@ -118,10 +119,10 @@ SparseColumns damping_and_restoring_force(const problem::System& system, const G
   return tensor(identity(grid.nx()), damping) + tensor(force, divergence(x2) * values);
 }
 
-// What turns the centred x2 transport of an odd order into the upwind-biased one. With the velocity
-// a = -(c x2 + g(x1) + ..) the flux a p, p taken from upstream, is
+// The difference of the upwind-biased and the centred x2 transport for an odd order. With the
+// velocity a = -(c x2 + g(x1) + ..) the upwind flux is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
-// and the first part is the centred flux of the next even order.
+// and its first term is the centred flux of the next even order.
 SparseColumns upwinding(const problem::System& system, const Grid& grid, int order) {
   const Line& x1 = grid.x1;
   const Line& x2 = grid.x2;
@@ -156,7 +157,7 @@ SparseColumns shifted(double factor, const SparseColumns& a, double shift) {
 SparseColumns wall_flux(const Grid& grid, int order, End end) {
   const int half = grid.nv() / 2;
   const bool left = end == End::left;
-  // On the wall the density jumps at x2 = 0: stencils stay on the outgoing side.
+  // The density on the wall jumps at x2 = 0: stencils contain one sign of x2 only.
   const LineOperator speed = weighted_averages(grid.x2, weighting_points(order),
                                                numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
   LineOperator in_order(half, grid.nv());
@@ -197,7 +198,7 @@ Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages)
 
 SparseColumns FokkerPlanckOperator::assembled() const {
   if (exchange.size() == 0) return local;
-  // Jumps by whole cells leave rounding in what would otherwise be empty.
+  // Jumps by whole cells produce rounding errors in entries that are zero exactly.
   constexpr double kRounding = 1e-14;
   const int nx = static_cast<int>(areas.size() / exchange.rows());
   return local +

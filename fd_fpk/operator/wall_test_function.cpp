@@ -10,9 +10,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// phi, phi', theta and chi' (chi' -> 0 for s -> inf) on equidistant s, joined by cubics: their
-// derivatives follow from the equations. The cubics' error is step^4 / 384 times a fourth derivative,
-// below 1e-10.
+// Table of phi, phi', theta and chi' (chi' -> 0 for s -> inf) on equidistant s, with cubic Hermite
+// interpolation: the equations give the derivatives. The interpolation error is step^4 / 384 times
+// a fourth derivative, below 1e-10.
 class Profiles {
  public:
   static const Profiles& table() {
@@ -57,8 +57,9 @@ class Profiles {
             n.chi_slope + h * d.chi_slope};
   }
 
-  // For large |s| by powers of s^-3, whose coefficients the equations give one by one:
-  // phi' = sum a_n s^(-1-3n), theta = sum t_n s^(-2-3n). At kEnd what is left out is below 1e-11.
+  // Asymptotic series for large |s| in powers of s^-3, with coefficients by recursion from the
+  // equations: phi' = sum a_n s^(-1-3n), theta = sum t_n s^(-2-3n). At kEnd the truncation error is
+  // below 1e-11.
   class Far {
    public:
     Far() {
@@ -108,7 +109,7 @@ class Profiles {
 
   Profiles() : nodes_(kLast + 1) {
     nodes_[kLast] = {far_.phi(kEnd), far_.phi_slope(kEnd), far_.theta(kEnd), far_.chi_slope(kEnd)};
-    // Downwards, because what solves the equations without a source decays that way: Runge-Kutta.
+    // Runge-Kutta steps towards smaller s: in this direction homogeneous solutions decay.
     constexpr int kParts = 4;
     constexpr double h = -kStep / kParts;
     for (std::size_t k = kLast; k > 0; --k) {

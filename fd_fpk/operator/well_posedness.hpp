@@ -7,15 +7,16 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Whether the excitation as discretised grows.
+/// Result of the stability check of the discretised excitation.
 struct Posedness {
-  Growth growth{0, 0};    ///< largest_growth; zero for the equations that cannot grow
-  std::string objection;  ///< why it is ill-posed and what to do; empty when it is not
+  Growth growth{0, 0};  ///< largest_growth; zero for equations that are well-posed for any cells
+  /// Why the scheme is ill-posed and what to do; empty when it is well-posed.
+  std::string objection;
 };
 Posedness posedness(const problem::Problem& problem, const Options& options,
                     const Discretisation& discretisation);
 
-/// largest_growth of the excitation that the options ask for on cells of this width.
+/// largest_growth of the excitation of the options on cells of this width.
 Growth largest_growth(const problem::Problem& problem, const Options& options, double step);
 
 }  // namespace fpkcheck::fd_fpk

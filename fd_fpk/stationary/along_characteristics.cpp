@@ -21,7 +21,7 @@ namespace {
 
 using transform::Status;
 
-// Of the transport there is no order: what is observed of cell averages takes parabolas.
+// The transport has no order. Functionals of cell averages use parabolas.
 constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
@@ -51,15 +51,15 @@ Sums sums(const Stationary& on) {
           .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
 }
 
-// Of a box: what leaves it stays in the cells at its end.
+// Limit for the mass in the cells at the ends of a box: mass that leaves the box accumulates there.
 constexpr double kMostAtEnd = 1e-6;
 double at_end(const Stationary& on, const Sums& sums) {
   const double in_y = on.grid.x1.right() == Beyond::vacuum ? sums.of_y(sums.of_y.size() - 1) : 0;
   return std::max(in_y, sums.of_speed(sums.of_speed.size() - 1));
 }
 
-// The first face beyond which there is no more than `negligible`, of either sign: wide cells swing
-// about a steep tail. The last one where the cells at the end hold more.
+// The first face outside which the mass is at most `negligible`; in absolute value, since wide
+// cells oscillate about a steep tail. The last face where the cells at the end hold more.
 double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
   int last = line.cells();
@@ -71,14 +71,14 @@ double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible
   return line.face(last);
 }
 
-// A box that holds all but a negligible part, found on wide cells; after the deadline one that
-// holds all but kMostAtEnd, without which there would be no answer.
+// A box with all but a negligible part of the mass, determined on wide cells. At the deadline a box
+// with all but kMaxMassAtEnd suffices, above which there would be no solution.
 Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
            const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
-  // Where a good part has arrived at the end of the box.
+  // Faster widening where the mass at the end of the box is large.
   constexpr double kMuch = 1e-3, kMuchWider = 3;
-  constexpr double kSlower = 1.5;  // the wider box, about
+  constexpr double kSlower = 1.5;  // time ratio for the wider box, about
   constexpr int kMostTimes = 6;
   Box box = problem::of_the_paper(problem) ? generous_box(problem, options)
                                            : generous_contact_box(problem, scales, options);
@@ -108,7 +108,7 @@ Box box_of(const problem::Problem& problem, const problem::Scales& scales, const
   return box;
 }
 
-// What rests in contact, on the physical axis too.
+// Adds the atoms in contact to the solution; moments are those of the physical displacement.
 void add_atoms(const problem::Problem& problem, const Stationary& on,
                transform::Solution& solution) {
   auto& moments = solution.moments;
@@ -146,7 +146,7 @@ void observe(const problem::Problem& problem, const problem::Scales& scales, con
       displacement_at_rest += mass * place.y;
       summary.impact_rate = std::numeric_limits<double>::infinity();
     } else {
-      // In an equilibrium it turns on, and hits the wall without a speed.
+      // In an equilibrium small oscillations continue, with impacts of negligible speed.
       summary.rest_mass += mass;
       summary.impact_rate += mass * place.impact_rate;
     }
@@ -195,8 +195,8 @@ Result solve_along_characteristics(const problem::Problem& problem, const proble
   if (const double beyond = at_end(on, sums(on)); beyond > kMostAtEnd) {
     solution.status = Status::failed;
     solution.reason = fmt::format(
-        "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the cells "
-        "at its end (widen it with y-max and v-max)",
+        "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the "
+        "cells at its end; increase y-max and v-max",
         on.grid.x1_max(), on.grid.x2_max(), beyond);
     return result;
   }

@@ -11,7 +11,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Of the residual, by GMRES.
+// Required reduction of the residual by GMRES.
 constexpr double kLeastReduction = 1e-4;
 
 DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& scales,
@@ -44,14 +44,14 @@ DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& 
           .krylov_seconds = krylov_seconds};
 }
 
-// Solves in `box` and moves the walls of it that the options leave free until they are empty, or,
-// when the time is over, until the box is not too small to be an answer.
+// Solves in `box` and moves the walls that the options leave free until the density on them is
+// negligible, or, at the deadline, until the box is acceptable.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::Scales& scales, const Options& options,
                                         const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
-  constexpr double kSlower = 1.5;  // the wider box, about
+  constexpr double kSlower = 1.5;  // time ratio for the wider box, about
   WallDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
     const Stopwatch stopwatch;
@@ -59,7 +59,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(scales, direct.discretisation.grid, *direct.averages);
-    // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
+    // A wall density that does not fall when the wall moves is a discretisation error, not a tail.
     const bool widen_x1 =
         !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
     const bool widen_x2 =
@@ -72,7 +72,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     if (will_do && !deadline.allows(kSlower * stopwatch.seconds())) return direct;
     if (problem.system.left()) {
       if (widen_x1) box.x1_max *= kWidening;
-    } else {  // without a wall, from the middle
+    } else {  // without an impact wall: about the middle
       const double by = (kWidening - 1) * (box.x1_max - box.x1_min) / 2;
       if (widen_x1) box.x1_max += by;
       if (widen_x1_low) box.x1_min -= by;
@@ -82,9 +82,9 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Beyond the paper's class deviations say little of how narrow a density is: in several wells and
-// on rings a grid made by them shows it too wide, and ripples at the walls of the box. So a grid
-// made by the lengths that it shows follows, until they stay.
+// Outside the paper's class standard deviations overestimate the length scales of a density. In
+// several wells and on rings a grid based on them smears the density and causes ripples at the
+// walls of the box. Grids based on the computed length scales follow, until these converge.
 void find_box_and_lengths(const problem::Problem& problem, const problem::Scales& scales,
                           const Options& coarse, const Deadline& deadline, Box& box) {
   constexpr int kMostTimes = 4;
@@ -127,7 +127,7 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;
     coarse.refinement = look_at_lengths ? kCoarse * kWidthOfHighOrder : kCoarse;
-    coarse.order = kHighOrder;  // lower ones smear tails on such a grid
+    coarse.order = kHighOrder;  // lower orders smear tails on such a grid
     coarse.origin_refinement = 1;
     if (look_at_lengths) {
       find_box_and_lengths(problem, scales, coarse, deadline, box);
@@ -141,9 +141,9 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
 DirectSolution solve_directly(const problem::Problem& problem, const Surroundings& surroundings,
                               const Options& options, const Deadline& deadline) {
   constexpr int kRefinements = 2;
-  constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
+  constexpr int kMostCellsRefined = 8000;  // limit for the first grid; finer grids take minutes
   constexpr double kRefinement = 1.5;
-  constexpr double kSlower = 5;  // a grid so much finer, about
+  constexpr double kSlower = 5;  // time ratio for the refined grid, about
   const problem::Scales& scales = surroundings.scales;
   Box box =
       surroundings.box ? *surroundings.box : stationary_box(problem, scales, options, deadline);
@@ -159,7 +159,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const Surrounding
         !deadline.allows(kSlower * stopwatch.seconds()) || resolved(problem, options, direct)) {
       return direct;
     }
-    // What is not resolved of a spike is the spike.
+    // If the grid does not resolve the density, refine the spike first.
     if (unbounded_at_origin(problem) && direct.origin_refinement < kRefinedOrigin) {
       on_grid.origin_refinement = kRefinedOrigin;
     } else {

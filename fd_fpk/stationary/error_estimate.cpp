@@ -23,7 +23,7 @@ const transform::GridDensity& grid_of(const Solution& solution) {
   return std::get<transform::GridDensity>(*solution.density);
 }
 
-// Edges that leave no bin narrower than `width`, but for what is next to 0 and the end.
+// Merges bins narrower than `width`, except for those next to 0 and at the end.
 std::vector<double> no_narrower(const std::vector<double>& edges, double width) {
   std::vector<double> kept;
   for (const double edge : edges) {
@@ -38,13 +38,13 @@ std::vector<double> no_narrower(const std::vector<double>& edges, double width) 
   return kept;
 }
 
-// On the cells of the finer one, where they are not narrower than what anybody looks at: on the
-// cells into which a spike falls no two grids agree.
+// Change of the marginals on the cells of the finer grid, merged up to a practical resolution: in
+// the cells of a spike no two grids agree.
 transform::Change change(const Result& coarser, const Result& finer) {
-  constexpr double kNarrowest = 0.02;  // root mean squares
+  constexpr double kNarrowest = 0.02;  // in units of the root mean square
   const auto& [y_edges, v_edges, averages] = grid_of(finer.solution);
   const auto& moments = finer.solution.moments;
-  // E[y^2] may be that of a motion far from y = 0.
+  // E[y^2] may be large because the motion is far from y = 0.
   const double extent = std::min(std::sqrt(moments.y2), y_edges.back() - y_edges.front());
   const auto y = no_narrower(y_edges, kNarrowest * extent);
   const auto v = no_narrower(v_edges, kNarrowest * std::sqrt(moments.v2));
@@ -56,7 +56,7 @@ transform::Change change(const Result& coarser, const Result& finer) {
   return transform::change(of(coarser), of(finer));
 }
 
-// The options of a grid whose cells are `factor` times narrower, without automatic changes.
+// The options of a grid with cells narrower by `factor`, without automatic changes.
 Options refined(Options options, double factor) {
   options.refine_unresolved = false;
   options.refinement *= factor;
@@ -76,8 +76,9 @@ Options in_box_of(Options options, const Summary& summary) {
   return options;
 }
 
-// An automatic grid may have been refined on the way, and its box found: other levels follow what it
-// became. In boxes of their own they would differ by more than by their cells.
+// The grid and box may differ from the options by automatic changes: all levels of an estimate use
+// the final values. In separate boxes their difference would include more than the discretisation
+// error.
 Options as_used(Options options, const Summary& summary) {
   options.refinement = summary.refinement;
   if (options.transport != Transport::characteristics) {
@@ -86,14 +87,14 @@ Options as_used(Options options, const Summary& summary) {
   return in_box_of(options, summary);
 }
 
-// Of the scheme; the transport along characteristics spreads a cell's mass linearly.
+// Order of the scheme; along characteristics the mass in a cell is piecewise linear.
 int order_of_convergence(const Options& options) {
   constexpr int kAlongCharacteristics = 2;
   return options.transport == Transport::characteristics ? kAlongCharacteristics
                                                          : order_of(options);
 }
 
-// Relative.
+// Relative error of the second moments.
 double second_moments_off(const Moments& error, const Moments& moments) {
   return std::max(error.y2 / moments.y2, error.v2 / moments.v2);
 }
@@ -114,8 +115,8 @@ void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& er
   }
 }
 
-// By how much the walls of a box move the moments, by those on the same cells in a wider one: no
-// refinement of the cells shows it. Of a wider box that has no density nothing is known.
+// Truncation error of the box: the change of the moments on the same cells in a larger box, which
+// no refinement of the cells shows. Zero where the larger box gives no density.
 Moments moved_by_walls(const SolveOnOneGrid& solve, const Options& of_cells, const Result& in_box) {
   Moments moved;
   const auto& [solution, summary] = in_box;
@@ -134,9 +135,9 @@ Moments moved_by_walls(const SolveOnOneGrid& solve, const Options& of_cells, con
   return moved;
 }
 
-// Along characteristics the order is not known, and may be more on two levels than it is on the next. An
-// error of the moments below the part by which a balance is missed would contradict that: the power
-// taken goes as E[v^2], as E[y^2] follows it, and the mean force as E[y].
+// Along characteristics the order is unknown, and two levels may overestimate the order of the
+// next. An error estimate below the residual of a balance would contradict the balance: the
+// dissipated power is proportional to E[v^2], and so to E[y^2], the mean force to E[y].
 Moments with_balances(Moments error, const Result& fine) {
   const auto& [solution, summary] = fine;
   if (summary.transport != Transport::characteristics) return error;
@@ -153,7 +154,7 @@ Moments with_balances(Moments error, const Result& fine) {
   return error;
 }
 
-// Of three levels, and of the walls of their box.
+// The estimate from three levels, plus the truncation error of the box.
 ErrorEstimate estimate(const Options& options, const Result& coarse, const Result& middle,
                        const Result& fine, const Moments& of_walls) {
   ErrorEstimate error = estimate_error(coarse, middle, fine, order_of_convergence(options));
@@ -165,37 +166,37 @@ ErrorEstimate estimate(const Options& options, const Result& coarse, const Resul
   return error;
 }
 
-// The best there is when a finer grid gave nothing.
+// The most accurate result so far, as `not_converged`, when a finer grid gave none.
 Result given_up(Result best, const Options& options, const std::string& reason) {
   best.solution.status = Status::not_converged;
-  const std::string reached = best.summary.error
-                                  ? fmt::format("the error estimate is {:.1e}",
-                                                worst(*best.summary.error, best.solution.moments))
-                                  : std::string("there is no error estimate yet");
+  const std::string reached =
+      best.summary.error
+          ? fmt::format("error estimate {:.1e}", worst(*best.summary.error, best.solution.moments))
+          : std::string("no error estimate");
   best.solution.reason =
-      fmt::format("{} on {} x {} cells, {:.1e} was asked for (the next grid: {})", reached,
+      fmt::format("{} on {} x {} cells, requested {:.1e}: the next grid failed: {}", reached,
                   best.summary.nx, best.summary.nv, *options.tolerance, reason);
   return best;
 }
 
-// A level takes at least as many times as long as the one before, more where the last did.
+// Least ratio of the times of successive levels; the observed ratio counts where it is larger.
 constexpr double kSlower = 2.5;
 
-// Whether two levels are one grid, of the fewest cells that there are: they show no error.
+// True if two levels have the same grid (the minimum number of cells): they show no error.
 bool are_the_same(const Summary& one, const Summary& other) {
   return one.nx > 0 && one.nx == other.nx && one.nv == other.nv;
 }
 
-// What a grid takes, about, by its cells: what is hoped for is then the same on any machine, and
-// whatever runs beside it.
+// Expected time of a grid from its number of cells: the same on any machine and at any load, so
+// that the choice of the grid is reproducible.
 double usual_seconds(const Summary& on) {
   constexpr double kOfCell = 4e-5, kAlongCharacteristics = 1e-5;
   return on.nx * on.nv *
          (on.transport == Transport::characteristics ? kAlongCharacteristics : kOfCell);
 }
 
-// Whether an accuracy is soon reached: the levels that are missing, by what the best three have
-// shown, usually take an eighth of the time that there is for all.
+// True if the remaining levels, extrapolated from the last three, are expected to take at most an
+// eighth of the time limit.
 bool hopeful(const ErrorEstimate& error, const Summary& last, const Options& options,
              double accuracy, const Deadline& deadline) {
   constexpr double kSoon = 8, kLeastOrder = 0.5;
@@ -203,7 +204,7 @@ bool hopeful(const ErrorEstimate& error, const Summary& last, const Options& opt
       std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
   const double missing =
       std::max(1.0, std::ceil(std::log(l1(error) / accuracy) / (order * std::log(kLevelRatio))));
-  // Of a geometric series
+  // Sum of a geometric series.
   const double levels = kSlower * (std::pow(kSlower, missing) - 1) / (kSlower - 1);
   return kSoon * levels * usual_seconds(last) <= deadline.in_all();
 }
@@ -238,7 +239,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   Result fine = solve(options);
   if (!fine.solution.density) return fine;
   const Options used = as_used(options, fine.summary);
-  // What is left is quicker, and an answer that does not know its error is none.
+  // The coarser grids are faster, and a solution needs an error estimate.
   const Result middle = solve(direct(refined(used, 1 / kLevelRatio)));
   const Options coarsest = direct(refined(used, 1 / (kLevelRatio * kLevelRatio)));
   const Result coarse = solve(coarsest);
@@ -258,18 +259,18 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
   const Stopwatch stopwatch;
   Result best = solve_with_error_estimate(solve, options);
   if (!best.summary.error) return best;
-  // The three grids together took about 1 + 1/2.5 + 1/6 times as long as the finest, and the wider
+  // The three grids together take about 1 + 1/2.5 + 1/6 times as long as the finest, and the larger
   // box twice as long as the last.
   double seconds = stopwatch.seconds() / (best.summary.wider ? 1.9 : 1.6);
   Options level = direct(as_used(options, best.summary));
-  // Of the three last levels the two coarser ones.
+  // Of the last three levels the two coarser.
   const Options before = refined(level, 1 / kLevelRatio);
   Result middle = best;
   std::optional<Result> coarse;
-  // A box that is too small is not mended by cells.
+  // Finer cells do not repair a box that is too small.
   while (best.solution.status != Status::failed &&
          (l1(*best.summary.error) > aim.accuracy || (aim.until_ok && !best.solution.is_ok()))) {
-    // Without a hope of that accuracy only what is not ok yet is improved.
+    // Where the accuracy is out of range, only a solution that is not yet ok is improved.
     if (best.solution.is_ok() &&
         !hopeful(*best.summary.error, middle.summary, options, aim.accuracy, deadline)) {
       break;
@@ -294,25 +295,28 @@ Result solve_within(const SolveOnOneGrid& solve, const Options& options, const D
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                           const Deadline& deadline) {
-  constexpr double kFirst = 0.5;          // refinement of the coarsest grid
-  constexpr double kOrdersMissing = 1.5;  // when the origin is held to limit the order
-  // Of the tolerance, what the walls may take: finer cells do not mend it, a wider box does.
+  constexpr double kFirst = 0.5;  // refinement of the coarsest grid
+  // Deficit of the observed order above which the origin limits the order.
+  constexpr double kOrdersMissing = 1.5;
+  // Fraction of the tolerance allowed for the truncation by the box, which only a larger box
+  // reduces.
   constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
   Options level = refined(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
   std::array<std::optional<Result>, 3> last;  // coarse, middle, fine
-  std::optional<Result> estimated;            // the finest before the cells were graded
+  std::optional<Result> estimated;            // finest result before grading
   Moments of_walls;
   bool box_found = false;
   const auto stop = [&](const std::string& reason) {
-    // Graded grids that have no estimate yet do not replace uniform ones that have.
+    // A graded grid without an estimate does not replace a uniform grid that has an estimate.
     const bool newer = last[2] && (last[2]->summary.error || !estimated);
     return given_up(newer ? *last[2] : *estimated, options, reason);
   };
-  double seconds = 0, slower = kSlower;  // of the last level; how much longer the next one takes
+  double seconds = 0, slower = kSlower;  // time of the last level; time ratio of the next level
   while (true) {
     if ((last[2] || estimated) && !deadline.allows(slower * seconds)) {
-      return stop(fmt::format("about {:.2g} s, more than max_seconds leaves", slower * seconds));
+      return stop(fmt::format("it needs about {:.2g} s, more than the rest of max_seconds",
+                              slower * seconds));
     }
     const Stopwatch of_level;
     Result result = solve(direct(level));
@@ -330,7 +334,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       box_found = excess <= 1 || !free || level.wall_density <= kLeastOnWall;
       if (!box_found) {
         level.wall_density *= std::min(0.1, 1 / excess);
-        continue;  // the same cells in a wider box
+        continue;  // repeat with the same cells in a larger box
       }
       level = in_box_of(level, last[2]->summary);
     } else {
@@ -358,7 +362,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
         level.origin_refinement = kRefinedOrigin;
         estimated = std::move(last[2]);
         last = {};
-        continue;  // the same width far out, three levels anew
+        continue;  // same width far out, three new levels
       }
     }
     level = refined(level, kLevelRatio);

@@ -24,16 +24,16 @@ void judge_resolution(const Options& options, Result& result) {
   if (!kStationaryBars.allow_density(solution.min_density)) {
     const bool first_order_impact = options.impact == Impact::delta;
     solution.reason = fmt::format(
-        "the density is negative down to {:.1g} of its peak: {}", solution.min_density,
-        first_order_impact ? "the grid does not resolve it, or the impact to first order in 1-r, "
-                             "which keeps no sign, has no density (compare with a finer grid)"
-                           : "the grid does not resolve it (refine with nx and nv)");
+        "the density is negative, {:.1g} of its peak: {}", solution.min_density,
+        first_order_impact ? "the grid is too coarse, or the first-order impact has no nonnegative "
+                             "density; compare with a finer grid"
+                           : "the grid does not resolve it; refine the grid with nx and nv");
   } else if (std::abs(solution.energy_residual) >
                  std::max(kStationaryBars.power, options.accuracy) ||
              std::isnan(solution.energy_residual)) {
     solution.reason = fmt::format(
-        "the balance of power is missed by {:.1g} of the input: the grid does not resolve the "
-        "density (refine with nx and nv)",
+        "the power balance has a residual of {:.1g} of the input: the grid does not resolve the "
+        "density; refine the grid with nx and nv",
         solution.energy_residual);
   }
   if (!solution.reason.empty()) solution.status = Status::inadmissible;
@@ -44,14 +44,14 @@ void judge_balances(Result& result) {
   if (solution.status != Status::ok) return;
   const std::pair<const char*, double> balances[] = {
       {"power", solution.energy_residual},
-      {"the virial", summary.balances.virial.value_or(0)},
+      {"virial", summary.balances.virial.value_or(0)},
       {"momentum", summary.balances.momentum.value_or(0)}};
   for (const auto& [name, residual] : balances) {
     if (std::abs(residual) <= kBalances) continue;
     solution.status = Status::inaccurate;
-    solution.reason = fmt::format(
-        "the balance of {} is missed by {:.1g}, more than {:g} (allow more time by max-seconds)",
-        name, std::abs(residual), kBalances);
+    solution.reason =
+        fmt::format("the {} balance has a residual of {:.1g}, more than {:g}; increase max-seconds",
+                    name, std::abs(residual), kBalances);
     return;
   }
 }
@@ -62,16 +62,16 @@ void judge_error(const Options& options, Result& result) {
   if (!summary.error) {
     solution.status = Status::inaccurate;
     solution.reason =
-        "the discretisation error is not estimated: there are no two coarser grids with a density "
-        "(refine, or allow more time by max-seconds)";
+        "the discretisation error is unknown: two coarser grids with a density are missing; refine "
+        "the grid or increase max-seconds";
     return;
   }
   const double l1 = std::max(summary.error->y_l1, summary.error->ydot_l1);
   if (l1 <= options.accuracy) return;
   solution.status = Status::inaccurate;
   solution.reason = fmt::format(
-      "the discretisation error is estimated as {:.2g} in L1, with an observed order of {:.1f}, and "
-      "{:g} is asked for (allow more time by max-seconds, or less accuracy)",
+      "the estimated discretisation error is {:.2g} in L1 (observed order {:.1f}), requested {:g}; "
+      "increase max-seconds or accuracy",
       l1, summary.error->observed_order, options.accuracy);
 }
 

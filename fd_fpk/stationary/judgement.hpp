@@ -6,20 +6,22 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Takes the `ok` from a solution whose density fills its box to the walls, and says why.
+/// Changes `ok` to `failed`, with a reason, for a density that is not negligible on the walls of
+/// its box.
 void judge_box(const problem::Frame& frame, const Grid& grid, Result& result);
 
-/// The same of one whose density is negative or misses the balance of power by more than
-/// kStationaryBars (of power: or the accuracy asked for) allow.
+/// Changes `ok` to `inadmissible` for a density that is negative or has a residual of the power
+/// balance outside kStationaryLimits (for the power: or outside the requested accuracy).
 void judge_resolution(const Options& options, Result& result);
 
-/// The same of one that misses a balance of power, virial or momentum by more than kBalances:
-/// `inaccurate`. Beyond the paper's class, where no other solver may be at hand.
+/// Changes `ok` to `inaccurate` where a balance of power, virial or momentum has a residual above
+/// kBalances. For problems outside the paper's class, where an independent solution may
+/// be unavailable.
 void judge_balances(Result& result);
 inline constexpr double kBalances = 1e-4;
 
-/// The same of one whose estimated error in L1 is larger than the accuracy asked for, or that has no
-/// estimate: `inaccurate`.
+/// Changes `ok` to `inaccurate` where the estimated error in L1 exceeds the requested accuracy, or
+/// where there is no estimate.
 void judge_error(const Options& options, Result& result);
 
 }  // namespace fpkcheck::fd_fpk

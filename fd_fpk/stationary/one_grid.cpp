@@ -19,7 +19,7 @@ namespace {
 
 using transform::Status;
 
-// The density by the chosen stepper; empty when there is none. Fills in the status.
+// The density by the stepper of the options; empty when there is none. Sets the status.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
                                                   const problem::Problem& problem,
                                                   const Options& options, const Deadline& deadline,
@@ -31,7 +31,8 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     return std::nullopt;
   }
   const double frequency = direct.scales.frequency;
-  // CVODE takes its steps by the same linear solver, each of which may take as long.
+  // CVODE solves linear systems with the same solver; each step may take as long as the direct
+  // solve.
   constexpr double kStepsInFull = 20;
   std::optional<March> march;
   if (options.stepper == Stepper::cvode && direct.converged &&
@@ -65,7 +66,7 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     solution.status = Status::not_converged;
     if (solution.reason.empty()) {
       solution.reason = fmt::format(
-          "residual {:.1e} after {} steps and {} factorisations, {:.1e} was asked for",
+          "residual {:.1e} after {} steps and {} factorisations, requested {:.1e}",
           summary.residual, summary.steps, summary.factorisations, options.residual_tolerance);
     }
   }
@@ -89,8 +90,9 @@ void observe(const problem::Problem& problem, const problem::Scales& scales, con
                                        momentum_at_walls(problem.system, grid, averages, order));
 }
 
-// Half as far again where a wall has a density that may matter: what rare impulses do beyond a wall
-// with 1e-6 of the peak, 8 deviations out, is 4e-4 of E[y^4].
+// A box enlarged by half in each direction with a significant wall density; empty where both are
+// negligible. Rare impulses behind a wall with 1e-6 of the peak, 8 standard deviations out,
+// contribute 4e-4 of E[y^4].
 std::optional<Extent> wider_extent(const problem::Problem& problem, const Options& options,
                                    const Grid& grid, const WallDensity& wall) {
   constexpr double kFurther = 1.5, kNegligible = 1e-9;
@@ -115,7 +117,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
                          const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
-  // Growth depends on the velocity step alone, so it is judged before anything is solved.
+  // Growth rates depend on the velocity step alone, so they are checked before any solve.
   const auto first =
       discretise(problem, options, initial_box(problem, surroundings.scales, options));
   describe(first, summary);

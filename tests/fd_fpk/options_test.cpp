@@ -7,7 +7,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Every option differs from its default and from every other.
+// Every option differs from its default and from every other option.
 Options changed() {
   return {.equation = Equation::km4,
           .impact = Impact::delta,
@@ -23,7 +23,7 @@ Options changed() {
           .regularisation_length = 0.31,
           .wall_density = 2e-7,
           .refine_unresolved = false,
-          .error_estimate = true,  // as by default: of two flags, one
+          .error_estimate = true,  // as by default: two flags cannot both differ
           .accuracy = 0.015,
           .max_seconds = 12.5,
           .tolerance = 1.1e-5,
@@ -37,7 +37,7 @@ TEST(Options, ComeBackFromTheirValues) {
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (values[k].name == "error_estimate") continue;
     EXPECT_NE(values[k].value, usual[k].value)
-        << values[k].name << " is as by default: its way back is not tested";
+        << values[k].name << " has its default value: its round trip is not tested";
     for (std::size_t other = 0; other < k; ++other) {
       EXPECT_NE(values[k].value, values[other].value) << values[k].name;
     }
@@ -107,7 +107,7 @@ TEST(Options, ThatCannotBeUsedAreRefusedByName) {
 
 TEST(Options, ThatContradictOneAnotherAreRefused) {
   EXPECT_EQ(refusal({.regularisation_length = 0.3}),
-            "regularisation length with equation kf (only km4 has one: leave it out)");
+            "regularisation length with equation kf: only km4 has one; leave it out");
   EXPECT_EQ(refusal({.equation = Equation::km4, .regularisation_length = 0.0}), "");
   EXPECT_NE(refusal({.equation = Equation::km4, .regularisation_length = -0.3}), "");
   EXPECT_NE(refusal({.nx = 40, .tolerance = 1e-4}), "");

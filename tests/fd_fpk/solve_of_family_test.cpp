@@ -31,7 +31,7 @@ transform::Solution solve_in_frame(const Problem& p, const Options& options) {
   return transform::in_physical_coordinates(seen.frame, solve(seen, options).solution);
 }
 
-// L1 of both marginals to an exact law, on the solution's own cells.
+// Larger L1 distance of the two marginals from an exact law, on the cells of the solution.
 template <class Law>
 double marginal_error(const transform::Solution& solution, const Law& law) {
   using Rule = boost::math::quadrature::gauss<double, 7>;
@@ -84,7 +84,7 @@ TEST(SolveOfFamily, MeetsTheExactLawsOfTheEnergyOnItsAutomaticGrids) {
     EXPECT_NEAR(solution.mass, 1, 1e-10) << name;
     const exact::EnergyLaw law(p);
     EXPECT_LT(marginal_error(solution, law), bar) << name;
-    // Moments are the physical ones, though the problem is solved in its frame.
+    // Moments are physical, although the solver uses wall coordinates.
     const double sizes[] = {std::sqrt(law.moment(2, 0)), law.moment(2, 0), law.moment(4, 0)};
     EXPECT_NEAR(solution.moments.y1, law.moment(1, 0), 2e-4 * sizes[0]) << name;
     EXPECT_NEAR(solution.moments.y2, law.moment(2, 0), 2e-4 * sizes[1]) << name;
@@ -94,7 +94,7 @@ TEST(SolveOfFamily, MeetsTheExactLawsOfTheEnergyOnItsAutomaticGrids) {
   }
 }
 
-// The order is worth its price where the density is smooth, and is whoever's who gives it.
+// Order 7 is the automatic choice for a smooth density; an order of the options takes precedence.
 TEST(SolveOfFamily, IsOfSeventhOrderWhereNoWallTakesEnergy) {
   const problem::SystemCoefficients linear{.damping = 0.2, .stiffness = 1};
   const auto with_wall = [&](double restitution) {
@@ -110,12 +110,12 @@ TEST(SolveOfFamily, IsOfSeventhOrderWhereNoWallTakesEnergy) {
   Options fifth = quick();
   fifth.order = 5;
   EXPECT_EQ(order(with_wall(1), fifth), 5);
-  // The paper's class keeps the order of its published results.
+  // The paper's class has the order of the published results.
   const System at_wall(linear, WallParameters{.left = 0, .left_restitution = 1});
   EXPECT_EQ(order(tests::with_impulses(at_wall, tests::gaussian_impulses(1, 0.1))), 5);
 }
 
-// E[x^4] of the cumulants 1 .. 4.
+// E[x^4] from the cumulants 1 .. 4.
 double fourth_moment(double k1, double k2, double k3, double k4) {
   return k4 + 4 * k3 * k1 + 3 * k2 * k2 + 6 * k2 * k1 * k1 + std::pow(k1, 4);
 }
@@ -125,7 +125,7 @@ problem::ImpulseTrain skew_impulses(const char* law, double skewness, double mea
       {.arrival_rate = 1, .law = law, .intensity = 0.1, .mean = mean, .skewness = skewness});
 }
 
-// E[(v - E[v])^3], v taken as spread evenly in its cells.
+// E[(v - E[v])^3], with v uniform in each cell.
 double third_central_moment(const transform::Solution& solution) {
   const auto& grid = std::get<transform::GridDensity>(*solution.density);
   const auto p = marginal(solution, Variable::ydot, grid.v_edges);
@@ -151,7 +151,7 @@ TEST(SolveOfFamily, HasTheExactCumulantsOfTheLinearOscillatorUnderImpulsesAndNoi
     const auto y = [&](int n) { return exact::linear_cumulant(p, n, 0); };
     const auto v = [&](int n) { return exact::linear_cumulant(p, 0, n); };
     const auto& m = solution.moments;
-    // What of a tail exp(-y) the box leaves out: 2e-6 of E[v^2], 2e-5 of E[v^4].
+    // Truncation by the box of a tail exp(-y): 2e-6 of E[v^2], 2e-5 of E[v^4].
     const double tail = impulses.law().symmetric() ? 1 : 10;
     EXPECT_NEAR(m.y1, y(1), 1e-6);
     EXPECT_NEAR(m.y2, y(2) + y(1) * y(1), 3e-7 * tail * y(2));
@@ -161,13 +161,12 @@ TEST(SolveOfFamily, HasTheExactCumulantsOfTheLinearOscillatorUnderImpulsesAndNoi
     const double v4 = fourth_moment(v(1), v(2), v(3), v(4));
     EXPECT_NEAR(m.y4, y4, 5e-6 * tail * y4);
     EXPECT_NEAR(m.v4, v4, 5e-6 * tail * v4);
-    // And what a law that is symmetric about its mean would not have.
+    // The third central moment vanishes for laws symmetric about their mean.
     EXPECT_NEAR(third_central_moment(solution), v(3), 1e-4 * std::pow(v(2), 1.5));
   }
 }
 
-// The same physics to the left of a wall as to the right of one, with impulses whose tail changes
-// sides too.
+// The mirror image of a problem, with skew impulses mirrored too.
 TEST(SolveOfFamily, MirroredProblemsHaveMirroredMoments) {
   const problem::SystemCoefficients to_the_right{
       .damping = 0.2, .constant = -0.2, .stiffness = 1, .quadratic = 0.1, .cubic = 0.1};
@@ -208,7 +207,7 @@ TEST(SolveOfFamily, WithoutImpulsesAllEquationsAreTheSame) {
   }
 }
 
-// Impulses that are frequent and small are white noise, beside which there may be more of it.
+// Frequent small impulses are equivalent to white noise, and add to external white noise.
 TEST(SolveOfFamily, FrequentImpulsesAndNoiseAddUp) {
   const System system({.damping = 0.4, .stiffness = 1},
                       WallParameters{.left = -0.5, .left_restitution = 1});
@@ -222,7 +221,7 @@ TEST(SolveOfFamily, FrequentImpulsesAndNoiseAddUp) {
   }
 }
 
-// With losses there is no exact law; the balances of what is `ok` hold, and grids agree.
+// With losses there is no exact law: the balances must hold for status `ok`, and grids must agree.
 TEST(SolveOfFamily, WithLossesKeepsItsBalancesAndAgreesWithFinerGrids) {
   struct Case {
     std::string name;
@@ -266,7 +265,7 @@ TEST(SolveOfFamily, WithLossesKeepsItsBalancesAndAgreesWithFinerGrids) {
   }
 }
 
-// What the impact to first order in 1-r leaves out is of the second.
+// The error of the first-order impact is of second order in 1-r.
 TEST(SolveOfFamily, ImpactToFirstOrderBehindAGapIsOffBySquaresOfTheLoss) {
   const auto off = [](double loss) {
     const Problem p =
@@ -281,7 +280,7 @@ TEST(SolveOfFamily, ImpactToFirstOrderBehindAGapIsOffBySquaresOfTheLoss) {
     return first_order.moments.v2 - exact.moments.v2;
   };
   const double small = off(0.02), large = off(0.04);
-  EXPECT_LT(small, 0);  // kappa = 1-r takes more energy than (1-r^2)/2
+  EXPECT_LT(small, 0);  // kappa = 1-r dissipates more energy than (1-r^2)/2
   EXPECT_GT(large / small, 3.4);
   EXPECT_LT(large / small, 4.4);
 }
@@ -307,7 +306,7 @@ TEST(OfferedOfFiniteDifferences, RefusesWhatHasNoDensityOrIsThePapersAlone) {
   EXPECT_NE(objection(tests::in_frame(without_wall), delta), "");
   EXPECT_EQ(objection(tests::in_frame(gap), along), "");
   EXPECT_NE(objection(tests::in_frame(noisy), along), "");
-  // Pressed to the wall: there is an atom, which kf's own motion alone leads to.
+  // With a force towards the wall the law has an atom, which only kf along characteristics treats.
   const Problem pressed = tests::with_impulses(
       System({.damping = 0.2, .constant = 1}, WallParameters{.left = 0, .left_restitution = 0.7}),
       tests::gaussian_impulses(1, 0.5));

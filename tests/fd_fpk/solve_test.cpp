@@ -18,7 +18,7 @@ using tests::uniform_edges;
 using transform::Status;
 using transform::Variable;
 
-// One grid, which is what the claims are of: error estimates have tests of their own.
+// A single grid: error estimates have their own tests.
 Options direct(Equation equation) {
   return {.equation = equation, .stepper = Stepper::direct, .error_estimate = false};
 }
@@ -131,7 +131,7 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
 TEST(Solve, SteppingMeetsTheBarsOfMassEnergyAndStationarityOnThePapersCases) {
   for (const int number : {1, 4}) {
     for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
-      // Stepping takes no part where the time is short, and this machine may have little of it.
+      // Stepping is skipped when time is short, and this machine may be slow.
       const auto [solution, summary] =
           solve(tests::paper_case(number),
                 {.equation = equation, .error_estimate = false, .max_seconds = 600});
@@ -182,8 +182,9 @@ TEST(Solve, LiteralTruncationOnAFineGridIsReportedAndNotStepped) {
   EXPECT_GT(summary.growth_rate, 1.0);
   EXPECT_EQ(summary.steps, 0);
   EXPECT_NE(solution.reason.find("least 0.23 "), std::string::npos)
-      << solution.reason;                                                          // what it needs
-  EXPECT_NE(solution.reason.find("0.316"), std::string::npos) << solution.reason;  // the default
+      << solution.reason;  // the required length
+  // The default length.
+  EXPECT_NE(solution.reason.find("0.316"), std::string::npos) << solution.reason;
 }
 
 TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
@@ -196,8 +197,8 @@ TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
   }
 }
 
-// Whatever the equation, the law and the impact: problem/motion_balances.hpp. A wrong sign of the
-// mean or factor of the impact would leave a few per cent and more.
+// For any equation, law and impact: problem/motion_balances.hpp. A wrong sign of the mean or factor
+// of the impact would leave a residual of a few per cent or more.
 TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
   for (const double mean : {0.1, -0.1}) {
     const auto p = tests::make_problem({.restitution = 0.9, .mean = mean});
@@ -225,7 +226,7 @@ TEST(Solve, WidensItsBoxForHeavyTails) {
   EXPECT_LT(summary.wall.x2, 1e-5);
 }
 
-// Heavily damped, rare impulses leave a spike at the wall that no uniform grid of this size
+// Under heavy damping rare impulses cause a spike at the wall that no uniform grid of this size
 // resolves.
 TEST(Solve, DoesNotPassOffAnUnresolvedDensity) {
   for (const auto& p :
@@ -262,8 +263,8 @@ TEST(Solve, DoesNotDependOnTheUnitOfTime) {
   }
 }
 
-// At a given intensity the fourth cumulant of the velocity is what is left of frequent impulses, as
-// 1 / rate; on cells 300 times as wide as an impulse too.
+// At a given intensity the effect of frequent impulses beyond white noise is their fourth cumulant,
+// proportional to 1 / rate; also on cells 300 times as wide as an impulse.
 TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
   const auto problem = [](double rate, double cubic) {
     return tests::make_problem({.cubic = cubic, .restitution = 1, .rate = rate});
@@ -282,7 +283,7 @@ TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
   EXPECT_NEAR(at_1e3 / at_1e4, 10, 0.1);
 }
 
-// Where impacts take energy too: a grid for impulses that come one by one is off by 1.5e-4 there.
+// With losses at the impact: the grid for separate impulses has an error of 1.5e-4 here.
 TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
   const auto p = [](double rate) {
     return tests::make_problem({.restitution = 0.5, .rate = rate});

@@ -83,7 +83,7 @@ TEST(Summary, TellsTheAnswerFromTheWork) {
   EXPECT_EQ(number(all, "wall_density.ydot"), 2e-9);
 }
 
-// The rate is a part of the answer, its error a statement; of infinitely many impacts there is neither.
+// The rate is a result and its error is not; an infinite rate has neither metric.
 TEST(Summary, TheImpactRateHasAnErrorWhereThereIsOne) {
   const auto of = [](double rate, double error) {
     return observations({.error = ErrorEstimate{.impact_rate = error}, .impact_rate = rate});

@@ -26,7 +26,7 @@ const problem::SystemCoefficients kLinear{.damping = 0.1, .stiffness = 1};
 
 Problem without_wall() { return tests::with_noise(System(kLinear, {.none = true}), 0.1); }
 
-// A wall beyond a gap (cases/gap.ini), two walls, two wells (cases/bistable.ini).
+// A wall behind a gap (cases/gap.ini), two walls, two wells (cases/bistable.ini).
 Problem gap() {
   return tests::with_impulses(
       System(kLinear, WallParameters{.left = -0.5, .left_restitution = 0.9}),
@@ -56,7 +56,7 @@ TEST(TransientOfFamily, HasTheExactMeansAndCovariancesOfTheLinearOscillatorWitho
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   ASSERT_EQ(result.snapshots.size(), 3u);
   const exact::MeanAndCovariance start{.z = 0.7, .v = -0.3, .var_z = 0.36, .var_v = 0.64};
-  constexpr double kBar = 1e-5;  // of motions of size 1
+  constexpr double kBar = 1e-5;  // for motion of amplitude 1
   for (const Snapshot& s : result.snapshots) {
     SCOPED_TRACE(s.time);
     const auto exact = exact::linear_moments_at(p, start, s.time);
@@ -66,7 +66,7 @@ TEST(TransientOfFamily, HasTheExactMeansAndCovariancesOfTheLinearOscillatorWitho
     EXPECT_NEAR(s.yv, exact.zv, kBar);
     EXPECT_NEAR(s.moments.v2, exact.vv, kBar);
     EXPECT_NEAR(s.energy, (exact.vv + exact.zz) / 2, kBar);
-    // What is Gaussian stays so: its fourth moments follow.
+    // The density remains Gaussian: fourth moments follow from the lower ones.
     const double var_z = exact.zz - exact.z * exact.z;
     EXPECT_NEAR(s.moments.y4,
                 std::pow(exact.z, 4) + 6 * exact.z * exact.z * var_z + 3 * var_z * var_z,
@@ -102,11 +102,11 @@ struct Late {
   std::string name;
   Problem problem;
   double until;
-  double bar;  // L1 of either marginal, moments relative
+  double bar;  // limit for the L1 distance of each marginal and the relative error of moments
 };
 
 TEST(TransientOfFamily, EndsInTheStationaryDensity) {
-  // More damping than the case: the wells exchange mass sooner.
+  // More damping than in the case file: the wells exchange mass sooner.
   for (const auto& [name, p, until, bar] :
        {Late{"gap", gap(), 60, 2e-3}, Late{"bistable", bistable(0.5), 60, 5e-4}}) {
     SCOPED_TRACE(name);
@@ -144,7 +144,7 @@ TEST(TransientOfFamily, ErrorsFallWithTheCells) {
   EXPECT_NEAR(middle.v2, fine.v2, 1e-3 * fine.v2);
 }
 
-// A lone wall on the right, under impulses with a mean, and what is seen of it in a mirror.
+// A single wall on the right with impulses of nonzero mean, and its mirror image.
 TEST(TransientOfFamily, IsInPhysicalCoordinates) {
   const problem::SystemCoefficients spring{
       .damping = 0.2, .constant = 0.3, .stiffness = 1, .cubic = 0.2};
@@ -172,7 +172,7 @@ TEST(TransientOfFamily, IsInPhysicalCoordinates) {
   EXPECT_NEAR(a.y_edges.back(), 0.4, 1e-14);
   EXPECT_LT(a.y_edges.front(), -1);
   ASSERT_EQ(a.snapshots.size(), b.snapshots.size());
-  // The start, which both took as they were told to.
+  // The initial density of the options, in both problems.
   EXPECT_NEAR(a.snapshots.front().moments.v1, 0.3, 1e-3);
   EXPECT_LT(a.snapshots.front().moments.y1, -0.5);
   constexpr double kRounding = 1e-9;
@@ -196,7 +196,7 @@ TEST(TransientOfFamily, IsInPhysicalCoordinates) {
     for (std::size_t j = 0; j < s.v.size(); ++j) {
       mean_v += s.v[j] * (a.v_edges[j + 1] - a.v_edges[j]) * (a.v_edges[j] + a.v_edges[j + 1]) / 2;
     }
-    EXPECT_NEAR(mean_y, s.moments.y1, 2e-3);  // the middles of cells are of second order
+    EXPECT_NEAR(mean_y, s.moments.y1, 2e-3);  // cell centres are accurate to second order
     EXPECT_NEAR(mean_v, s.moments.v1, 2e-3);
   }
 }
@@ -207,7 +207,7 @@ TEST(TransientOfFamily, IsRefusedWhereTheMassComesToRest) {
       tests::with_impulses(System(preload, WallParameters{.left = 0, .left_restitution = 0.7}),
                            tests::gaussian_impulses(1, 0.5));
   EXPECT_THROW(integrate(pressed, {}, {.until = 1}), InputError);
-  // What diffuses lifts it off again.
+  // Diffusion ends the contact at once.
   EXPECT_EQ(objection_over_time(pressed, {.equation = Equation::white}), "");
   EXPECT_NE(objection_over_time(pressed, {.equation = Equation::kf}), "");
   EXPECT_NE(objection_over_time(pressed, {.equation = Equation::km4_pade}), "");

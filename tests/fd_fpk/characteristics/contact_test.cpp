@@ -41,8 +41,8 @@ void expect_identities(const Result& result, double bar = 1e-4) {
   EXPECT_LT(std::abs(*result.summary.balances.momentum), bar);
 }
 
-// The time aloft is (2/g) (1 + r + ..) of the first speed, |Y| or r |Y|: 1 - P0 is
-// lambda E|Y| (1+r) / (g (1-r)), less what the next impulse cuts off, of the second order in lambda.
+// The time in flight is (2/g) (1 + r + ..) times the first speed, |Y| or r |Y|. So 1 - P0 is lambda
+// E|Y| (1+r) / (g (1-r)), less the truncation by the next impulse, of second order in lambda.
 TEST(Contact, BallUnderRareImpulsesIsAloftAsLongAsItsParabolasTake) {
   for (const double restitution : {0.3, 0.7}) {
     for (const double mean : {0.0, 0.5}) {
@@ -63,7 +63,8 @@ TEST(Contact, BallUnderRareImpulsesIsAloftAsLongAsItsParabolasTake) {
   }
 }
 
-// By `fpkcheck mcs NAME --time 1.5e8 --seed 5`, 6 where r is changed: values and standard errors.
+// By `fpkcheck mcs NAME --time 1.5e8 --seed 5` (seed 6 where r is changed): values and standard
+// errors.
 TEST(Contact, ShippedSystemsRestAsLongAsInTheSimulation) {
   struct Case {
     const char* name;
@@ -92,7 +93,7 @@ TEST(Contact, ShippedSystemsRestAsLongAsInTheSimulation) {
   }
 }
 
-// Refined by sqrt 2 and 2: the differences of P0 fall.
+// Refined by factors of 2: the differences of P0 decrease.
 TEST(Contact, ProbabilityOfRestConverges) {
   std::vector<double> at_rest;
   for (const double refinement : {0.5, 1.0, 2.0}) {
@@ -107,14 +108,15 @@ TEST(Contact, ProbabilityOfRestConverges) {
   EXPECT_LT(before / last, 12);
 }
 
-// Mirrored, everything is mirrored.
+// The solution of the mirrored problem is the mirrored solution.
 TEST(Contact, WallOnTheRightIsTheWallOnTheLeftMirrored) {
   const auto impulses =
       problem::ImpulseTrain({.arrival_rate = 0.8, .law = "laplace", .intensity = 0.4, .mean = 0.1});
   const auto mirrored = problem::ImpulseTrain(
       {.arrival_rate = 0.8, .law = "laplace", .intensity = 0.4, .mean = -0.1});
   const Options once{.error_estimate = false};
-  // g = y with the wall at 0.4, mass on its right: pressed by 0.4. And the same seen in a mirror.
+  // g = y with the wall at 0.4 and the mass on its right: a force 0.4 towards the wall. And the
+  // mirror image.
   const auto left = solve_contact(
       tests::with_impulses(
           System({.damping = 0.1, .stiffness = 1}, {.left = 0.4, .left_restitution = 0.6}),
@@ -133,8 +135,8 @@ TEST(Contact, WallOnTheRightIsTheWallOnTheLeftMirrored) {
   expect_identities(left, 5e-4);
 }
 
-// Two walls, one to which nothing presses, and an equilibrium between: with differences, which know
-// nothing of characteristics.
+// Walls without contact and an equilibrium: comparison with upwind differences, an independent
+// discretisation.
 TEST(Contact, WithoutContactAgreesWithDifferences) {
   for (const char* name : {"gap", "two_walls"}) {
     const auto p = problem::load_case(name);
@@ -151,8 +153,8 @@ TEST(Contact, WithoutContactAgreesWithDifferences) {
   }
 }
 
-// The passage keeps mass, with what is at rest, and loses the energy that damping and both walls
-// take (docs/characteristics.md).
+// The transport operator conserves the total mass, and loses the energy dissipated by damping and
+// both walls (docs/characteristics.md).
 TEST(Contact, PassageKeepsMassAndLosesTheEnergyOfBothWalls) {
   const auto p = tests::in_frame(problem::load_case("stops"));
   const Grid grid = contact_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
@@ -186,7 +188,7 @@ TEST(Contact, PassageKeepsMassAndLosesTheEnergyOfBothWalls) {
     }
     return sum;
   };
-  // Impulses from rest bring E[Y^2] / 2, and both walls hold the mass at the same level.
+  // Impulses from rest add E[Y^2] / 2, and both walls are at the same potential.
   const double at_walls = p.system.potential()(0.0), rate = p.impulses.arrival_rate();
   const double before = energy(q, false) + 0.3 * (at_walls + p.impulses.law().moment(2) / 2);
   const double then = energy(after, false) + after.tail(2).sum() * at_walls;
@@ -215,7 +217,7 @@ TEST(Contact, IsRefusedToWhatHasNoAtoms) {
       .left = 0, .left_restitution = 0.7, .right = 1, .right_restitution = 0.7};
   const auto box =
       tests::with_impulses(System({.damping = 0}, walls), tests::gaussian_impulses(1, 0.5));
-  EXPECT_NE(characteristics_objection(box).find("no place of rest"), std::string::npos);
+  EXPECT_NE(characteristics_objection(box).find("no rest point"), std::string::npos);
 }
 
 }  // namespace

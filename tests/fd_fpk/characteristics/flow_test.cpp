@@ -30,7 +30,7 @@ TEST(Flow, OverdampedCreepsAndDoesNotComeBack) {
   EXPECT_GT(winding.height, 0.1);
 }
 
-// Steps become much longer than 1/c, and still are those of the formulas.
+// Steps become much longer than 1/c, and remain accurate.
 TEST(Flow, FollowsWhatCreepsToRestForALongTime) {
   const auto follow = [](const Flow& flow, State state, double until) {
     double time = 0, longest = 0;
@@ -66,7 +66,7 @@ TEST(Flow, FollowsWhatCreepsToRestForALongTime) {
   }
 }
 
-// mu y^4 / 4 = v^2 / 2 at the top of a flight without losses.
+// mu y^4 / 4 = v^2 / 2 at the apex of a flight without losses.
 TEST(Flow, HardSpringTurnsWhereItsEnergySays) {
   const double mu = 7, v = 3;
   const Flow flow(tests::make_problem({.damping = 1e-9, .stiffness = 0, .cubic = mu}).system);
@@ -94,7 +94,7 @@ TEST(Flow, ImpactTimeIsWhereTheWallIs) {
   EXPECT_NEAR(flow.after(from, time).y, 0, 1e-14);
 }
 
-// Of a constant force g0: heights u^2 / (2 g0), times 2 u / g0.
+// For a constant force g0: heights u^2 / (2 g0), times 2 u / g0.
 TEST(Flow, BallFliesAlongParabolas) {
   const double g0 = 1.7, u = 0.3;
   const Flow flow(problem::System({.constant = g0, .restitution = 0.7}));
@@ -130,8 +130,8 @@ TEST(Flow, ReachesOfTwoWellsBelowTheSaddleTheirOwnAndAboveBoth) {
   EXPECT_NEAR(flow.energy({above.high, 0}), 0.25, 1e-8);
 }
 
-// Areas shrink as the flow's divergence says, and the exponential steps have the tangents of both
-// forces: against differences of the flow.
+// The contraction rate of areas is minus the divergence of the flow; compared with differences of
+// the flow.
 TEST(Flow, ContractionIsMinusTheDivergence) {
   const Flow flow(problem::System(
       {.damping = 0.3, .van_der_pol = 0.7, .rayleigh = 0.2, .stiffness = 1, .cubic = 2},
@@ -143,7 +143,7 @@ TEST(Flow, ContractionIsMinusTheDivergence) {
   EXPECT_NEAR(flow.contraction(at), -slope, 1e-8);
 }
 
-// y'' + c(y) y' + k y = 0 far above critical damping: long steps against short ones.
+// y'' + c(y) y' + k y = 0 far above critical damping: long steps against short steps.
 TEST(Flow, CreepsWhereDampingDependsOnTheDisplacement) {
   const Flow flow(
       problem::System({.damping = 30, .van_der_pol = 40, .stiffness = 1}, {.none = true}));

@@ -25,14 +25,14 @@ struct Setting {
         characteristics(p.system, grid, p.impulses.arrival_rate(), 8),
         tilts(grid, characteristics.rest_places()) {}
 
-  // A smooth density of mass 1 that fits the box.
+  // A smooth density of mass 1 inside the box.
   Eigen::VectorXd masses() const {
     return folded_gaussian(grid, 0.4, 0.5).cwiseProduct(grid.areas());
   }
   Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
     return Passage(characteristics, problem.impulses.law())(q, tilts(q), impacts);
   }
-  // Over cells that are evenly filled.
+  // Mean over cells with uniform density.
   double mean(const Eigen::VectorXd& m, const auto& of) const {
     double sum = 0;
     for (int i = 0; i < grid.nx(); ++i) {
@@ -82,8 +82,8 @@ TEST(Characteristics, CrossEveryCellInSharesOfOne) {
   }
 }
 
-// From q to p the mean energy changes by what is lost on the way, in the mean time 1/lambda:
-// lambda (E_p - E_q) = -c E_p[v^2] - (1 - r^2)/2 lambda sum of v^2 over the impacts.
+// From q to p the mean energy changes by the losses during the mean time 1/lambda: lambda (E_p -
+// E_q) = -c E_p[v^2] - (1 - r^2)/2 lambda sum of v^2 over the impacts.
 TEST(Passage, LosesTheEnergyThatDampingAndImpactsTake) {
   for (const auto& p : problems()) {
     const double rate = p.impulses.arrival_rate(), r = p.system.restitution();
@@ -104,8 +104,8 @@ TEST(Passage, LosesTheEnergyThatDampingAndImpactsTake) {
   }
 }
 
-// The time with v < 0 in one winding, weighted by exp(-lambda t): for rare impulses that of the
-// damped sine, (pi - atan(2 w / c)) / pi; all of it where it creeps.
+// The fraction of a half-cycle with v < 0, weighted by exp(-lambda t): for rare impulses that of
+// the damped sine, (pi - atan(2 w / c)) / pi; 1 for overdamped motion.
 TEST(Characteristics, MassAtRestTurnsOn) {
   const double c = 0.8, w = std::sqrt(1 - c * c / 4);
   const Setting s(

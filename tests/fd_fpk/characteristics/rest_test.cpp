@@ -23,7 +23,7 @@ TEST(RestPlaces, AreContactsWhereTheForcePressesAndEquilibriaElsewhere) {
   EXPECT_EQ(stops[0].contact, Side::left);
   EXPECT_EQ(stops[1].contact, Side::right);
 
-  // The wall on the right lies beyond the well at 1; the one on the left before that at -1.
+  // The wall on the right lies outside the well at 1, the wall on the left inside that at -1.
   const auto one = rest_places(
       Flow(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
                   {.left = -0.5, .left_restitution = 0.7, .right = 2, .right_restitution = 0.7})));
@@ -43,14 +43,14 @@ TEST(RestPlaces, AreNoContactsWithoutLossesOrForce) {
   ASSERT_EQ(at_wall.size(), 1u);
   EXPECT_EQ(at_wall[0].y, 0);
   EXPECT_FALSE(at_wall[0].contact);
-  // A hill at the wall is none.
+  // A maximum of the potential at the wall is not a rest point.
   const auto hill =
       rest_places(Flow(System({.damping = 0.1, .stiffness = -1, .cubic = 1, .restitution = 0.7})));
   ASSERT_EQ(hill.size(), 1u);
   EXPECT_DOUBLE_EQ(hill[0].y, 1);
 }
 
-// Impact by impact.
+// The sum impact by impact.
 TEST(Cascade, IsTheSumOverItsImpacts) {
   const double g = 1.3, r = 0.6, rate = 0.9, speed = 0.2;
   double time = 0, momentum = 0, energy = 0;

@@ -31,8 +31,8 @@ TEST(CellJumps, KeepMassAndArePositive) {
   }
 }
 
-// Of the mass in a cell the mean moves by that of the law, and a tilt moves it by the variance of
-// an even spread; the targets' own spread leaves an error of the second order in their width.
+// A jump shifts the mean of a cell's mass by the mean of the law; a slope shifts it by the variance
+// of a uniform distribution. The finite width of the target cells causes an error of second order.
 TEST(CellJumps, MoveTheMeanByThatOfTheLawAndOfTheTilt) {
   const Line line = uneven();
   const Eigen::VectorXd v = centres(line);
@@ -54,7 +54,7 @@ TEST(CellJumps, AtomsMoveACellAsAWhole) {
   EXPECT_NEAR(jumps.even(20 - 4, 20), 0.1, 1e-12);
   EXPECT_NEAR(jumps.even(20 + 5, 20), 0.4, 1e-12);
   EXPECT_NEAR(jumps.even(20 + 6, 20), 0.1, 1e-12);
-  // Of the part that is moved by 5.2 cells, the upper fifth goes one further.
+  // For the part shifted by 5.2 cells, the upper fifth moves to the next cell.
   EXPECT_NEAR(jumps.tilt(20 + 6, 20), 0.1 * 0.04, 1e-12);
   EXPECT_NEAR(jumps.tilt(20 + 5, 20), -0.1 * 0.04, 1e-12);
 }

@@ -15,9 +15,9 @@ Eigen::MatrixXd matrix_of(const Line& line, const Excitation& excitation) {
   return matrix;
 }
 
-// d/dt of the moment E[v^power] of a unit mass in the middle cell of a long line, about that cell's
+// d/dt of the moment E[v^power] of a unit mass in the middle cell of a long axis, about that cell's
 // centre: for jumps lambda E[Y^power], for derivatives their coefficients times factorials. The
-// moments are those of cell averages, exact for what is exact on polynomials.
+// moments are those of cell averages, exact for operators that are exact on polynomials.
 double moment_rate(const Line& line, const Excitation& excitation, int power) {
   const int source = line.cells() / 2;
   const Eigen::VectorXd rates = matrix_of(line, excitation).col(source);
@@ -54,7 +54,7 @@ TEST(Excitation, TruncatedSeriesNeedsNoLengthThatFitsTheCells) {
 TEST(Excitation, DefaultLengthReproducesTheSixthMomentToo) {
   const auto p = tests::make_problem();
   const double l = default_regularisation_length(p.impulses.law());
-  EXPECT_NEAR(l, std::sqrt(0.1), 1e-14);  // a zero-mean gaussian: its deviation
+  EXPECT_NEAR(l, std::sqrt(0.1), 1e-14);  // for a zero-mean gaussian: its standard deviation
   const Line line = Line::uniform(-100.5 * l / 3, l / 3, 201);
   EXPECT_NEAR(moment_rate(line, kramers_moyal(p.impulses, line, l), 6), p.impulses.rate_moment(6),
               1e-8);

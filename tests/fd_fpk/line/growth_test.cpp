@@ -14,7 +14,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The largest growth of an excitation on a long line of this step.
+// The largest growth rate of an excitation on a long axis with this step.
 template <class MakeExcitation>
 Growth growth(double step, int cells, const MakeExcitation& make) {
   const Line line = Line::uniform(0, step, 2 * cells + 1);
@@ -29,7 +29,8 @@ TEST(WellPosedness, LiteralTruncationGrowsWithTheFourthPowerOfTheResolution) {
   };
   EXPECT_GT(literal(s / 2).rate, 0);
   EXPECT_NEAR(literal(s / 64).rate / literal(s / 32).rate, 16.0, 0.5);
-  EXPECT_NEAR(literal(s / 8).wavenumber, std::numbers::pi / (s / 8), 1e-9);  // the grid's own
+  // The shortest wave of the grid.
+  EXPECT_NEAR(literal(s / 8).wavenumber, std::numbers::pi / (s / 8), 1e-9);
 }
 
 TEST(WellPosedness, RegularisedTruncationDecaysOnEveryGrid) {
@@ -54,15 +55,15 @@ TEST(WellPosedness, ShortestLengthIsTheThreshold) {
   EXPECT_LT(rate(1.01 * shortest), 0.0);
 }
 
-// Cells as wide as the length see its fourth difference grow, of flat laws first: 5/12 is the largest
-// D4 / (D2 l^2).
+// On cells as wide as the length the fourth difference is unstable, first for flat laws: 5/12 is
+// the largest D4 / (D2 l^2).
 TEST(WellPosedness, DefaultLengthIsLongEnoughOnCellsOfAnyWidthForEveryLawAndOrder) {
   bool longer = false;
   for (const std::string law : {"two_point", "uniform", "gaussian"}) {
     const auto impulses = tests::make_problem({.mean = 0.01, .law = law}).impulses;
     const double of_law = default_regularisation_length(impulses.law());
     for (const int points : {2, 6}) {
-      for (const double width : {0.5, 1.05, 1.3, 6.0, 30.0}) {  // of the length
+      for (const double width : {0.5, 1.05, 1.3, 6.0, 30.0}) {  // in units of the length
         const Line line = Line::uniform(0, width * of_law, 81);
         const double length = default_regularisation_length(impulses, line, points);
         const auto g = largest_growth(line, kramers_moyal(impulses, line, length), points);
@@ -107,7 +108,7 @@ TEST(WellPosedness, JumpsPadeAndWhiteNoiseNeverGrow) {
   EXPECT_LT(growth(0.05, 20, [&](const Line&) { return white_noise(impulses); }).rate, 0.0);
 }
 
-// Of any law and length: also where they begin to act by their moments.
+// For any law and length, also at the transition to the moment formulas.
 TEST(WellPosedness, JumpsOfAnyLengthNeverGrow) {
   for (const auto& name : tests::laws_by_name()) {
     for (const double skewness : {0.0, 0.3, 2.0}) {

@@ -75,8 +75,7 @@ Eigen::VectorXd half_normal_flux(const Line& line) {
 }
 
 TEST(ImpactMap, DeltaIsTheFirstOrderTermAndItsErrorIsOfSecondOrder) {
-  // || map f - delta f ||_1 ~ (1-r)^2 / 2 || d/dw (2 w f + w^2 f') || and so on: a factor of 4 for
-  // half the loss.
+  // || map f - delta f ||_1 is of order (1-r)^2: a factor of 4 for half the loss.
   const Line line = speeds(200, 0.04);
   const Eigen::VectorXd flux = half_normal_flux(line);
   const auto difference = [&](double loss) {

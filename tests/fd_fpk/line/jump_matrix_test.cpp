@@ -60,13 +60,14 @@ TEST(JumpMatrix, AddsAGaussianImpulseToAGaussianVelocity) {
   }
 }
 
-// Moments of the discrete operator about the centre of the cell that the mass leaves:
-// E[Y^j], j = 0..6, for every law, whatever the ratio of the cells to the impulses.
+// Moments of the discrete operator about the centre of the source cell: E[Y^j], j = 0..6, for every
+// law and any ratio of cell width to impulse.
 TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
   for (const auto* name : {"gaussian", "laplace", "two_point", "uniform"}) {
     for (const double deviation : {0.05, 0.3, 1.0}) {
       const auto law = problem::ImpulseLaw::named(name, 0.3 * deviation, deviation);
-      // No longer than needed: a far cell's rounding would count with the sixth power.
+      // As short as possible: the rounding error of a far cell enters with the sixth power of its
+      // distance.
       const double reach = law.smooth_pieces().empty() ? 2 : law.smooth_pieces().back();
       const int half = static_cast<int>(reach / 0.12) + 6;
       const Line line = Line::uniform(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
@@ -85,8 +86,8 @@ TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
   }
 }
 
-// E[C(x - Y)] - C(x), C the normal distribution: the sum of (-1)^k E[Y^k]/k! times its derivatives,
-// which are Hermite polynomials times the density.
+// E[C(x - Y)] - C(x) with the normal distribution C: the sum of (-1)^k E[Y^k]/k! times its
+// derivatives, which are Hermite polynomials times the density.
 double change_of_normal_distribution(const problem::ImpulseLaw& law, double x, double deviation) {
   const double z = x / deviation, density = std::exp(-z * z / 2) / std::sqrt(2 * M_PI);
   double sum = 0, before = 0, hermite = 1, factorial = 1;
@@ -101,8 +102,8 @@ double change_of_normal_distribution(const problem::ImpulseLaw& law, double x, d
   return sum;
 }
 
-// Frequent impulses of a given intensity are short: interpolation from cell to cell has kinks at the
-// faces, of which lambda E|Y| ~ 1 / E|Y| made 3 % at a hundredth of a cell.
+// Frequent impulses of a given intensity are short. Piecewise interpolation has kinks at the faces;
+// with lambda E|Y| ~ 1 / E|Y| these caused an error of 3 % for impulses of a hundredth of a cell.
 TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
   constexpr double kWidth = 0.12, kDeviation = 0.6;
   const Line line = Line::uniform(-4.8, kWidth, 80);
@@ -130,7 +131,7 @@ TEST(JumpMatrix, JumpsThatWouldLeaveTheLineDoNotTakePlace) {
   const Line line = Line::uniform(-1, 0.1, 20);
   const Eigen::MatrixXd jump = jump_matrix(line, law);
   EXPECT_LT((line.widths().transpose() * jump).cwiseAbs().maxCoeff(), 1e-13);
-  // From the middle, |Y| < 1: erf(1/(2 sqrt 2)) of the impulses stay.
+  // From the middle cell jumps with |Y| < 1 take place: a fraction erf(1/(2 sqrt 2)).
   EXPECT_NEAR(-jump.diagonal()(10), std::erf(1 / (2 * std::sqrt(2.0))), 0.03);
 }
 

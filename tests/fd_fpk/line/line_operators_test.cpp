@@ -16,12 +16,12 @@ Eigen::VectorXd monomial_averages(const Line& line, int power) {
   return averages;
 }
 
-// Cells of unequal width, growing by up to a third from one to the next.
+// Cells of unequal width, with ratios of neighbouring widths up to 4/3.
 const Line kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93, 1.08, 1.2, 1.3,
                   1.42},
                  Beyond::boundary);
 
-// Rows whose stencil would reach beyond the right end see p = 0 there: exactness ends before them.
+// Rows whose stencil extends beyond the right end use p = 0 there and are not exact.
 int last_exact_face(int points) { return kLine.cells() - points; }
 
 TEST(LineOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary) {
@@ -88,7 +88,7 @@ TEST(LineOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
     for (int i = 0; i < cells; ++i) {
       averages(i) = (std::sin(line.face(i + 1)) - std::sin(line.face(i))) / line.width(i);
     }
-    const auto primitive = [](double x) {  // of x^3 cos x
+    const auto primitive = [](double x) {  // primitive of x^3 cos x
       return x * x * x * std::sin(x) + 3 * x * x * std::cos(x) - 6 * x * std::sin(x) -
              6 * std::cos(x);
     };
@@ -125,7 +125,7 @@ TEST(LineOperators, StencilsStayWithinABoundaryOnTheRight) {
   const Eigen::VectorXd exact = monomial_averages(line, degree + 1);
   for (const Bias bias : {Bias::left, Bias::right}) {
     const Eigen::VectorXd values = face_values(line, degree + 1, bias) * p;
-    for (int f = 4; f < cells; ++f) {  // the stencils of the others reach into the vacuum
+    for (int f = 4; f < cells; ++f) {  // stencils of the other cells extend into the vacuum
       EXPECT_NEAR(values(f), std::pow(line.face(f), degree), 1e-10) << f;
       EXPECT_NEAR(times_x(f), exact(f), 1e-10) << f;
     }

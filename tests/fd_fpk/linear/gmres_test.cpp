@@ -23,14 +23,14 @@ TEST(Gmres, SolvesToTheTolerance) {
 }
 
 TEST(Gmres, SaysThatItDidNotConverge) {
-  // Nothing of b is in the range of this matrix.
+  // b has no component in the range of this matrix.
   const auto nothing = [](const Eigen::VectorXd& x) { return Eigen::VectorXd(0 * x); };
   const auto [solution, iterations, failure] = gmres(nothing, nearly, kRight, kWeights, 1e-12);
   EXPECT_FALSE(solution);
   EXPECT_NE(failure.find("did not converge"), std::string::npos) << failure;
 }
 
-// It may stagnate for minutes on a fine grid, and nothing else looks at the clock meanwhile.
+// GMRES may stagnate for minutes on a fine grid, and no other code checks the deadline meanwhile.
 TEST(Gmres, GivesUpAtTheDeadline) {
   int products = 0;
   const auto count_until = [&](int last, const Deadline& deadline) {
@@ -59,7 +59,7 @@ struct Thrown {
   int number;
 };
 
-// SUNDIALS is C: the exception must not run through its frames, and must not be lost.
+// SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
 TEST(Gmres, WhatACallbackThrowsComesOutOfIt) {
   const LinearMap throwing_map = [](const Eigen::VectorXd&) -> Eigen::VectorXd { throw Thrown{7}; };
   const ApproximateSolve throwing_solve = [](Eigen::Ref<Eigen::VectorXd>) { throw Thrown{8}; };

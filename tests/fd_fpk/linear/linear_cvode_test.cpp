@@ -7,7 +7,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// dP/dt = -rates P, solved with I + gamma rates exactly.
+// dP/dt = -rates P, with exact solves with I + gamma rates.
 const Eigen::VectorXd kRates = Eigen::VectorXd::LinSpaced(6, 0.5, 3);
 
 LinearSystem decay() {
@@ -65,7 +65,7 @@ struct ThrownByTheSystem {
   int number;
 };
 
-// SUNDIALS is C: the exception must not run through its frames, and must not be lost.
+// SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
 TEST(LinearCvode, WhatACallbackThrowsComesOutOfIt) {
   const auto number_of = [](const LinearSystem& system) {
     LinearCvode cvode(system, kStart, kControl);
@@ -83,7 +83,7 @@ TEST(LinearCvode, WhatACallbackThrowsComesOutOfIt) {
   system = decay();
   system.solve = [](Eigen::Ref<Eigen::VectorXd>) { throw ThrownByTheSystem{2}; };
   EXPECT_EQ(number_of(system), 2);
-  // As right-hand side, at once, and as product in GMRES, some calls later.
+  // As right-hand side, in the first call, and as product in GMRES, some calls later.
   for (int calls = 0; calls < 8; ++calls) {
     system = decay();
     system.times = [times = decay().times, left = calls](const Eigen::VectorXd& p) mutable {

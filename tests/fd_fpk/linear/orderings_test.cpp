@@ -38,7 +38,7 @@ TEST(Ordering, NamesEveryUnknownOnce) {
   EXPECT_EQ(order, all);
 }
 
-// By the pattern alone, whoever asks and however often.
+// The ordering depends on the pattern alone, for repeated calls and for several threads.
 TEST(Ordering, IsThatOfThePattern) {
   const auto order = ordering(five_points(30));
   EXPECT_EQ(ordering(five_points(30, 7)), order);

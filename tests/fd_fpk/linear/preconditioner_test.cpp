@@ -27,7 +27,8 @@ class Preconditioners : public testing::Test {
   Discretisation on_ = discretise(problem_, options_, initial_box(problem_, options_));
 };
 
-// I - gamma M is -gamma M but for 1/(gamma loss), the most that it makes of any mode.
+// I - gamma M equals -gamma M except for a relative difference of 1/(gamma loss), the maximum over
+// all modes.
 TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
   constexpr double kDecayTimes = 200;
   Preconditioner kept = made(), fresh = made();
@@ -49,7 +50,7 @@ TEST_F(Preconditioners, FactorForShortStepsAndForGoodAfterThem) {
   ASSERT_TRUE(fresh.factor(0.1 / loss_));
   EXPECT_EQ(used.factorisations(), 2);
   EXPECT_LT((solved(used) - solved(fresh)).norm(), 1e-10 * solved(fresh).norm());
-  // The stationary factors are gone.
+  // The stationary factors have been replaced.
   ASSERT_TRUE(used.factor(100 / loss_));
   EXPECT_EQ(used.factorisations(), 3);
   ASSERT_TRUE(used.factor_stationary());

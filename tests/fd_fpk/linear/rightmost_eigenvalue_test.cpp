@@ -22,7 +22,7 @@ struct Discrete {
   Grid grid;
 };
 
-// Cells of this width in y', a box that is small enough for dense matrices.
+// Cells of this width in y', in a box small enough for dense matrices.
 Discrete discrete(const problem::Problem& problem, Options options, double step, int nx = 16,
                   double half_height = 2.5) {
   const auto linear = problem::equivalent_linearisation(problem);
@@ -42,7 +42,7 @@ TEST(RightmostEigenvalue, IsThatOfTheDenseMatrixForEveryEquation) {
     Options options;
     double restitution;
     double step;
-    double guess;  // of the growth, relative to the symbol's
+    double guess;  // guess of the growth rate, relative to that of the symbol
   };
   for (const auto& [name, options, restitution, step, guess] :
        {Case{"white", {.equation = Equation::white}, 0.98, 0.2, 1},
@@ -72,8 +72,8 @@ TEST(RightmostEigenvalue, IsThatOfTheDenseMatrixForEveryEquation) {
   }
 }
 
-// A matrix whose rightmost eigenvalues, 0.5 +- 30 i, are far from any shift near the real axis,
-// where fifty others lie.
+// A matrix with rightmost eigenvalues 0.5 +- 30 i, far from any shift near the real axis, where
+// fifty other eigenvalues are.
 TEST(RightmostEigenvalue, IsFoundFarUpTheImaginaryAxis) {
   constexpr int kSize = 300;
   SparseColumns matrix(kSize, kSize);
@@ -102,12 +102,12 @@ TEST(RightmostEigenvalue, OfAWellPosedOperatorIsZeroAndItsVectorTheStationaryDen
   real /= d.op.mass(real);
   EXPECT_LT((real - *stationary).cwiseAbs().maxCoeff(), 1e-9 * stationary->maxCoeff());
   // Densities are even under (z, z') -> (-z, -z'): of the linear oscillator's modes only sums of an
-  // even number survive, and the slowest of them decays twice as fast as a single one.
+  // even number remain, and the slowest of them decays twice as fast as a single mode.
   const double single = problem::slowest_decay(problem::equivalent_linearisation(p));
   EXPECT_NEAR(-found.values[1].real() / (2 * single), 1.0, 0.15);
 }
 
-// The shortest waves grow fastest, and upwind transport damps them a little.
+// The shortest waves have the highest growth rate, which upwind transport reduces slightly.
 TEST(RightmostEigenvalue, OfTheLiteralSchemeApproachesTheSymbolFromBelow) {
   const auto p = tests::make_problem();
   const double s = std::sqrt(0.1);

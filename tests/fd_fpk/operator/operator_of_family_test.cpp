@@ -23,12 +23,12 @@ struct Domain {
   const char* name;
   problem::WallParameters walls;
 };
-// In their frames: the whole line, a wall at 0, walls at 0 and 2.
+// In wall coordinates: the whole axis, a wall at 0, walls at 0 and 2.
 const std::array kDomains{
     Domain{"none", {.none = true}}, Domain{"left", {.left = 0, .left_restitution = 0.7}},
     Domain{"two", {.left = 0, .left_restitution = 0.7, .right = 2, .right_restitution = 0.85}}};
 
-// Every term of the equation, each of a size that cannot hide.
+// Every term of the equation, each of significant size.
 Problem with_every_term(const problem::WallParameters& walls) {
   Problem p = tests::with_impulses(System({.damping = -0.2,
                                            .van_der_pol = 0.3,
@@ -62,8 +62,8 @@ std::vector<Excitation> excitations(const Problem& p, const Grid& grid) {
   return all;
 }
 
-// No net flux into the walls at 0 and 2: what would be missing there the operator lacks in the
-// cells at the wall, at another potential.
+// No net flux into the walls at 0 and 2: a flux would appear in the cells at the wall, at a
+// different potential.
 double bump(double x, double v) {
   const double skew = 0.8 * v * x * (2 - x) * std::exp(-x * x - 0.5 * v * v);
   return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * v * v) * (1 + skew);
@@ -82,8 +82,8 @@ TEST(OperatorOfFamily, KeepsTheMassOnEveryDomain) {
   }
 }
 
-// d/dt of the energy of any density from the operator against input minus dissipation: wrong signs
-// or factors of damping, force, noise and losses at either wall show at once.
+// d/dt of the energy of any density by the operator, against input minus dissipation: any wrong
+// sign or factor of damping, force, noise or losses at a wall causes a large difference.
 TEST(OperatorOfFamily, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
@@ -101,8 +101,8 @@ TEST(OperatorOfFamily, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   }
 }
 
-// d/dt E[v] and E[x]: the terms of the balance of momentum, whose two sides differ by d/dt E[v] and
-// damping of a density that is not stationary, -E[c(x) v].
+// d/dt E[v]: the terms of the momentum balance. For a nonstationary density its sides differ by
+// d/dt E[v] and the damping -E[c(x) v].
 TEST(OperatorOfFamily, MovesTheMeanVelocityByForcesImpulsesAndImpacts) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);

@@ -34,7 +34,7 @@ TEST(Resolution, ABoxIsTooSmallWhereEitherWallCarriesDensity) {
   EXPECT_NE(box_objection({}, grid, {kNotANumber, 0}), "");
   EXPECT_EQ(box_objection({}, grid, {0, 0.02}, "at t = 1 "),
             "the box y <= 2.5, |y'| <= 3.5 is too small: at t = 1 the density on its wall is "
-            "2.0e-02 of the peak (widen it with y-max and v-max)");
+            "2.0e-02 of the peak; increase y-max and v-max");
 }
 
 TEST(Resolution, ABoxIsNamedByTheSidesThatAreNoWallsInPhysicalCoordinates) {

@@ -43,7 +43,7 @@ TEST(WallTestFunction, SolvesItsEquation) {
   }
 }
 
-// Whatever the speed, and by nothing where impacts accumulate.
+// For any speed, and by zero where impacts accumulate.
 TEST(WallTestFunction, IsRaisedByEveryImpactByTheSame) {
   constexpr double kNextToWall = 1e-33;
   for (const double r : {0.2, 0.5, 0.9}) {

@@ -9,14 +9,14 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kRate = 3.17;  // its length is 0.8 of an automatic cell
+constexpr double kRate = 3.17;  // the default length of two_point is then 0.8 of an automatic cell
 
 Posedness posedness_of(const problem::Problem& problem, Options options) {
   options.equation = Equation::km4;
   return posedness(problem, options, discretise(problem, options, initial_box(problem, options)));
 }
 
-// The number after "at least " in an objection.
+// The number behind "at least " in a reason.
 double advised(const std::string& objection) {
   const std::string before = "at least ";
   return std::stod(objection.substr(objection.find(before) + before.size()));
@@ -45,7 +45,7 @@ TEST(Posedness, TheLengthThatAnObjectionAdvisesIsEnough) {
   }
 }
 
-// Cells at the origin are narrower by 16, and the length is long for them.
+// Cells at the origin are 16 times narrower, and the length is long compared with them.
 TEST(Posedness, CellsThatAreWideFarOutAreLookedAtToo) {
   const auto p = tests::make_problem({.restitution = 0.8, .rate = kRate, .law = "two_point"});
   const double of_law = default_regularisation_length(p.impulses.law());
