@@ -52,7 +52,7 @@ std::optional<std::string> read_input_file(const std::filesystem::path& file, st
     bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (bytes.size() > most) {
       throw InputError(
-          fmt::format("{} is too large: input files have at most {} bytes; name another file",
+          fmt::format("{} has more than {} bytes: too large for an input file; name another file",
                       shown(file.string()), most));
     }
     if (count == 0) return bytes;
