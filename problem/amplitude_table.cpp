@@ -96,8 +96,8 @@ class Rows {
            fmt::format("the table's amplitudes, {} .. {}, have a negligible variance: Y must vary",
                        first, last));
     }
-    // A deviation of this size is rounding: not dividing keeps a table unchanged when it is read
-    // again.
+    // A smaller deviation is rounding. Without division a table is unchanged when it is written and
+    // read again.
     constexpr double kRounding = 1e-12;
     if (std::abs(sum - 1) > kRounding) {
       for (double& weight : table_.weight) weight /= sum;

@@ -14,8 +14,8 @@ namespace fpkcheck::problem {
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
 /// The reason why equation and impact condition do not determine a stationary density at one of the
-/// walls, and what to do; empty where they do. Discrete impulses separate the particle from the
-/// wall. Collapse therefore occurs under the problem's own noise, for every equation, and under
+/// walls, and how to avoid it; empty where they do. Discrete impulses separate the particle from
+/// the wall. Collapse therefore occurs under the problem's own noise, for every equation, and under
 /// `white`, which replaces the impulses by noise.
 std::string collapse_objection(const Problem& problem, Equation equation);
 

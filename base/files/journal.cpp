@@ -24,8 +24,8 @@ using base::shown;
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
 
-// File names stand on their own line because they may contain spaces. Names with a line end or a
-// slash are rejected: a forged journal could name files elsewhere.
+// Each file name occupies a line of its own, because names may contain spaces. Names with a line
+// end or a slash are rejected: a forged journal could name files elsewhere.
 bool is_plain(const std::string& name) {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
