@@ -123,7 +123,7 @@ void EnergyAveraging::fill(double low, double high) {
 // Solves K u = gamma M u on the tree by inverse iteration. M are the probabilities, K the
 // conductances between each band and the band above it. Without flux at the ends the kernel of K is
 // the constants, which the iteration projects out. K is solved by elimination from the leaves,
-// without fill-in.
+// which creates no new nonzeros.
 double EnergyAveraging::relaxation() const {
   const std::size_t n = bands_.size();
   // Conductances are divided by the same total as the masses. Bands of a weight below exp(-60) are

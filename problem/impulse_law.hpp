@@ -35,7 +35,7 @@ class ImpulseLaw {
   static std::vector<std::string> known();
   /// The law of this name, mean and standard deviation.
   /// @throws InputError as above; where the law has no such shape parameter; or, for an unknown
-  /// name, with the known names
+  /// name, listing all names
   static ImpulseLaw named(std::string_view name, double mean, double deviation,
                           const LawShape& shape = {});
   /// The law of -Y.

@@ -39,8 +39,8 @@ struct Parameter {
   /// The text after "must be" in messages: "an integer", "one of map, delta".
   std::string allowed() const;
 
-  /// The value, converted to the parameter's type (an integer is accepted as a number); nothing
-  /// when the type does not match. The range is not checked.
+  /// The value, converted to the parameter's type (an integer converts to a number); nothing when
+  /// the type does not match. The range is not checked.
   std::optional<Value> accepted(const Value& value) const;
 
   /// Parses a text. Where the parameter may be automatic, "auto" gives an unset value.
@@ -53,7 +53,7 @@ struct Parameter {
 
 /// Parses a text; the range is not checked.
 /// @param label name of the parameter in messages: "--order", "system.cubic ="
-/// @throws InputError "LABEL 'text' (what is allowed)"
+/// @throws InputError "LABEL 'text' (must be ..)"
 Value value_from(const Parameter& parameter, std::string_view text, const std::string& label);
 
 }  // namespace fpkcheck::base

@@ -10,7 +10,7 @@ namespace fpkcheck::base {
 /// does not obey them. Text of more than 80 characters loses its middle.
 std::string shown(std::string_view text);
 
-/// sanitised() between quotes.
+/// The result of sanitise() between quotes.
 std::string in_quotes(std::string_view text);
 
 /// The same escapes without the limit of length.

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-/// Factors and singular values of dense matrices.
+/// LU factorisation and singular values of dense matrices.
 namespace fpkcheck::numerics {
 
 /// LU factors of a square matrix with partial pivoting. Eigen's class is compiled once, behind

@@ -46,7 +46,7 @@ CurvePoint predicted(const CurvePoint& from, const VectorXd& tangent, double ste
   return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
 }
 
-// The bordered matrix: [dG/da dG/dt] with one more row below.
+// The matrix [dG/da dG/dt] with one more row below.
 MatrixXd Follower::bordered(const CurvePoint& at, const VectorXd& last_row) const {
   const Index n = at.a.size();
   MatrixXd matrix(n + 1, n + 1);
@@ -67,7 +67,7 @@ bool Follower::on_curve(const VectorXd& residual, double correction) const {
          correction < options_.short_correction;
 }
 
-// Corrector: Newton steps in the plane through the predicted point, normal to the tangent.
+// Corrector: Newton steps in the plane through `start`, normal to the tangent.
 std::optional<CurvePoint> Follower::corrected(const CurvePoint& start, const VectorXd& tangent,
                                               double step) {
   const Index n = start.a.size();
