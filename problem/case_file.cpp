@@ -28,7 +28,7 @@ using base::in_quotes;
 using base::shown;
 
 const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
-  std::vector<std::string> known;  // "wall.{left, right}": there are many
+  std::vector<std::string> known;  // grouped, since there are many: "wall.{left, right}"
   for (const base::Descriptions* section : case_descriptions()) {
     std::vector<std::string_view> names;
     for (const auto& parameter : section->all()) {
@@ -40,17 +40,17 @@ const base::Parameter& case_parameter(std::string_view key, const std::string& w
   if (const std::string text = untreated_text(key); !text.empty()) {
     throw InputError(fmt::format("{}: key {}: {}", where, in_quotes(key), text));
   }
-  throw InputError(fmt::format("{}: unknown key {} (known keys: {})", where, in_quotes(key),
+  throw InputError(fmt::format("{}: unknown key {}; known keys: {}", where, in_quotes(key),
                                fmt::join(known, ", ")));
 }
 
 namespace {
 
-/// What a key is set to, and where.
+/// The text of a setting and its location for messages.
 struct Setting {
   std::string text, where;
 };
-using Settings = std::map<std::string, Setting>;  // of keys
+using Settings = std::map<std::string, Setting>;  // by key
 
 Settings known_settings(const std::vector<base::IniSetting>& lines) {
   Settings settings;
@@ -58,7 +58,7 @@ Settings known_settings(const std::vector<base::IniSetting>& lines) {
     case_parameter(line.path(), line.where);
     if (!settings.emplace(line.path(), Setting{line.text, line.where}).second) {
       throw InputError(
-          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
+          fmt::format("{}: key '{}' is given twice; keep one", line.where, line.path()));
     }
   }
   return settings;
@@ -71,12 +71,12 @@ void apply(const std::vector<std::string>& overrides, const std::string& where,
     const auto equals = pair.find('=');
     if (equals == std::string::npos) {
       throw InputError(
-          fmt::format("--set {} (not key=value; write e.g. --set system.cubic=1.0)", shown(pair)));
+          fmt::format("--set {}: not key=value; write e.g. --set system.cubic=1.0", shown(pair)));
     }
     const std::string key = boost::algorithm::trim_copy(pair.substr(0, equals));
     case_parameter(key, "--set");
     if (!set.insert(key).second) {
-      throw InputError(fmt::format("--set {} is given twice (keep one)", key));
+      throw InputError(fmt::format("--set {} is given twice; keep one", key));
     }
     settings[key] = {boost::algorithm::trim_copy(pair.substr(equals + 1)), where};
   }
@@ -85,7 +85,7 @@ void apply(const std::vector<std::string>& overrides, const std::string& where,
 constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
-// Replaces a file of amplitudes by what it holds.
+// Replaces the name of an amplitude file by the table in it.
 void read_table(Settings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
@@ -96,7 +96,7 @@ void read_table(Settings& settings, const std::filesystem::path& folder) {
   }
 }
 
-// What a table says of mean and intensity, where nobody else does.
+// Takes mean and intensity from the table where no setting gives them.
 void complete_from_table(Settings& settings) {
   const auto number = [&](const char* key) -> std::optional<double> {
     const auto found = settings.find(key);
@@ -117,7 +117,7 @@ void complete_from_table(Settings& settings) {
   settings[kIntensity] = {fmt::format("{}", *rate * (table.variance() + *mean * *mean)), where};
 }
 
-// The section's part of a case file, from the texts of its keys; nothing where it has none.
+// Parses the settings of one section; nothing when the case file has none.
 std::optional<Section> section(const base::Descriptions& description, const Settings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
@@ -132,13 +132,13 @@ std::optional<Section> section(const base::Descriptions& description, const Sett
           {parameter.name, base::value_from(parameter, found->second.text, key + " =")});
     } else if (!parameter.fallback) {
       throw InputError(
-          fmt::format("key '{}' is missing (add it, or give --set {}=VALUE)", key, key));
+          fmt::format("key '{}' is missing; add it, or give --set {}=VALUE", key, key));
     }
   }
   return section;
 }
 
-// The line of the key that a message begins with.
+// The location of the setting whose key begins the message.
 std::optional<std::string> place_of(const std::string& message, const Settings& settings) {
   for (const auto& [key, setting] : settings) {
     if (message.starts_with(key + ' ')) return setting.where;
@@ -154,7 +154,7 @@ bool is_utf8(const std::string& text) {
   return true;
 }
 
-// A case's name goes into tables, file names, JSON, netCDF names and pictures.
+// The name of a case appears in tables, file names, JSON, netCDF names and figures.
 void require_presentable(const std::string& name) {
   constexpr std::size_t kLongest = 100;
   const bool plain =
@@ -162,17 +162,17 @@ void require_presentable(const std::string& name) {
   const bool utf8 = is_utf8(name);
   if (plain && utf8 && !name.empty() && name.size() <= kLongest) return;
   throw InputError(fmt::format(
-      "the case's name, that of its file, {} (rename the file: 1 .. {} bytes of UTF-8 without "
-      "control characters)",
+      "the name of the case, taken from its file, {}; rename the file (1 .. {} bytes of UTF-8 "
+      "without control characters)",
       !utf8    ? "is not UTF-8"
-      : !plain ? "holds control characters"
+      : !plain ? "contains control characters"
                : fmt::format("has {} bytes", name.size()),
       kLongest));
 }
 
-// ", r = 0.9, laplace impulses": each parameter that is not as the file has it. Here, where both
-// are known, and once: tables, pictures, the page and JSON name a case by Problem::name, and files
-// by its plain form (results::file_stem).
+// The parameters that differ from the file: ", r = 0.9, laplace impulses". The name is composed
+// once, here, where file and overrides are known. Tables, figures, the page and JSON use
+// Problem::name, and file names its plain form (results::file_stem).
 std::string changes(const Settings& of_file, const Problem& problem) {
   constexpr std::size_t kLongest = 100;
   std::string text;
@@ -186,7 +186,7 @@ std::string changes(const Settings& of_file, const Problem& problem) {
     if (value) value = value_shown(parameter, *value);
     if (value == shown.value) continue;
     ++count;
-    // All digits: what differs is called differently.
+    // All digits, so that different problems have different names.
     if (const auto* number = std::get_if<double>(&shown.value)) {
       text += fmt::format(", {} = {}", shown.symbol, *number);
     } else if (parameter.shown) {
@@ -248,7 +248,7 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
     for (const auto* cases : {&named_cases(), &shipped_systems()}) {
       for (const auto& named : *cases) names.emplace_back(named.name);
     }
-    throw InputError(fmt::format("no case {} (neither a readable file nor one of {})",
+    throw InputError(fmt::format("no case {}: neither a readable file nor one of {}",
                                  in_quotes(name_or_path), fmt::join(names, ", ")));
   }
   const std::string name = std::filesystem::path(name_or_path).stem().string();

@@ -8,10 +8,11 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr double kDepth = 60;  // exp(-60) of the largest density is nothing
+constexpr double kDepth = 60;  // exp(-60) of the largest density is negligible
 constexpr int kBands = 300;
-constexpr const char* kGivesEnergy = "damping and impacts take no energy from large motions";
-constexpr std::size_t kMostBranches = 4;  // wells of a potential of degree 6, between walls
+constexpr const char* kGivesEnergy = "damping and impacts dissipate no energy at large amplitudes";
+// The largest number of wells of a potential of degree 6 between walls.
+constexpr std::size_t kMostBranches = 4;
 
 }  // namespace
 
@@ -25,7 +26,7 @@ double EnergyAveraging::slope(const Orbit& orbit) const {
   return orbit.action > 0 ? orbit.loss / (diffusion_ * orbit.action) : 0;
 }
 
-// Up from the bottom in steps that grow, over all orbits of an energy together.
+// Integrates Phi upwards from the lowest potential in growing steps, over all orbits of an energy.
 bool EnergyAveraging::find_range(double& low, double& high) {
   constexpr double kSmallest = 1e-40, kLargest = 1e60, kGrowth = 1.25;
   const double bottom = orbits_.lowest_potential();
@@ -33,7 +34,7 @@ bool EnergyAveraging::find_range(double& low, double& high) {
   struct Level {
     double above, phi;
   };
-  // dPhi/dh over all orbits of an energy together; nothing where there is none.
+  // dPhi/dh over all orbits of an energy; nothing when there is no orbit.
   const auto slope_at = [&](double above) -> std::optional<double> {
     double loss = 0, action = 0;
     for (const Swing& swing : orbits_.swings(bottom + above)) {
@@ -55,7 +56,7 @@ bool EnergyAveraging::find_range(double& low, double& high) {
     levels.push_back({above, phi});
     least = std::min(least, phi);
     if (phi > least + 2 * kDepth) {
-      // A term of the damping that gives energy may prevail farther out.
+      // A damping term that supplies energy may prevail at still larger energies.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
         if (slope_at(farther).value_or(0) >= 0) continue;
         unconfined_ = kGivesEnergy;
@@ -64,7 +65,7 @@ bool EnergyAveraging::find_range(double& low, double& high) {
       const auto within = [&](const Level& level) { return level.phi <= least + kDepth; };
       const auto first = std::ranges::find_if(levels, within);
       low = bottom + (first == levels.begin() ? 0.0 : std::prev(first)->above);
-      // Not to the end of a step: Phi may have grown by far more than asked for in one.
+      // Interpolated within the last step, over which Phi may grow by far more than kDepth.
       const auto last = std::find_if(levels.rbegin(), levels.rend(), within);
       const auto next = std::prev(last);
       const double share = (least + kDepth - last->phi) / (next->phi - last->phi);
@@ -73,14 +74,14 @@ bool EnergyAveraging::find_range(double& low, double& high) {
     }
   }
   unconfined_ = levels.back().phi > least
-                    ? "the damping at large energies is too weak to hold the motion"
+                    ? "the damping at large energies is too weak to confine the motion"
                     : kGivesEnergy;
   return false;
 }
 
 void EnergyAveraging::fill(double low, double high) {
   step_ = (high - low) / kBands;
-  // From the top, so that each band knows the one that it merges into.
+  // From the top downwards, so that each band finds the band above in the tree.
   std::vector<Band> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
   for (int n = kBands - 1; n >= 0; --n) {
@@ -119,12 +120,14 @@ void EnergyAveraging::fill(double low, double high) {
   bands_.assign(from_top.rbegin(), from_top.rend());
 }
 
-// K u = gamma M u on the tree, M the masses and K the conductances between a band and the one above
-// it, by inverse iteration: with no flux at the ends K has the constants as its kernel, which the
-// iteration stays away from. K is solved by elimination from the leaves, without fill-in.
+// Solves K u = gamma M u on the tree by inverse iteration. M are the probabilities, K the
+// conductances between each band and the band above it. Without flux at the ends the kernel of K is
+// the constants, which the iteration projects out. K is solved by elimination from the leaves,
+// which creates no new nonzeros.
 double EnergyAveraging::relaxation() const {
   const std::size_t n = bands_.size();
-  // Only relative masses enter; those of exp(-60) would only add rounding errors.
+  // Conductances are divided by the same total as the masses. Bands of a weight below exp(-60) are
+  // excluded: they would only add rounding errors.
   std::vector<double> conductance(n, 0);
   const double unit = [&] {
     double total = 0;
@@ -151,8 +154,8 @@ double EnergyAveraging::relaxation() const {
   centre_and_scale();
   double gamma = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    // The flux from a band upwards is all that enters below it, or what leaves elsewhere: the sum
-    // over the smaller mass, since the other one is its negative only up to rounding errors.
+    // The flux upwards from a band is the sum of sources below it, or minus the sum of all others.
+    // The side of smaller probability is summed: the sums are opposite only up to rounding errors.
     std::vector<double> below(n), mass_below(n), elsewhere(n);
     for (std::size_t b = 0; b < n; ++b) {
       below[b] += bands_[b].mass * u[b];
@@ -166,7 +169,7 @@ double EnergyAveraging::relaxation() const {
     for (std::size_t b = n; b-- > 0;) {
       const std::size_t above = bands_[b].above;
       if (above == b) continue;
-      double beside = 0;  // other branches that merge there
+      double beside = 0;  // other branches that merge at the same band
       for (std::size_t other = b; other-- > 0 && b - other < kMostBranches;) {
         if (bands_[other].above == above) beside += below[other];
       }

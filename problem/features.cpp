@@ -26,7 +26,7 @@ Features features(const Problem& problem) {
   found.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
   const auto look_at = [&](const std::optional<Wall>& wall, double towards) {
     if (!wall) return;
-    // The force on the mass is -g: it presses on a wall at its left where g > 0.
+    // The force on the mass is -g: it presses against a left wall where g > 0.
     const double pressing = -towards * system.force()(wall->position);
     if (pressing != 0) found.offset_wall = true;
     if (pressing > 0 && wall->restitution < 1 && !found.noise) found.rests_in_contact = true;

@@ -18,8 +18,8 @@ void validate(const Law& law) {
   const double deviation = law.standard_deviation();
   if (std::isfinite(law.mean) && std::isfinite(deviation) && deviation > 0) return;
   throw InputError(
-      fmt::format("{0} impulse law with mean {1} and {2} {3} (the {2} must be positive, and both "
-                  "must be finite)",
+      fmt::format("{0} impulse law with mean {1} and {2} {3}: the {2} must be positive, and both "
+                  "must be finite",
                   Law::kName, law.mean, Law::kWidthName, law.width()));
 }
 
@@ -37,7 +37,7 @@ double moment_of(const Law& law, int j) {
   return sum;
 }
 
-// A law that is not symmetric about its mean says which is that of -Y.
+// A law that is not symmetric about its mean defines the law of -Y by mirrored().
 template <class Law>
 concept Asymmetric = requires(Law law) {
   law.mirrored();
@@ -54,8 +54,8 @@ Law law_with(double mean, double deviation, const LawShape& shape) {
   } else {
     if (shape.skewness.value_or(0) != 0) {
       throw InputError(
-          fmt::format("impulse.skewness = {} (impulse.law = {} has none: leave it out, or take "
-                      "exponential or gamma)",
+          fmt::format("impulse.skewness = {}: impulse.law = {} has no skewness; omit it, or take "
+                      "exponential or gamma",
                       *shape.skewness, Law::kName));
     }
     return Law::with(mean, deviation);
@@ -64,7 +64,7 @@ Law law_with(double mean, double deviation, const LawShape& shape) {
 
 template <class Function>
 void for_each_law(const Function& function) {
-  boost::mp11::mp_for_each<ImpulseLaw::Kind>(function);  // of each, a value of no meaning
+  boost::mp11::mp_for_each<ImpulseLaw::Kind>(function);  // passes a default value of each type
 }
 
 }  // namespace
@@ -84,7 +84,9 @@ ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviatio
                              const LawShape& shape) {
   if (!shape.table.empty() && name != TabulatedLaw::kName) {
     throw InputError(fmt::format(
-        "impulse.table beside impulse.law = {} (leave it out, or take the law tabulated)", name));
+        "impulse.table beside impulse.law = {}: this law takes no table; omit it, or set "
+        "impulse.law = tabulated",
+        name));
   }
   std::optional<Kind> kind;
   for_each_law([&]<class Law>(const Law&) {

@@ -21,8 +21,8 @@ ImpulseLaw law_of(const ImpulseParameters& parameters) {
   const double variance = intensity / rate - mean * mean;
   if (variance <= 0) {
     throw InputError(fmt::format(
-        "impulse.mean = {} (its square must be below impulse.intensity / impulse.rate = {:.6g}, "
-        "which is E[Y^2])",
+        "impulse.mean = {}: its square must be below E[Y^2] = impulse.intensity / impulse.rate = "
+        "{:.6g}",
         mean, intensity / rate));
   }
   return ImpulseLaw::named(law, mean, std::sqrt(variance),
@@ -46,7 +46,7 @@ const Description<ImpulseParameters>& impulse_description() {
           .with_symbol("E[Y]", "E[Y]")
           .with_fallback(0.0)
           .add("skewness", &P::skewness,
-               {"S", "skewness of a gamma law, of the size 2 for an exponential one"}, any_number())
+               {"S", "skewness of a gamma law; 2 or -2 of an exponential law"}, any_number())
           .with_symbol("skewness", "γ₁")
           .without_naming(nothing)
           .add("table", &P::table,

@@ -12,13 +12,13 @@ struct NamedCase {
   std::string text;  ///< the contents of cases/NAME.ini
 };
 
-/// The paper's four cases (Table 1), in its order.
+/// The four cases of the paper (Table 1), in its order.
 const std::vector<NamedCase>& named_cases();
 
-/// Other oscillators, each the smallest example of its kind (docs/systems.md).
+/// Example oscillators, each the smallest of its kind (docs/systems.md).
 const std::vector<NamedCase>& shipped_systems();
 
-/// The paper's or a shipped one, or null.
+/// The compiled-in case with this name; null when there is none.
 const NamedCase* find_named_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

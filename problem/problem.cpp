@@ -58,7 +58,8 @@ std::vector<Section> sections(const Problem& problem) {
 Problem problem_from(const std::string& name, const std::vector<Section>& sections) {
   const Section* system = section_of(sections, "system");
   if (system == nullptr) {
-    throw InputError("system is missing (of another version of the program? run again)");
+    throw InputError(
+        "system is missing: the file may be from another version of the program; run again");
   }
   const auto noise = owner_of(sections, "noise", noise_description());
   noise_description().validate(noise);

@@ -63,7 +63,7 @@ System System::seen_from(const Frame& frame) const {
   if (frame.is_identity()) return *this;
   System seen = *this;
   const auto moved = [&](std::optional<Wall> wall) {
-    if (wall) wall->position = frame.x(wall->position) + 0.0;  // no -0
+    if (wall) wall->position = frame.x(wall->position) + 0.0;  // avoids -0
     return wall;
   };
   seen.walls_ = {.left = moved(frame.mirrored ? walls_.right : walls_.left),

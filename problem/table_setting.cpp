@@ -16,8 +16,8 @@ std::string table_setting(const std::string& said, const std::filesystem::path& 
   const auto csv = base::read_input_file(file, kMostBytes);
   if (!csv) {
     throw InputError(
-        fmt::format("impulse.table = {} (no file that can be read; name a CSV with the columns "
-                    "amplitude,probability or amplitude,density)",
+        fmt::format("impulse.table = {}: the file cannot be read; name a CSV file with the columns "
+                    "amplitude,probability or amplitude,density",
                     base::in_quotes(file.string())));
   }
   return text_of(amplitude_table_of_csv(*csv, base::shown(file.string())));

@@ -11,7 +11,7 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Where a function changes its sign between two places.
+// The root of a function between two points of opposite sign.
 template <class Function>
 double sign_change(const Function& f, double from, double to) {
   std::uintmax_t iterations = 200;
@@ -24,8 +24,8 @@ struct Ends {
   double low, high;
 };
 
-// The walls, and at open ends what no root is beyond. Where the polynomial is of a single term its
-// root is 0, which a bound of 1 + 0 holds too.
+// The walls; at open ends a bound of all roots. A polynomial of a single term has the root 0 and
+// the root bound 1, which the bound here includes.
 Ends ends_of(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_bound(polynomial) + 1;
   return {.low = system.left() ? system.left()->position : -bound,
@@ -51,7 +51,7 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
   const numerics::Polynomial slope = potential_.derivative();
   const auto [low, high] = ends_of(slope, system_);
   turns_ = sign_changes_between_walls(slope, system_);
-  // V is monotone between neighbours; what it does after each of them tells which are minima.
+  // V is monotone between neighbouring knots; its slope after each knot decides which are minima.
   std::vector<double> knots{low};
   knots.insert(knots.end(), turns_.begin(), turns_.end());
   knots.push_back(high);
@@ -79,7 +79,7 @@ double UndampedOrbits::deepest() const {
   return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
 }
 
-// Where V = energy beyond a knot at which V is lower, on the side `outwards` where V grows.
+// The point with V = energy beyond a knot of lower V, on the side `outwards` where V grows.
 double UndampedOrbits::end(double knot, double outwards, double energy) const {
   double step = std::max(std::abs(knot) * 1e-8, 1e-30);
   while (potential_(knot + outwards * step) < energy) step *= 2;
@@ -131,10 +131,11 @@ Orbit UndampedOrbits::orbit(const Swing& swing, double energy) const {
   const auto speed = [&](double y) {
     return std::sqrt(std::max(0.0, 2 * (energy - potential_(y))));
   };
-  // y = middle + half sin(phase): at a turning point v falls like cos(phase), and dy / v is smooth.
+  // Substitution y = middle + half sin(phase): at a turning point v decreases like cos(phase), so
+  // that dy / v is smooth.
   const auto add = [&](double phase, double weight) {
     const double y = middle + half * std::sin(phase);
-    const double dy = 2 * weight * half * std::cos(phase);  // there and back
+    const double dy = 2 * weight * half * std::cos(phase);  // both half-cycles
     const double v = speed(y);
     const double damping = system_.damping_polynomial()(y) + system_.rayleigh() * v * v;
     orbit.action += v * dy;

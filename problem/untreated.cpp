@@ -53,7 +53,7 @@ std::string untreated_text(std::string_view name) {
     };
     if (std::ranges::any_of(parts, asks)) {
       return fmt::format(
-          "the program does not treat {} (`fpkcheck --help` and README.md list what it does not)",
+          "the program does not treat {}; `fpkcheck --help` and README.md list such features",
           subject);
     }
   }

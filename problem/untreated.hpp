@@ -6,18 +6,19 @@
 
 namespace fpkcheck::problem {
 
-/// What the program does not treat, and the words by which it is asked for in keys of case files and
-/// in commands.
+/// A feature that the program does not treat, with the words that ask for it in keys of case files
+/// and in commands.
 struct Untreated {
-  std::string_view subject;                 ///< "dry friction"
-  std::span<const std::string_view> words;  ///< lower case; of a key any part between '.' and '_'
+  std::string_view subject;  ///< "dry friction"
+  /// Lower case; matched with each part of a key between '.' and '_'.
+  std::span<const std::string_view> words;
 };
 
-/// All of it, as README.md lists it.
+/// All unsupported features, as listed in README.md.
 std::span<const Untreated> untreated();
 
-/// One line that says what a key or a command asks for that is not treated, and where the list is;
-/// empty where it asks for nothing of that kind.
+/// One line naming the unsupported feature that a key or command asks for; empty where there is
+/// none.
 /// @param name "system.friction", "passage"
 std::string untreated_text(std::string_view name);
 

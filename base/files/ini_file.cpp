@@ -34,7 +34,7 @@ std::vector<IniSetting> ini_settings(std::istream& ini, const std::string& where
     }
     const auto equals = said.find('=');
     if (equals == std::string::npos) {
-      throw InputError(fmt::format("{}: {} (a case file has [sections] and key = value lines)", at,
+      throw InputError(fmt::format("{}: {} is not a setting; write [section] or key = value", at,
                                    in_quotes(said)));
     }
     settings.push_back({section, boost::algorithm::trim_copy(said.substr(0, equals)),

@@ -14,10 +14,11 @@
 namespace fpkcheck::base {
 namespace {
 
-/// An open file.
+/// Owns a file descriptor.
 class Descriptor {
  public:
-  // Without waiting for who writes into a pipe; what it is shows only once it is open.
+  // O_NONBLOCK: opening a pipe without a writer would block, and the file type is known only after
+  // opening.
   explicit Descriptor(const std::filesystem::path& file)
       : number_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
   Descriptor(const Descriptor&) = delete;
@@ -44,14 +45,14 @@ std::optional<std::string> read_input_file(const std::filesystem::path& file, st
   if (!descriptor.is_regular()) return std::nullopt;
   std::string bytes;
   for (;;) {
-    // Read and counted rather than asked for: a file may grow, and some have no size.
+    // The size is counted while reading: a file may grow, and special files report no size.
     const std::size_t before = bytes.size();
     bytes.resize(before + kAtOnce);
     const ssize_t count = read(descriptor.number(), bytes.data() + before, kAtOnce);
     bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (bytes.size() > most) {
       throw InputError(
-          fmt::format("{} has more than {} bytes (nothing that is read here is so large)",
+          fmt::format("{} has more than {} bytes: too large for an input file; name another file",
                       shown(file.string()), most));
     }
     if (count == 0) return bytes;

@@ -24,7 +24,8 @@ using base::shown;
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
 
-// One word a line: names hold spaces, and line ends where somebody wants to do harm.
+// Each file name occupies a line of its own, because names may contain spaces. Names with a line
+// end or a slash are rejected: a forged journal could name files elsewhere.
 bool is_plain(const std::string& name) {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
@@ -40,7 +41,7 @@ std::string text_of(const Journal& journal) {
   return text + "end\n";
 }
 
-// Nothing where it is not a whole journal of ours.
+// Nothing unless the text is a complete journal.
 std::optional<Journal> journal_in(std::istream& in) {
   Journal journal;
   journal.writer.pid = 0;
@@ -69,7 +70,8 @@ std::optional<Journal> journal_in(std::istream& in) {
 std::optional<Journal> journal_at(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return std::nullopt;
-  // In a directory that others may write to, somebody else's would have us remove our files.
+  // In a shared directory, a journal of another user could make this process remove the user's
+  // files.
   struct stat status = {};
   if (stat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return std::nullopt;
   constexpr std::size_t kMostBytes = 1 << 20;
@@ -87,25 +89,27 @@ bool is_there(const fs::path& file) {
 }  // namespace
 
 void Journal::announce(const fs::path& directory) const {
-  // Written aside first, then given its name: whoever finds it finds all of it.
+  // Written under a temporary name and then linked: the journal is complete when it becomes
+  // visible.
   const fs::path file = directory / kFile, partial = partial_beside(file);
   write_new(partial, text_of(*this));
   std::error_code error;
-  fs::create_hard_link(partial, file, error);  // unlike a rename not over that of another process
+  // unlike a rename, never replaces the journal of another process
+  fs::create_hard_link(partial, file, error);
   if (error == std::errc::file_exists) {
     std::error_code ignored;
     fs::remove(partial, ignored);
     throw std::system_error(error);
   }
   if (error) {
-    fs::rename(partial, file);  // a file system without links
+    fs::rename(partial, file);  // file system without hard links
   } else {
     fs::remove(partial);
   }
   flush(directory);
 }
 
-// What is done already is not there any more.
+// A missing source file means that the step is done already.
 void Journal::carry_out(const fs::path& directory) const {
   for (const auto& [from, to] : renames) {
     std::error_code error;
@@ -122,7 +126,7 @@ void Journal::carry_out(const fs::path& directory) const {
 
 void finish_interrupted(const fs::path& directory) {
   const fs::path file = directory / Journal::kFile;
-  // Another process is at it for some milliseconds.
+  // Another running process needs some milliseconds; wait up to 2 s.
   constexpr int kTimes = 20;
   constexpr std::chrono::milliseconds kBetween(100);
   for (int time = 0; is_there(file); ++time) {
@@ -130,8 +134,8 @@ void finish_interrupted(const fs::path& directory) {
     if (!journal) {
       if (!is_there(file)) return;
       throw InputError(fmt::format(
-          "{} is no journal of yours, or damaged (a run that is stopped while its files are put in "
-          "place leaves one): remove it, and run again",
+          "{} is not a journal of this user, or damaged: an interrupted run may have left it; "
+          "remove it and run again",
           shown(file.string())));
     }
     if (!journal->writer.may_run()) {
@@ -139,15 +143,15 @@ void finish_interrupted(const fs::path& directory) {
         journal->carry_out(directory);
       } catch (const std::system_error& error) {
         throw InputError(fmt::format(
-            "the files of {} are not all in place ({}; a run was stopped as it put them there): "
-            "make the directory writable",
+            "the files in {} are incomplete: an interrupted run could not be completed ({}); make "
+            "the directory writable",
             in_quotes(directory.string()), error.code().message()));
       }
       return;
     }
     if (time == kTimes) {
       throw InputError(fmt::format(
-          "process {} on {} is putting files into {} (or was stopped there): wait, or remove {}",
+          "process {} on {} is writing files into {}, or was interrupted there; wait, or remove {}",
           journal->writer.pid, shown(journal->writer.host), in_quotes(directory.string()),
           shown(file.string())));
     }

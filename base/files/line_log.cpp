@@ -16,18 +16,18 @@
 namespace fpkcheck::base {
 namespace {
 
-constexpr int kFileOfEverybody = 0666;  // less the umask
+constexpr int kFileOfEverybody = 0666;  // reduced by the umask
 
 }  // namespace
 
 void LineLog::fail(const char* what) const {
-  throw std::runtime_error(fmt::format("{} cannot be {} ({})", base::shown(file_.string()), what,
+  throw std::runtime_error(fmt::format("{} cannot be {}: {}", base::shown(file_.string()), what,
                                        std::generic_category().message(errno)));
 }
 
 LineLog::LineLog(const std::filesystem::path& file)
     : file_(file),
-      // Not through a link that somebody has put there, and without waiting for a pipe.
+      // O_NOFOLLOW: a planted link must not redirect the file. O_NONBLOCK: a pipe must not block.
       descriptor_(open(file.c_str(),
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
                        kFileOfEverybody)) {
@@ -39,10 +39,10 @@ LineLog::LineLog(const std::filesystem::path& file)
   if (ours) return;
   if (a_file) close(descriptor_);
   throw InputError(
-      regular ? fmt::format("{} is being written by another process (wait for it, or use another "
-                            "directory)",
+      regular ? fmt::format("{} is locked: another process writes it; wait, or use another "
+                            "directory",
                             base::shown(file_.string()))
-              : fmt::format("{} is no regular file (remove it, or use another directory)",
+              : fmt::format("{} is not a regular file; remove it, or use another directory",
                             base::shown(file_.string())));
 }
 
@@ -90,7 +90,7 @@ void LineLog::append(std::string_view line) {
 }
 
 void LineLog::flush() const {
-  // Some file systems have no such thing.
+  // Some file systems do not support fdatasync.
   if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("written");
 }
 

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::runtime_error cannot_write(const fs::path& target, const std::error_code& why) {
-  return std::runtime_error(fmt::format("cannot write {} ({})", target.string(), why.message()));
+  return std::runtime_error(fmt::format("cannot write {}: {}", target.string(), why.message()));
 }
 
 }  // namespace
@@ -28,17 +28,17 @@ void PendingFiles::require_one_directory(const fs::path& target) const {
   const fs::path directory = target.parent_path();
   if ((!pending_.empty() && pending_.front().target.parent_path() != directory) ||
       (!unwanted_.empty() && unwanted_.front().parent_path() != directory)) {
-    throw std::logic_error("pending files of two directories");
+    throw std::logic_error("pending files are in different directories");
   }
 }
 
 void PendingFiles::add(const fs::path& target, const Produce& produce) {
   require_one_directory(target);
   const fs::path temporary = partial_beside(target);
-  // Of another process that had our number.
+  // Left by an earlier process with the same process id.
   std::error_code ignored;
   fs::remove(temporary, ignored);
-  // Noted first: what is half written when `produce` throws goes as well.
+  // Registered first, so that the destructor also removes a partial file when `produce` throws.
   pending_.push_back({temporary, target});
   produce(temporary);
 }
@@ -59,7 +59,7 @@ void PendingFiles::remove(const fs::path& target) {
 }
 
 void PendingFiles::commit() {
-  // All that can be known to go wrong, before the first target is replaced.
+  // Detectable errors are raised before the first target is replaced.
   for (const auto& [temporary, target] : pending_) {
     std::error_code error;
     if (!fs::exists(temporary, error)) {
@@ -87,7 +87,8 @@ void PendingFiles::put_in_place(const fs::path& directory) {
       }
       for (const auto& target : unwanted_) journal.removals.push_back(target.filename().string());
       journal.announce(directory);
-      pending_.clear();  // they stay until they are in place, by this process or the next
+      // no longer removed on failure: this process or the next applies the journal
+      pending_.clear();
       unwanted_.clear();
       journal.carry_out(directory);
     }

@@ -39,11 +39,11 @@ class Descriptor {
       bytes.remove_prefix(static_cast<std::size_t>(count));
     }
   }
-  // Some file systems have no such thing for directories.
+  // Some file systems do not support fsync of directories.
   void flush() const {
     if (fsync(number_) != 0 && errno != EINVAL && errno != ENOTSUP) fail();
   }
-  // A full disk may show only here.
+  // A full disk may be reported only by close().
   void finish() {
     const int number = number_;
     number_ = -1;
@@ -61,13 +61,13 @@ std::string host_name() {
   for (char& c : host) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
-  constexpr std::size_t kLongest = 32;  // names of files have an end too
+  constexpr std::size_t kLongest = 32;  // file names are limited in length
   return host.substr(0, kLongest);
 }
 
 std::string suffix_of(const std::string& host) { return fmt::format("{}{}-", kPartial, host); }
 
-// The process of this machine that writes, or wrote, a file of this name; 0 where there is none.
+// Process id in the name of a partial file of this host; 0 when the name is another one.
 long writer_of(const std::string& name) {
   const std::string suffix = suffix_of(Writer::this_one().host);
   const auto at = name.rfind(suffix);
@@ -106,8 +106,8 @@ void remove_abandoned(const fs::path& directory) {
 }
 
 void write_new(const fs::path& file, std::string_view bytes) {
-  constexpr int kEverybodys = 0666;  // less the umask
-  // Not through a link that somebody has put there.
+  constexpr int kEverybodys = 0666;  // reduced by the umask
+  // O_NOFOLLOW: a planted link must not redirect the file.
   Descriptor out(
       open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kEverybodys));
   try {

@@ -4,32 +4,32 @@
 #include <string>
 #include <string_view>
 
-/// Files that are whole or absent: written beside the target first, then renamed.
+/// Atomic replacement of files: written beside the target first, then renamed.
 namespace fpkcheck::base {
 
-/// A hidden name beside the target, of this process alone, so that two runs into one directory do
-/// not write into each other's files: .NAME.partial-HOST-PID
+/// Path of the partial file beside the target: .NAME.partial-HOST-PID. The name is hidden and
+/// unique to this process, so that two runs into one directory do not write the same file.
 std::filesystem::path partial_beside(const std::filesystem::path& target);
 
-/// A process, as names and journals of partial files have it.
+/// The process that writes a partial file or a journal.
 struct Writer {
   std::string host;
   long pid;
 
   static Writer this_one();
-  /// Whether it may still run; of another machine that is not known.
+  /// Whether the process may still be running; true for a process of another host.
   bool may_run() const;
 };
 
-/// Removes the partial files in a directory that processes of this machine have left which run no
-/// more. Whatever else has such a name stays: it is somebody else's.
+/// Removes the partial files in a directory whose process ran on this host and has ended. All other
+/// files of such a name stay.
 void remove_abandoned(const std::filesystem::path& directory);
 
-/// Writes a file that is not there yet, and waits until it is on the disk.
-/// @throws std::system_error, and leaves no file
+/// Creates a file and waits until it is on disk.
+/// @throws std::system_error when the file exists or cannot be written, leaving no partial file
 void write_new(const std::filesystem::path& file, std::string_view bytes);
 
-/// Waits until a file, or the names in a directory, are on the disk.
+/// Waits until a file, or the entries of a directory, are on disk.
 /// @throws std::system_error
 void flush(const std::filesystem::path& path);
 

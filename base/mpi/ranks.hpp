@@ -6,20 +6,20 @@
 
 namespace fpkcheck::base {
 
-/// The processes that mpirun started together, this one among them. Only the thread that joined may
-/// use it. Rank 0 is the one that writes; the others are its helpers.
+/// The MPI processes of this run. Only the thread that called join() may use the object. Rank 0
+/// writes; the other ranks compute.
 class Ranks {
  public:
-  /// A text from another rank.
+  /// A message from another rank.
   struct Message {
     int from;
     std::string text;
   };
 
-  /// Whether this process was started together with others (by mpirun, srun --mpi or the like), as
-  /// the environment tells.
+  /// Whether mpirun, srun --mpi or a similar launcher started several processes, judged by
+  /// environment variables.
   static bool started_together();
-  /// Joins them.
+  /// Initialises MPI.
   /// @throws InputError where the program was built without MPI
   static std::unique_ptr<Ranks> join();
 
@@ -30,9 +30,10 @@ class Ranks {
   bool is_first() const { return rank() == 0; }
 
   virtual void send(int to, const std::string& text) = 0;
-  /// A message that has arrived, if there is one.
+  /// The next message that has arrived; nothing when there is none. Does not block.
   virtual std::optional<Message> receive() = 0;
-  /// Ends all of them, for when this one cannot go on and the others would wait for it.
+  /// Ends all processes. Called when this process fails, since the others would wait for its
+  /// messages.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 };
 

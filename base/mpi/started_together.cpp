@@ -7,7 +7,7 @@
 namespace fpkcheck::base {
 
 bool Ranks::started_together() {
-  // Of Open MPI's mpirun, and of starters that speak PMI (MPICH, Intel MPI, srun --mpi=pmi2).
+  // Set by Open MPI's mpirun and by launchers with PMI (MPICH, Intel MPI, srun --mpi=pmi2).
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"}) {
     const char* const text = std::getenv(variable);
     if (text == nullptr) continue;
@@ -16,7 +16,7 @@ bool Ranks::started_together() {
     std::from_chars(number.data(), number.data() + number.size(), size);
     if (size > 1) return true;
   }
-  // Of srun --mpi=pmix: how many there are shows only in Slurm's own variable.
+  // srun --mpi=pmix states the number of processes only in Slurm's own variable.
   const char* const tasks = std::getenv("SLURM_NTASKS");
   return std::getenv("PMIX_RANK") != nullptr && tasks != nullptr && std::string_view(tasks) != "1";
 }

@@ -16,15 +16,16 @@ void check_mpi(int code, const char* what) {
   std::array<char, MPI_MAX_ERROR_STRING> text{};
   int length = 0;
   MPI_Error_string(code, text.data(), &length);
-  throw std::runtime_error(fmt::format("MPI: {} ({})", what, text.data()));
+  throw std::runtime_error(fmt::format("MPI {}: {}", what, text.data()));
 }
 
 class MpiRanks : public Ranks {
  public:
   MpiRanks() {
-    // Other threads solve; they do not ask MPI for anything.
+    // FUNNELED suffices: the threads that solve make no MPI calls.
     int provided = 0;
-    check_mpi(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "cannot begin");
+    check_mpi(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided),
+              "cannot initialise");
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
@@ -43,7 +44,7 @@ class MpiRanks : public Ranks {
   std::optional<Message> receive() override {
     int arrived = 0;
     MPI_Status status;
-    check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &arrived, &status), "cannot look");
+    check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &arrived, &status), "cannot probe");
     if (arrived == 0) return std::nullopt;
     int length = 0;
     MPI_Get_count(&status, MPI_CHAR, &length);

@@ -5,8 +5,8 @@ namespace fpkcheck::base {
 
 std::unique_ptr<Ranks> Ranks::join() {
   throw InputError(
-      "started by mpirun, but built without MPI (build with libopenmpi-dev installed, or start "
-      "each process with --shard i/N)");
+      "started by mpirun, but built without MPI: install libopenmpi-dev and build again, or start "
+      "each process with --shard i/N");
 }
 
 }  // namespace fpkcheck::base

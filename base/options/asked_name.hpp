@@ -11,10 +11,10 @@
 
 namespace fpkcheck::base {
 
-/// The value of an enum that a user asked for by its name.
-/// @param what how the message begins: "--design", "plan mine.ini, line 3: design"
-/// @param among those that may be asked for
-/// @throws InputError when there is none of this name
+/// Converts a name that a user typed to a value of an enum.
+/// @param label start of the message: "--design", "plan mine.ini, line 3: design"
+/// @param choices names that are accepted
+/// @throws InputError when no choice has this name
 template <class Enum>
 Enum asked_name(const std::string& what, const std::string& text,
                 std::span<const Named<Enum>> among = names(Enum{})) {

@@ -11,7 +11,8 @@
 namespace fpkcheck::base {
 namespace {
 
-constexpr const char* kOtherVersion = "(of another version of the program? run again)";
+constexpr const char* kOtherVersion =
+    "the file may be from another version of the program; run again";
 
 [[noreturn]] void refuse(const std::string& label, const std::string& value,
                          const std::string& allowed) {
@@ -44,14 +45,14 @@ void Descriptions::read_into(void* owner, const Values& values, const std::strin
   for (const auto& parameter : all_) {
     const auto found = std::ranges::find(values, parameter.name, &NamedValue::name);
     if (found == values.end() && !parameter.fallback) {
-      throw InputError(fmt::format("{}.{} is missing {}", what, parameter.name, kOtherVersion));
+      throw InputError(fmt::format("{}.{} is missing: {}", what, parameter.name, kOtherVersion));
     }
     set(owner, parameter, found == values.end() ? *parameter.fallback : found->value,
         fmt::format("{}.{} =", what, parameter.name));
   }
   for (const auto& [name, value] : values) {
     if (find(name) == nullptr) {
-      throw InputError(fmt::format("{}.{} is unknown {}", what, shown(name), kOtherVersion));
+      throw InputError(fmt::format("{}.{} is unknown: {}", what, shown(name), kOtherVersion));
     }
   }
 }

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::base {
 
-/// A value of an enum, its name in files and on the command line, and what it means.
+/// A value of an enum, its name in files and on the command line, and its meaning.
 template <class Enum>
 struct Named {
   Enum value;
@@ -14,10 +14,10 @@ struct Named {
   std::string_view meaning = {};
 };
 
-/// The one table of names of an enum stands beside it, as `names(Enum)` in its namespace:
+/// Every enum has one table of names, defined beside the enum as `names(Enum)` in its namespace:
 ///
-///     constexpr Named<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
-///     constexpr std::span<const Named<Stepper>> names(Stepper) { return kStepperNames; }
+///     constexpr EnumEntry<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
+///     constexpr std::span<const EnumEntry<Stepper>> names(Stepper) { return kStepperNames; }
 ///     constexpr std::string_view name(Stepper value) { return base::name_of(value); }
 template <class Enum>
 constexpr const Named<Enum>* entry_of(Enum value) {
@@ -39,7 +39,7 @@ constexpr std::string_view meaning_of(Enum value) {
   return entry == nullptr ? std::string_view() : entry->meaning;
 }
 
-/// The value of this name.
+/// The enum value with this name; nothing when no value has it.
 template <class Enum>
 constexpr std::optional<Enum> value_named(std::string_view name) {
   for (const auto& entry : names(Enum{})) {

@@ -37,7 +37,7 @@ std::string noun(const Parameter& parameter) {
   return "";
 }
 
-// Why a text is no value of the parameter, beyond what is allowed.
+// The reason why a text is not a value of the parameter.
 std::string why_not(const Parameter& parameter, std::string_view text) {
   if (parameter.type == Type::number || parameter.type == Type::integer) {
     double ignored = 0;

@@ -5,21 +5,21 @@
 
 namespace fpkcheck::base {
 
-/// What is allowed of a number.
+/// The admissible values of a number.
 struct Range {
   std::function<bool(double)> holds;
-  std::string allowed;  ///< after "must be": "a positive number"
+  std::string allowed;  ///< text after "must be": "a positive number"
 
-  /// The same range with the reason for it: "a positive number: without damping ..."
+  /// The same range with a reason added to its text: "a positive number: without damping ..."
   Range because(const std::string& reason) const { return {holds, allowed + ": " + reason}; }
 };
 
-/// Finite numbers (all of them).
+/// All finite numbers.
 Range any_number();
 Range positive();
 Range not_negative();
 Range between(double least, double greatest);           ///< both ends included
-Range strictly_between(double least, double greatest);  ///< neither
-Range even_between(int least, int greatest);            ///< integers
+Range strictly_between(double least, double greatest);  ///< both ends excluded
+Range even_between(int least, int greatest);            ///< even integers, both ends included
 
 }  // namespace fpkcheck::base

@@ -7,12 +7,12 @@
 namespace fpkcheck::base {
 namespace {
 
-// Never destroyed: a thread may wait here while the process ends.
+// Never destroyed: a thread may still wait on it while the process exits.
 struct Desk {
   std::mutex mutex;
   std::condition_variable changed;
   int hands = 0;
-  std::thread::id only{};  // the default one: no thread
+  std::thread::id only{};  // default id: no thread
 };
 
 Desk& desk() {

@@ -2,8 +2,8 @@
 
 namespace fpkcheck::base {
 
-/// While one lives, its thread has files half written: nobody ends the process in between. They may
-/// nest, and several threads may have one.
+/// While a guard exists, its thread has incomplete files and no other thread ends the process.
+/// Guards nest, and several threads may hold one at the same time.
 class FilesInHand {
  public:
   FilesInHand();
@@ -12,9 +12,9 @@ class FilesInHand {
   FilesInHand& operator=(const FilesInHand&) = delete;
 };
 
-/// To be called before the process is ended by another thread than the one that works: waits until
-/// nobody has files in hand. From then on only the calling thread may have any; others that want to
-/// wait for the end of the process.
+/// Waits until no guard exists, then allows guards to the calling thread only. Call before ending
+/// the process from a thread other than the working one. Other threads that construct a guard later
+/// block until the process exits.
 void reserve_files_for_this_thread();
 
 }  // namespace fpkcheck::base

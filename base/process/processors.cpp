@@ -12,7 +12,7 @@
 namespace fpkcheck::base {
 namespace {
 
-// A fixed cpu_set_t ends at 1024 processors, and the call fails on a larger machine.
+// cpu_set_t has a fixed size of 1024 processors, and sched_getaffinity fails on larger machines.
 int processors_by_affinity() {
   constexpr int kMostProcessors = 1 << 16;
   for (int size = CPU_SETSIZE; size <= kMostProcessors; size *= 2) {
@@ -25,7 +25,7 @@ int processors_by_affinity() {
   return static_cast<int>(std::thread::hardware_concurrency());
 }
 
-// OMP_NUM_THREADS may be a list, one number for each level of nesting: the first counts.
+// OMP_NUM_THREADS may be a list with a number for each nesting level; the first is used.
 int at_most(const char* variable, int otherwise) {
   const char* const text = std::getenv(variable);
   if (text == nullptr) return otherwise;

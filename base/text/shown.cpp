@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kCut = "...";
 
-/// The length of the UTF-8 character that the text begins with, which no terminal takes for a
-/// command; 0 where it begins with another byte.
+/// Length in bytes of the first UTF-8 character, if it is printable and not a control character or
+/// bidirectional mark; 0 otherwise.
 std::size_t plain_character(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned first = byte(0);
@@ -25,13 +25,14 @@ std::size_t plain_character(std::string_view text) {
   }
   const bool shortest = code >= (length == 4 ? 0x10000U : length == 3 ? 0x800U : 0xa0U);
   const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-  // Marks that turn the direction of what follows.
+  // Bidirectional marks, which change the direction of the text after them.
   const bool turns = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
   const bool line_end = code == 0x2028 || code == 0x2029;
   return shortest && !surrogate && !turns && !line_end && code <= 0x10ffff ? length : 0;
 }
 
-/// One character of the text, or one byte of it escaped; taken away from it.
+/// Removes the first character from the text and returns it; a byte that is not printable is
+/// returned as an escape.
 std::string next_shown(std::string_view& text) {
   const std::size_t length = plain_character(text);
   std::string character = length > 0
@@ -41,7 +42,7 @@ std::string next_shown(std::string_view& text) {
   return character;
 }
 
-/// The first characters that take no more room; an escape counts as four.
+/// The first characters of the sanitised text, at most `room` columns; an escape counts as four.
 std::string beginning(std::string_view text, std::size_t room) {
   std::string result;
   for (std::size_t used = 0; !text.empty();) {
@@ -69,13 +70,13 @@ std::string without_controls(std::string_view text) {
 
 std::string shown(std::string_view text) {
   constexpr std::size_t kMost = 80, kHead = 40, kTail = kMost - kHead - kCut.size();
-  // Of a long text only what can be seen of it is looked at.
+  // A longer text is never processed as a whole: only its ends appear in the result.
   constexpr std::size_t kBytes = 4 * kMost;
   if (text.size() <= kBytes) {
     std::string whole = without_controls(text);
     if (characters(whole) <= kMost) return whole;
   }
-  // The end of a path says more than its middle.
+  // The end of a path is more informative than its middle.
   std::string_view tail = text.substr(text.size() - std::min(text.size(), kTail));
   while (!tail.empty() && (static_cast<unsigned char>(tail.front()) & 0xc0U) == 0x80) {
     tail.remove_prefix(1);

@@ -5,19 +5,19 @@
 
 namespace fpkcheck::base {
 
-/// What others wrote (an argument, a file's name or its contents), as a part of a line for people:
-/// control characters and bytes that are not UTF-8 as \x1b, what is longer than 80 characters cut
-/// in its middle, so that no terminal obeys it and no message drowns in it.
+/// Makes foreign text (an argument, a file name, file contents) safe within a line of output.
+/// Control characters and bytes that are not UTF-8 become escapes such as \x1b, so that a terminal
+/// does not obey them. Text of more than 80 characters loses its middle.
 std::string shown(std::string_view text);
 
-/// shown() between quotes.
+/// The result of sanitise() between quotes.
 std::string in_quotes(std::string_view text);
 
-/// The same escapes, and nothing cut.
+/// The same escapes without the limit of length.
 std::string without_controls(std::string_view text);
 
-/// A whole message as one line of at most 380 characters, cut at its end: the last resort for what
-/// libraries say.
+/// A whole message as one line of at most 380 characters, truncated at its end. For messages of
+/// libraries, whose length and contents are unknown.
 std::string one_line(std::string_view text);
 
 }  // namespace fpkcheck::base

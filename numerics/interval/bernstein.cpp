@@ -61,7 +61,7 @@ BernsteinCoefficients from_powers(std::span<const Interval> a) {
 }
 
 BernsteinCoefficients to_powers(std::span<const Interval> b) {
-  // a_k = C(n, k) times the k-th forward difference at 0
+  // a_k = C(n, k) times the k-th forward difference of b at 0
   const int n = static_cast<int>(b.size()) - 1;
   BernsteinCoefficients difference(b.begin(), b.end()), a(n + 1);
   for (int k = 0; k <= n; ++k) {

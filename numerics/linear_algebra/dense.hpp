@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <memory>
 
-/// Roots of systems of equations: Newton's method and curves of solutions. Nothing here knows what
-/// the equations are of.
+/// LU factorisation and singular values of dense matrices.
 namespace fpkcheck::numerics {
 
-/// LU factors of a square matrix. (Eigen's own are compiled once, behind this.)
+/// LU factors of a square matrix with partial pivoting. Eigen's class is compiled once, behind
+/// this.
 class Factors {
  public:
   explicit Factors(const Eigen::MatrixXd& matrix);
@@ -22,10 +22,10 @@ class Factors {
   std::unique_ptr<Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
 };
 
-/// Decreasing.
+/// Singular values in decreasing order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// How near a square matrix is to a singular one.
+/// Indicators of a nearly singular square matrix.
 struct Regularity {
   double smallest_singular_value;
   int determinant_sign;  ///< -1, 0 or 1

@@ -4,8 +4,8 @@
 
 #include "numerics/linear_algebra/subtract_product.hpp"
 
-// Included by the files that are compiled for different instructions, with kVectors, kWidth and
-// kColumns for their registers. All of it has internal linkage.
+// Included by the sources that are compiled for different instruction sets; kVectors, kWidth and
+// kColumns match their registers. Everything here has internal linkage.
 
 namespace fpkcheck::numerics {
 namespace {
@@ -15,8 +15,9 @@ struct VectorOf {
   typedef double Type __attribute__((vector_size(8 * kWidth)));
 };
 
-/// A block of kVectors * kWidth rows and kColumns columns of C at a time stays in registers; what
-/// it needs of A and B is copied to lie in the order in which it is read, filled up with zeros.
+/// Blocked product: a block of kVectors * kWidth rows and kColumns columns of C stays in registers.
+/// The parts of A and B that the block needs are packed in the order of access and padded with
+/// zeros.
 template <int kWidth, int kVectors, int kColumns>
 void multiply(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& b,
               std::ptrdiff_t rows, std::ptrdiff_t columns, std::ptrdiff_t inner) {

@@ -15,7 +15,7 @@ struct WeightedPoint {
 /// Composite Gauss-Legendre rule: `panels` panels of 10 points on [a, b].
 inline std::vector<WeightedPoint> panel_points(double a, double b, int panels) {
   using Rule =
-      boost::math::quadrature::gauss<double, 10>;  // gives the half with positive abscissas
+      boost::math::quadrature::gauss<double, 10>;  // Boost stores the half with positive abscissas
   const double half_width = (b - a) / panels / 2;
   std::vector<WeightedPoint> points;
   for (int k = 0; k < panels; ++k) {
@@ -30,7 +30,7 @@ inline std::vector<WeightedPoint> panel_points(double a, double b, int panels) {
   return points;
 }
 
-/// The integral of f over [a, b] by that rule.
+/// The integral of f over [a, b] by the rule of panel_points().
 template <class Function>
 double integrate_panels(const Function& f, double a, double b, int panels) {
   double sum = 0;
@@ -38,7 +38,7 @@ double integrate_panels(const Function& f, double a, double b, int panels) {
   return sum;
 }
 
-/// Average over [a, b] by three Gauss-Legendre points, exact to degree 5.
+/// The average over [a, b] by the three-point Gauss-Legendre rule, exact to degree 5.
 template <class Function>
 auto average(const Function& f, double a, double b) {
   const double centre = (a + b) / 2;

@@ -46,7 +46,7 @@ CurvePoint predicted(const CurvePoint& from, const VectorXd& tangent, double ste
   return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
 }
 
-// [dG/da dG/dt] with a row below.
+// The matrix [dG/da dG/dt] with one more row below.
 MatrixXd Follower::bordered(const CurvePoint& at, const VectorXd& last_row) const {
   const Index n = at.a.size();
   MatrixXd matrix(n + 1, n + 1);
@@ -56,7 +56,7 @@ MatrixXd Follower::bordered(const CurvePoint& at, const VectorXd& last_row) cons
   return matrix;
 }
 
-// The unit tangent that goes on in the direction of the one before.
+// The unit tangent, oriented like the previous tangent.
 VectorXd Follower::tangent(const CurvePoint& at, const VectorXd& before) const {
   const Index n = at.a.size();
   return Factors(bordered(at, before)).solve(VectorXd::Unit(n + 1, n)).normalized();
@@ -67,7 +67,7 @@ bool Follower::on_curve(const VectorXd& residual, double correction) const {
          correction < options_.short_correction;
 }
 
-// Newton steps in the plane through the predicted point across the tangent.
+// Corrector: Newton steps in the plane through `start`, normal to the tangent.
 std::optional<CurvePoint> Follower::corrected(const CurvePoint& start, const VectorXd& tangent,
                                               double step) {
   const Index n = start.a.size();
@@ -102,7 +102,7 @@ std::optional<CurvePoint> Follower::corrected_at(CurvePoint point) {
   return std::nullopt;
 }
 
-// The point at an end of the range of t, between one point and another beyond it.
+// The point at an end of the range of t, between a point inside and a point beyond the end.
 std::optional<CurvePoint> Follower::landed(const CurvePoint& before, const CurvePoint& beyond) {
   const double end = beyond.t >= 1 ? 1 : options_.least_t;
   const double share = (end - before.t) / (beyond.t - before.t);
@@ -110,7 +110,7 @@ std::optional<CurvePoint> Follower::landed(const CurvePoint& before, const Curve
   return options_.correct_end ? corrected_at(between) : between;
 }
 
-// The point where t is stationary, between a point and a step further on.
+// The fold, where t is stationary, between a point and the next step; by bisection of the step.
 CurvePoint Follower::fold_after(const CurvePoint& from, const VectorXd& tangent_there,
                                 double step) {
   const Index n = from.a.size();

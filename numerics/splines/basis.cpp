@@ -25,7 +25,7 @@ Eigen::MatrixXd SplineBasis::at(double x, int span, int derivatives) const {
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(derivatives + 1, degree_ + 1);
   double scale = 1;  // p (p-1) .. / width^d
   for (int d = 0; d <= std::min(derivatives, degree_); ++d) {
-    Eigen::MatrixXd b = rows;  // de Casteljau
+    Eigen::MatrixXd b = rows;  // de Casteljau's algorithm
     for (int n = degree_ - d; n > 0; --n) {
       b = ((1 - t) * b.leftCols(n) + t * b.middleCols(1, n)).eval();
     }
@@ -39,7 +39,7 @@ Eigen::MatrixXd SplineBasis::at(double x, int span, int derivatives) const {
 }
 
 std::vector<double> graded_breaks(double end, int cells, double finest, double even) {
-  // The number of cells up to x is proportional to int_0^x (1 + t/even)/(t + finest) dt.
+  // The number of cells up to x is proportional to int_0^x (1 + t/uniform_from)/(t + finest) dt.
   const auto count = [&](double x) {
     return x / even + (1 - finest / even) * std::log1p(x / finest);
   };

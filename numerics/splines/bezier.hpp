@@ -6,10 +6,10 @@
 
 namespace fpkcheck::numerics {
 
-/// Bezier extraction: row l holds the Bernstein coefficients, on the segment from `from` to `to`,
-/// of the polynomial that function span + l is on that span. The segment may be a part of the span,
-/// run backwards, or reach beyond it, where the polynomial is continued. Coefficient j is the
-/// blossom at (p - j) times `from` and j times `to`, by de Boor's recursion.
+/// Bezier extraction: row l holds the Bernstein coefficients of basis function span + l on the
+/// segment between `from` and `to`. The segment may be a part of the span, run backwards, or extend
+/// beyond the span, where the polynomial is continued. Coefficient j is the blossom with p - j
+/// arguments `from` and j arguments `to`, by de Boor's recursion.
 /// @tparam Real double, or an interval for an enclosure
 /// @return shape (degree + 1, degree + 1)
 template <class Real>
@@ -18,7 +18,7 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> bezier_rows(const SplineBasi
   const int p = basis.degree();
   Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> rows(p + 1, p + 1), d(p + 1, p + 1);
   for (int j = 0; j <= p; ++j) {
-    for (int i = 0; i <= p; ++i) {  // control point i, as a combination of the functions l
+    for (int i = 0; i <= p; ++i) {  // control point i as a combination of the functions l
       for (int l = 0; l <= p; ++l) d(i, l) = Real(i == l ? 1.0 : 0.0);
     }
     for (int r = 1; r <= p; ++r) {

@@ -18,15 +18,15 @@ KnotSplines::Values KnotSplines::at(double x) const {
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, inside);
   const int span = static_cast<int>(after - breaks_.begin()) - 1;
   Values values{.first = first_[span], .value = {1}, .slope = {}};
-  const int last = values.first + kDegree;  // the last knot at the beginning of the span
-  // Cox and de Boor: value[l] is function last - p + l of degree p.
+  const int last = values.first + kDegree;  // index of the last knot at the beginning of the span
+  // Cox-de Boor recursion: value[l] is function last - p + l of degree p.
   std::array<double, kDegree + 1>& b = values.value;
   for (int p = 1; p <= kDegree; ++p) {
     double carried = 0;
     for (int l = 0; l < p; ++l) {
       const double low = knots_[last - p + 1 + l], high = knots_[last + 1 + l];
       const double share = b[l] / (high - low);
-      // Of the fifth degree the slopes are p (share before - share).
+      // The slopes of degree 5 are p (previous share - share).
       if (p == kDegree && inside == x) {
         values.slope[l] -= p * share;
         values.slope[l + 1] += p * share;
@@ -44,7 +44,7 @@ std::array<double, KnotSplines::kDegree + 1> KnotSplines::curvatures(double x) c
   if (x < begin() || x > end()) return result;
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
   const int last = first_[after - breaks_.begin() - 1] + kDegree;
-  // As in at(), but two differences, p (share before - share), take the place of the last degrees.
+  // As in at(), but the last two degrees are replaced by differences p (previous share - share).
   std::array<double, kDegree + 1> b{1};
   for (int p = 1; p <= kDegree; ++p) {
     double carried = 0;
@@ -75,7 +75,7 @@ std::vector<double> KnotSplines::power(int power) const {
 
 namespace {
 
-/// Knots at 0 and the positive breaks, and at their negatives where both sides are wanted.
+/// Knots at 0 and at the positive breaks; with `both`, at their negatives too.
 std::vector<double> knots_of(const std::vector<double>& side, bool both, int repetitions) {
   const double end = side.back();
   std::vector<double> knots;
@@ -102,7 +102,7 @@ std::vector<double> knots_on(const std::vector<double>& breaks, int repetitions)
 std::vector<double> widening_knots(double begin, double end, double even, int cells,
                                    int repetitions, int shrinking) {
   constexpr double kShrink = 1.25;
-  const int half = begin < 0 ? cells / 2 : cells;  // of each side
+  const int half = begin < 0 ? cells / 2 : cells;  // cells on each side
   const int outer = std::max(1, half / 7), inner = half - outer - shrinking;
   // The sum of kShrink^-1 .. kShrink^-shrinking.
   const double shrunk = (1 - std::pow(kShrink, -shrinking)) / (kShrink - 1);
@@ -115,7 +115,7 @@ std::vector<double> widening_knots(double begin, double end, double even, int ce
   double low = 0, high = 1;
   while (reach(high) < end) high *= 2;
   for (int k = 0; k < 60; ++k) (reach((low + high) / 2) < end ? low : high) = (low + high) / 2;
-  std::vector<double> side;  // breaks > 0
+  std::vector<double> side;  // positive breaks
   for (int k = shrinking; k > 0; --k) {
     side.push_back((side.empty() ? 0 : side.back()) + width * std::pow(kShrink, -k));
   }

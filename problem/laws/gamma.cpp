@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kUsualSkewness = 1, kLeastSkewness = 0.01, kMostSkewness = 2;
 
-// G of Y = y.
+// The value of G for Y = y.
 double standard_of(const GammaLaw& law, double y) {
   return law.shape() + (y - law.mean) / law.width() * std::sqrt(law.shape());
 }
@@ -26,8 +26,8 @@ GammaLaw GammaLaw::with(double mean, double deviation, const LawShape& shape) {
   const double skewness = shape.skewness.value_or(kUsualSkewness), size = std::abs(skewness);
   if (!(size >= kLeastSkewness && size <= kMostSkewness)) {
     throw InputError(
-        fmt::format("impulse.skewness = {} (of a gamma law its size must be within {} .. {}: below "
-                    "take gaussian, beyond the density has no bound)",
+        fmt::format("impulse.skewness = {}: a gamma law needs a magnitude within {} .. {}, above "
+                    "which the density is unbounded; for smaller values take gaussian",
                     skewness, kLeastSkewness, kMostSkewness));
   }
   return {mean, deviation, skewness};
@@ -56,8 +56,8 @@ double GammaLaw::cumulative(double y) const {
 }
 
 std::vector<double> GammaLaw::smooth_pieces() const {
-  // Beyond the ends lies 1e-20. From the end of the support on the density is x^(k-1) times a
-  // smooth function, and a rule of some ten points has it between x and 3 x.
+  // Each end cuts off a probability of 1e-20. Near the end of the support the density is x^(k-1)
+  // times a smooth function, which a ten-point rule integrates between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
   const double k = shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);
@@ -75,7 +75,7 @@ std::vector<double> GammaLaw::smooth_pieces() const {
 }
 
 std::complex<double> GammaLaw::centred_characteristic_function(double u) const {
-  // (1 - ix)^-k exp(-ikx), x = u deviation skewness/2: without the difference of large phases
+  // (1 - ix)^-k exp(-ikx), x = u deviation skewness/2, without the difference of large phases.
   const double x = u * deviation * skewness / 2, k = shape();
   return std::polar(std::exp(-k * std::log1p(x * x) / 2), k * (std::atan(x) - x));
 }

@@ -15,14 +15,15 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Waves are resolved to rounding that turn, or grow, by exp(i 6) or exp(6) over 20 points.
+// 20 Gauss points integrate exp(i x) and exp(x) to rounding over a length of 6.
 constexpr double kSmooth = 6;
 
 bool has_atoms(const TabulatedLaw& law) {
   return law.standard->kind == AmplitudeTable::Kind::probability;
 }
 
-// E[f(Z)] for an f that is smooth over the table's pieces, or over lengths of `smooth`.
+// E[f(Z)] for a function f that is smooth over the pieces of the table, or over lengths of
+// `smooth`.
 template <class Function>
 auto expectation(const AmplitudeTable& table, const Function& f,
                  double smooth = std::numeric_limits<double>::infinity()) {
@@ -36,7 +37,7 @@ auto expectation(const AmplitudeTable& table, const Function& f,
     } else if (k > 0) {
       const double length = z[k] - z[k - 1];
       const int panels = std::max(1, static_cast<int>(std::ceil(length / smooth)));
-      const auto integrand = [&](double part) {  // of the piece
+      const auto integrand = [&](double part) {  // fraction of the piece
         return std::lerp(w[k - 1], w[k], part) * length * f(z[k - 1] + part * length);
       };
       for (int panel = 0; panel < panels; ++panel) {
@@ -71,12 +72,12 @@ double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
 TabulatedLaw TabulatedLaw::with(double mean, double deviation, const LawShape& shape) {
   if (shape.table.empty()) {
     throw InputError(
-        "impulse.table is missing (impulse.law = tabulated needs one: a CSV file with the columns "
-        "amplitude,probability or amplitude,density)");
+        "impulse.table is missing: impulse.law = tabulated needs a CSV file with the columns "
+        "amplitude,probability or amplitude,density");
   }
   if (shape.skewness) {
     throw InputError(
-        fmt::format("impulse.skewness = {} (a tabulated law has that of its table: leave it out)",
+        fmt::format("impulse.skewness = {}: a tabulated law has the skewness of its table; omit it",
                     *shape.skewness));
   }
   AmplitudeTable table = amplitude_table_of_text(shape.table);

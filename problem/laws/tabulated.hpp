@@ -12,16 +12,16 @@ namespace fpkcheck::problem {
 
 struct AmplitudeTable;
 
-/// Y = mean + scale Z, Z of a table shifted and scaled to mean 0 and deviation 1: atoms, or a
-/// density that is linear in pieces. The mirror image has a negative scale.
+/// Y = mean + scale Z, where Z has the law of a table, shifted and scaled to mean 0 and deviation
+/// 1: atoms, or a piecewise linear density. The mirrored law has a negative scale.
 struct TabulatedLaw {
   double mean;
   double scale;
-  std::shared_ptr<const AmplitudeTable> standard;  ///< of Z
+  std::shared_ptr<const AmplitudeTable> standard;  ///< the table of Z
 
   static constexpr std::string_view kName = "tabulated";
   static constexpr std::string_view kWidthName = "scale";
-  /// @throws InputError where there is no table, or it is none
+  /// @throws InputError when the table is missing or invalid
   static TabulatedLaw with(double mean, double deviation, const LawShape& shape);
   double width() const { return scale; }
   double standard_deviation() const;

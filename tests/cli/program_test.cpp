@@ -125,7 +125,7 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"check", FPKCHECK_BASELINES "/case1", "--standard-errors", "-1"}, "--standard-errors -1"},
       {{"check", FPKCHECK_BASELINES "/case1", "--threads", "-1"}, "--threads -1"},
       {{"check", FPKCHECK_BASELINES "/case1", "--set", "system.cubic=1"}, "--set"},
-      {{"fd", "case1", "--set", "system.stiffness=1e300"}, "system.stiffness = 1e+300 (magnitudes"},
+      {{"fd", "case1", "--set", "system.stiffness=1e300"}, "system.stiffness = 1e+300: magnitudes"},
       {{"mcs", "case1", "--set", "impulse.intensity=1e-300"}, "impulse.intensity = 1e-300 (magn"},
       {{"bounds"}, "no case"},
       {{"bounds", "case1", "--width", "-1"}, "--width -1 (must be"},

@@ -44,7 +44,7 @@ TEST(AmplitudeTable, SurvivesAsAWord) {
     EXPECT_EQ(text_of(table.mirrored().mirrored()), text);
     EXPECT_NEAR(table.mirrored().mean(), -table.mean(), 1e-15);
   }
-  // What was divided by its sum is not divided again.
+  // A table that was normalised once is not normalised again.
   const auto thirds =
       amplitude_table_of_csv("amplitude,probability\n0,.3333\n1,.3333\n2,.3333", "t");
   EXPECT_NEAR(thirds.weight[0], 1 / 3.0, 1e-15);
@@ -55,23 +55,21 @@ TEST(AmplitudeTable, SurvivesAsAWord) {
 TEST(AmplitudeTable, SaysTheLineThatIsWrong) {
   const std::string head = "amplitude,probability\n";
   const std::pair<std::string, std::string> wrong[] = {
-      {"", "t.csv:1: no line (the first one must be"},
+      {"", "t.csv:1: the table is empty (the first line must be"},
       {"y,p\n0,1\n", "t.csv:1: 'y,p' (the first line must be amplitude,probability or"},
-      {head + "0,0.5\nx,0.5\n", "t.csv:3: 'x,0.5' (a row is two finite numbers"},
-      {head + "0,0.5\n1\n", "t.csv:3: '1' (a row is"},
-      {head + "0,0.5\n1,0.5,0\n", "t.csv:3: '1,0.5,0' (a row is"},
-      {head + "0,0.5\n1,nan\n", "t.csv:3: '1,nan' (a row is"},
-      {head + "0,0.5\n1e99,0.5\n", "t.csv:3: '1e99,0.5' (a row is"},
+      {head + "0,0.5\nx,0.5\n", "t.csv:3: 'x,0.5': a row must be two finite numbers"},
+      {head + "0,0.5\n1\n", "t.csv:3: '1': a row must be"},
+      {head + "0,0.5\n1,0.5,0\n", "t.csv:3: '1,0.5,0': a row must be"},
+      {head + "0,0.5\n1,nan\n", "t.csv:3: '1,nan': a row must be"},
+      {head + "0,0.5\n1e99,0.5\n", "t.csv:3: '1e99,0.5': a row must be"},
       {head + "1,0.5\n1,0.5\n", "t.csv:3: amplitude 1 after 1 (amplitudes must increase)"},
       {head + "0,0.5\n1,0\n2,0.5", "t.csv:3: probability = 0 (must be above 0)"},
       {"amplitude,density\n0,1\n1,-1\n", "t.csv:3: density = -1 (must be 0 or above)"},
-      {head + "0,1\n", "t.csv:2: a table of less than two rows"},
-      {head + "0,0.5\n1,0.4\n", "t.csv:3: the table ends here, and its probability sums to 0.9 "},
-      {head + "0,0.5\n1e-300,0.5\n",
-       "t.csv:3: the table ends here, and its amplitudes, 0 .. 1e-300"},
-      {head + "0,1\n1,1e-300\n", "t.csv:3: the table ends here, and its amplitudes, 0 .. 1, are"},
-      {"amplitude,density\n0,1\n2,1\n",
-       "t.csv:3: the table ends here, and its density integrates to 2 "},
+      {head + "0,1\n", "t.csv:2: fewer than two rows"},
+      {head + "0,0.5\n1,0.4\n", "t.csv:3: the table's probability sums to 0.9 "},
+      {head + "0,0.5\n1e-300,0.5\n", "t.csv:3: the table's amplitudes, 0 .. 1e-300"},
+      {head + "0,1\n1,1e-300\n", "t.csv:3: the table's amplitudes, 0 .. 1, have"},
+      {"amplitude,density\n0,1\n2,1\n", "t.csv:3: the table's density integrates to 2 "},
   };
   for (const auto& [csv, expected] : wrong) {
     const std::string said = refusal(csv);
@@ -85,7 +83,7 @@ TEST(AmplitudeTable, SaysTheLineThatIsWrong) {
       << refusal(long_one);
 }
 
-/// A case with a table beside it.
+/// A case file with an amplitude table in the same directory.
 class TableOfACase : public testing::Test {
  protected:
   void write(const std::string& name, const std::string& text) {
@@ -106,7 +104,7 @@ TEST_F(TableOfACase, IsReadBesideTheFileAndSaysMeanAndIntensity) {
   EXPECT_EQ(p.impulses.law().mean(), 2);
   EXPECT_NEAR(p.impulses.intensity(), 2 * 7, 1e-14);
   EXPECT_NEAR(p.impulses.law().moment(3), 0.25 * -1 + 0.75 * 27, 1e-13);
-  // Nothing else needs the file.
+  // After loading, the problem does not need the file.
   std::filesystem::remove(file("kicks.csv"));
   const Problem again = problem_from("again", sections(p));
   EXPECT_EQ(again.impulses.law().moments(), p.impulses.law().moments());
@@ -145,9 +143,9 @@ TEST_F(TableOfACase, IsRefusedOnOneLineThatSaysWhere) {
     return "";
   };
   EXPECT_NE(said({}).find("mine.ini:8: "), std::string::npos) << said({});
-  EXPECT_NE(said({}).find("kicks.csv:3: the table ends here"), std::string::npos) << said({});
+  EXPECT_NE(said({}).find("kicks.csv:3: the table's probability"), std::string::npos) << said({});
   write("mine.ini", std::string(kSystem) + "table = nowhere.csv\n");
-  EXPECT_NE(said({}).find("no file that can be read"), std::string::npos) << said({});
+  EXPECT_NE(said({}).find("the file cannot be read"), std::string::npos) << said({});
   write("mine.ini", kSystem);
   EXPECT_NE(said({"impulse.intensity=1"}).find("impulse.table is missing"), std::string::npos);
   const std::string table = std::string("impulse.table=") + tests::kAtoms;

@@ -68,11 +68,11 @@ TEST(CaseFile, IsNamedByWhatTheOverridesChange) {
   EXPECT_EQ(name_of({"system.restitution=0.8"}), "a, r = 0.8");
   EXPECT_EQ(name_of({"impulse.law=laplace", "impulse.rate=2", "system.damping=0.2"}),
             "a, c = 0.2, lambda = 2, laplace impulses");
-  // What it has already is no change, however it is written, nor what is usual.
+  // Values equal to those of the file or to the default are no changes, in any notation.
   EXPECT_EQ(name_of({"system.restitution=0.90", "impulse.mean=0"}), "a");
   EXPECT_EQ(name_of({"system.damping=0.2"}, "[system]\n" + kGood.substr(kGood.find("stiffness"))),
             "a, c = 0.2");
-  // The last digit tells two cases apart.
+  // Names keep all digits.
   EXPECT_EQ(name_of({"system.damping=0.1000000000000001"}), "a, c = 0.1000000000000001");
   EXPECT_EQ(read(kGood, {"system.restitution=0.8"}).name, "a");
 }
@@ -103,7 +103,9 @@ TEST(CaseFile, NamesTheKeyTheValueAndTheFileInOneLine) {
 }
 
 TEST(CaseFile, NamesTheLine) {
-  EXPECT_EQ(message(kGood + "\nwhat is this\n").find("case a.ini:11: 'what is this' ("), 0u);
+  EXPECT_EQ(
+      message(kGood + "\nwhat is this\n").find("case a.ini:11: 'what is this' is not a setting"),
+      0u);
   EXPECT_EQ(message("; a\n# b\n[system]\ncolour = red\n").find("case a.ini:4: unknown key"), 0u);
   EXPECT_EQ(message(kGood + "rate = 5\n").find("case a.ini:10: key 'impulse.rate' is given"), 0u);
   const auto changed = [](const std::string& from, const std::string& to) {
@@ -112,13 +114,13 @@ TEST(CaseFile, NamesTheLine) {
   EXPECT_EQ(message(changed("cubic = 0.3", "cubic = 0.3.1")).find("case a.ini:4: system.cubic"),
             0u);
   EXPECT_EQ(message(changed("= 0.9", "= 1.9")).find("case a.ini:5: system.restitution = 1.9"), 0u);
-  // Not the file's.
+  // An override has no line of the file.
   EXPECT_EQ(message(kGood, {"system.cubic=1e31"}).find("case a.ini: system.cubic = 1e+31"), 0u);
 }
 
 TEST(CaseFile, AKeyIsOverriddenOnce) {
   EXPECT_EQ(message(kGood, {"system.cubic=7", "system.cubic=8"}),
-            "--set system.cubic is given twice (keep one)");
+            "--set system.cubic is given twice; keep one");
 }
 
 TEST(CaseFile, WhatAMessageRepeatsIsCutAndEscaped) {
@@ -142,7 +144,7 @@ TEST(CaseFile, NoSuchCaseListsTheNamedOnes) {
   }
 }
 
-// The name goes into tables, JSON, netCDF and pictures, none of which holds every byte.
+// Tables, JSON, netCDF and figures contain the name, and none of them can represent every byte.
 TEST(CaseFile, AFileWhoseNameCannotBeShownIsRefused) {
   const auto directory = std::filesystem::path(testing::TempDir());
   const auto refusal = [&](const std::string& stem) -> std::string {
@@ -178,7 +180,7 @@ TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
   }
 }
 
-// It is what other case files are started from.
+// Case 1 is the template of other case files.
 TEST(CaseFile, OfCase1NamesEveryLaw) {
   const std::string& text = find_named_case("case1")->text;
   for (const auto& law : ImpulseLaw::known()) {

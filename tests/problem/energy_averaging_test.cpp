@@ -32,13 +32,14 @@ TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {
   EXPECT_NEAR(swings[0].right, std::sqrt(2 * energy) / 2, 1e-13);
   const Orbit orbit = orbits.orbit(swings[0], energy);
   EXPECT_NEAR(orbit.period, std::numbers::pi, 1e-12);
-  EXPECT_NEAR(orbit.action, energy * std::numbers::pi, 1e-12);  // the area: 2 pi energy / frequency
+  // The enclosed area: 2 pi energy / frequency
+  EXPECT_NEAR(orbit.action, energy * std::numbers::pi, 1e-12);
   EXPECT_NEAR(orbit.loss, 0.2 * orbit.action, 1e-13);
   EXPECT_NEAR(orbit.time_y2 / orbit.period, energy / 4, 1e-12);
 }
 
 TEST(UndampedOrbits, LoseAtEachWallThatTheyReach) {
-  // Free flight in a box: at speed u both walls are hit once in 2 L / u.
+  // Free flight in a box: at speed u each wall is hit once per period 2 L / u.
   const Problem p = tests::with_noise(
       System({}, {.left = -1, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9}), 1);
   const UndampedOrbits orbits(p);
@@ -65,7 +66,7 @@ TEST(UndampedOrbits, OfTwoWellsMergeAboveTheSaddle) {
 TEST(UndampedOrbits, PressedToAWallHaveTheirMinimumThere) {
   const System ball({.constant = 1}, {.left = 0, .left_restitution = 0.7});
   EXPECT_EQ(UndampedOrbits(tests::with_noise(ball, 1)).minima(), std::vector<double>{0});
-  // Two wells with stops between the wells' minima and the outside.
+  // Two wells with walls between the potential minima and the origin.
   const System stops(
       {.damping = 0.1, .stiffness = -1, .cubic = 1},
       {.left = -0.5, .left_restitution = 0.7, .right = 0.5, .right_restitution = 0.7});
@@ -73,14 +74,15 @@ TEST(UndampedOrbits, PressedToAWallHaveTheirMinimumThere) {
 }
 
 TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {
-  // exp(-(c/D) h), whatever the spring.
+  // exp(-(c/D) h) for any spring.
   const Problem p =
       tests::with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, kNone), 0.05);
   const EnergyAveraging averaging(p);
   ASSERT_FALSE(averaging.unconfined());
   double total = 0;
   for (const auto& band : averaging.bands()) {
-    EXPECT_NEAR(band.potential, 0.1 / 0.025 * (band.energy + 0.25), 0.25);  // half a band
+    // Tolerance: half a band
+    EXPECT_NEAR(band.potential, 0.1 / 0.025 * (band.energy + 0.25), 0.25);
     total += band.mass;
   }
   EXPECT_NEAR(total, 1, 1e-12);
@@ -103,9 +105,9 @@ TEST(EnergyAveraging, RelaxesAsTheEnergyOfALinearOscillatorDoes) {
 }
 
 TEST(EnergyAveraging, RelaxesTheMassesOfWellsByKramersLaw) {
-  // Under weak damping the rate out of a well is (omega S / 2 pi) (c / T) exp(-barrier / T), S the
-  // action of the separatrix inside the well (4/3 of y^4/4 - y^2/2); half of those that reach the
-  // saddle fall back; two wells relax with twice the rate of one.
+  // Kramers' rate under weak damping is (omega S / 2 pi) (c / T) exp(-barrier / T), S the action of
+  // the separatrix inside the well (4/3 of y^4/4 - y^2/2). Half of the trajectories that reach the
+  // saddle return, and two wells relax with twice the rate of one.
   const double c = 0.01, T = 0.025, barrier = 0.25;
   const Problem p =
       tests::with_noise(System({.damping = c, .stiffness = -1, .cubic = 1}, kNone), 2 * c * T);

@@ -7,7 +7,7 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Every term, so that each is carried.
+// All terms are nonzero, so that the test covers the transformation of each.
 const SystemCoefficients kAll{.damping = 0.1,
                               .van_der_pol = 0.2,
                               .rayleigh = 0.3,

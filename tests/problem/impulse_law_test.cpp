@@ -39,7 +39,7 @@ std::string label(const ImpulseLaw& law) {
   return std::string(law.name()) + " about " + std::to_string(law.mean());
 }
 
-// What the far tails add to E[Y^6] beyond the smooth pieces, relative: for the laplace law
+// Relative contribution to E[Y^6] of the tails beyond the smooth pieces: for the laplace law
 // 42^6 exp(-42) / 6! = 4e-12.
 constexpr double kCutOff = 1e-11;
 
@@ -97,8 +97,7 @@ TEST(ImpulseLaw, CharacteristicAndGeneratingFunctionsAreThoseOfDensityAndAtoms) 
   EXPECT_EQ(ImpulseLaw(GammaLaw{0, 1, 1}).moment_generating_function(2), infinity);
 }
 
-// P(Y <= y) rises from piece to piece by the integral of the density, and from nearly 0 to nearly
-// 1.
+// P(Y <= y) increases over each piece by the integral of the density, from nearly 0 to nearly 1.
 TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
   for (const auto& law : kLaws) {
     const auto pieces = law.smooth_pieces();
@@ -211,7 +210,7 @@ TEST(ImpulseLaw, HasClosedFormMoments) {
   const ImpulseLaw exponential(ExponentialLaw{1, 1});  // E
   for (int j = 0; j < kMomentCount; ++j)
     EXPECT_NEAR(exponential.moment(j), std::tgamma(j + 1), 1e-12);
-  const ImpulseLaw gamma(GammaLaw{4, 2, 1});  // G of the shape 4
+  const ImpulseLaw gamma(GammaLaw{4, 2, 1});  // gamma law of shape 4
   for (int j = 0; j < kMomentCount; ++j) {
     EXPECT_NEAR(gamma.moment(j) / (std::tgamma(4 + j) / 6), 1, 1e-14);
   }

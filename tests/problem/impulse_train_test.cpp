@@ -42,7 +42,7 @@ TEST(ImpulseTrain, MirroredTwiceIsItself) {
       EXPECT_EQ(mirrored.rate_moment(j), (j % 2 == 0 ? 1 : -1) * impulses.rate_moment(j)) << name;
       EXPECT_EQ(mirrored.mirrored().rate_moment(j), impulses.rate_moment(j)) << name;
     }
-    // Its parameters are those of the law that it has.
+    // The mirrored parameters describe the mirrored law.
     const ImpulseTrain again(mirrored.parameters());
     EXPECT_NEAR(again.rate_moment(3), mirrored.rate_moment(3), 1e-15) << name;
   }

@@ -28,7 +28,8 @@ TEST(InelasticCollapse, MayBeAtEitherWallAndUnderNoiseOfTheProblem) {
   p.noise.intensity = 0.1;
   const auto text = collapse_objection(p, Equation::kf);
   EXPECT_NE(text.find("restitution 0.12"), std::string::npos) << text;
-  EXPECT_EQ(text.find("solve kf"), std::string::npos) << text;  // it has the noise, too
+  // The noise of the problem is in kf too
+  EXPECT_EQ(text.find("solve kf"), std::string::npos) << text;
 }
 
 TEST(InelasticCollapse, SaysWhatIsWrongAndWhatToDo) {

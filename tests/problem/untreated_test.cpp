@@ -27,7 +27,7 @@ TEST(Untreated, IsKnownByEachOfItsWordsInKeysAndCommands) {
   EXPECT_EQ(untreated_text("solve"), "");
 }
 
-// A key of the program's own is none of them.
+// No key of the program is reported as unsupported.
 TEST(Untreated, IsNoKeyThatTheProgramHas) {
   for (const base::Descriptions* section : case_descriptions()) {
     for (const auto& parameter : section->all()) {

@@ -162,7 +162,7 @@ class Input(unittest.TestCase):
         for got, expected in (
             (refusal(case, "case1", restitution=-1), "case case1: system.restitution = -1 (must be"),
             (refusal(case, "case9"), "no case 'case9'"),
-            (refusal(case, "case1", dampin=1), "unknown key 'dampin' (known keys: system.{damping"),
+            (refusal(case, "case1", dampin=1), "unknown key 'dampin'; known keys: system.{damping"),
             (refusal(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
             (refusal(solve, "case1", "fd-nonsense"), "--methods: 'fd-nonsense' is no method"),
             (refusal(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "'mcs.sed' is no option (known: mcs."),
@@ -173,7 +173,7 @@ class Input(unittest.TestCase):
             (refusal(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is a method's"),
             (refusal(solve, "case1", "fd-kf", against={"lab": "nowhere.csv"}), "nowhere.csv"),
             (refusal(fpk.Problem.case, "case1", law="cauchy"), "impulse.law = 'cauchy' (must be one of gaussian"),
-            (refusal(fpk.Problem, self.one_line, name="a\nb"), "the case's name, that of its file, holds control"),
+            (refusal(fpk.Problem, self.one_line, name="a\nb"), "the name of the case, taken from its file, contains control"),
             (refusal(fpk.Problem, self.one_line, name="a" * 101), "has 101 bytes"),
             (refusal(fpk.load, "/nowhere"), "/nowhere"),
             (refusal(fpk.solve("case1", "fd-white", bounds=False).save, "/proc/nowhere"), "/proc/nowhere"),

@@ -21,7 +21,7 @@ TEST(InputFile, IsARegularOne) {
   const tests::TemporaryDirectory directory;
   const auto pipe = directory.path() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(read_input_file(pipe, 10), std::nullopt);  // and nobody writes into it
+  EXPECT_EQ(read_input_file(pipe, 10), std::nullopt);  // a pipe without a writer
   EXPECT_EQ(read_input_file("/dev/zero", 10), std::nullopt);
   EXPECT_EQ(read_input_file(directory.path(), 10), std::nullopt);
   EXPECT_EQ(read_input_file(directory.path() / "absent", 10), std::nullopt);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In a process of its own that ends at once, as if it were killed there.
+// Runs `act` in a child process that exits immediately, as if killed there.
 void in_a_process_that_dies(const std::function<void()>& act) {
   const pid_t child = fork();
   if (child == 0) {
@@ -37,7 +37,7 @@ class JournalOfAKilledRun : public testing::Test {
   fs::path path(const char* name) const { return directory.path() / name; }
   std::string text(const char* name) const { return tests::contents(path(name)); }
 
-  // Of a run that has new files for a, b and c, and none for gone.
+  // The journal of a run with new files for a, b and c, and none for gone.
   Journal journal() const {
     Journal made;
     for (const char* name : {"a", "b", "c"}) {
@@ -92,9 +92,9 @@ TEST_F(JournalOfAKilledRun, ThatWasNotAnnouncedChangesNothing) {
 }
 
 TEST_F(JournalOfAKilledRun, IsLeftToAProcessThatRuns) {
-  journal().announce(directory.path());  // of this process
+  journal().announce(directory.path());  // written by this process
   const std::string message = refusal();
-  EXPECT_NE(message.find("is putting files into"), std::string::npos) << message;
+  EXPECT_NE(message.find("is writing files into"), std::string::npos) << message;
   EXPECT_EQ(text("a"), "old");
   Journal other;
   EXPECT_THROW(other.announce(directory.path()), std::system_error);
@@ -105,7 +105,8 @@ TEST_F(JournalOfAKilledRun, ThatNamesPlacesElsewhereIsRefused) {
                            "rename\n../outside\na\n", "rename\na\n", "what\n"}) {
     write_file(path(Journal::kFile),
                "fpkcheck commit 1\n" + Writer::this_one().host + "\n4194999\n" + line + "end\n");
-    EXPECT_NE(refusal().find("no journal of yours, or damaged"), std::string::npos) << line;
+    EXPECT_NE(refusal().find("is not a journal of this user, or damaged"), std::string::npos)
+        << line;
   }
 }
 

@@ -71,7 +71,7 @@ TEST_F(LineLogFile, IsARegularFile) {
   EXPECT_THROW(LineLog{directory_.path() / "absent" / "log"}, std::runtime_error);
 }
 
-// As of a full disk: what fits of a line goes again.
+// Simulates a full disk: the part of the line that was written is removed again.
 TEST_F(LineLogFile, ALineThatDoesNotFitLeavesItAsItWas) {
   LineLog log(file_);
   log.read();

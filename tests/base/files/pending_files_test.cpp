@@ -24,7 +24,8 @@ TEST(ReplaceFile, KeepsTheOldFileWhileTheNewOneIsWritten) {
   replace_file(target, [&](const fs::path& temporary) {
     std::ofstream(temporary) << "new";
     EXPECT_EQ(tests::contents(target), "old");
-    EXPECT_EQ(temporary.parent_path(), target.parent_path());  // a rename cannot cross disks
+    // rename() works within one file system only
+    EXPECT_EQ(temporary.parent_path(), target.parent_path());
   });
   EXPECT_EQ(tests::contents(target), "new");
 }

@@ -26,7 +26,7 @@ TEST(WriteNew, DoesNotFollowALink) {
   EXPECT_FALSE(fs::exists(directory.path() / "elsewhere"));
 }
 
-// A limit on the size of files stands for a full disk: a part is written, then no more.
+// A limit on file size simulates a full disk: the first bytes are written, then write() fails.
 TEST(WriteNew, ThatFindsNoSpaceLeavesNothing) {
   const tests::TemporaryDirectory directory;
   rlimit before = {};
@@ -42,7 +42,7 @@ TEST(WriteNew, ThatFindsNoSpaceLeavesNothing) {
 
 TEST(Writer, OfAnotherMachineMayRun) {
   EXPECT_TRUE(Writer::this_one().may_run());
-  constexpr long kNobody = 4194999;  // beyond the greatest number of a process
+  constexpr long kNobody = 4194999;  // above the largest process id
   EXPECT_FALSE((Writer{Writer::this_one().host, kNobody}.may_run()));
   EXPECT_TRUE((Writer{"elsewhere", kNobody}.may_run()));
 }

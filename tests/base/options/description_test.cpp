@@ -113,7 +113,7 @@ TEST(Description, WhatIsMissingUnknownOrOfAnotherTypeIsNamed) {
             std::string::npos);
 }
 
-// A key that came later than the file.
+// A key that is newer than the file.
 TEST(Description, WhatHasAFallbackMayBeMissing) {
   const auto description = Description<Paint>("paint.")
                                .add("coats", &Paint::coats, {"N", "how many"})

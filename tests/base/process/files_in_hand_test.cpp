@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Last of its executable: files stay reserved until the process ends.
+// Must be the last test of its executable: the guard is reserved until the process ends.
 TEST(FilesInHand, AreWaitedForAndThenReserved) {
   std::atomic<bool> reserved = false;
   std::optional<FilesInHand> outer(std::in_place);
@@ -21,8 +21,8 @@ TEST(FilesInHand, AreWaitedForAndThenReserved) {
     reserve_files_for_this_thread();
     reserved = true;
     reserved.notify_all();
-    const FilesInHand own;  // the ending thread may write
-    reserved.wait(true);    // as it would, until the process ends
+    const FilesInHand own;  // the thread that ends the process may write
+    reserved.wait(true);    // blocks as until the process ends
   });
   std::this_thread::sleep_for(20ms);
   EXPECT_FALSE(reserved);

@@ -23,7 +23,7 @@ class Processors : public ::testing::Test {
 
 TEST_F(Processors, AreThoseThatTheProcessMayRunOn) {
   int found = 0;
-  std::thread([&] {  // affinity is a thread's own
+  std::thread([&] {  // affinity is a property of a thread
     cpu_set_t one;
     CPU_ZERO(&one);
     CPU_SET(sched_getcpu(), &one);

@@ -17,8 +17,8 @@ TEST(Shown, EscapesWhatATerminalWouldObey) {
   EXPECT_EQ(shown("a\x1b[31mb\n\r\t\x7f"), "a\\x1b[31mb\\x0a\\x0d\\x09\\x7f");
   EXPECT_EQ(shown("\xc2\x9b"), "\\xc2\\x9b");           // CSI as one character
   EXPECT_EQ(shown("\xff\xc3"), "\\xff\\xc3");           // not UTF-8
-  EXPECT_EQ(shown("\xc0\xaf"), "\\xc0\\xaf");           // too long for what it means
-  EXPECT_EQ(shown("\xe2\x80\xae"), "\\xe2\\x80\\xae");  // from right to left
+  EXPECT_EQ(shown("\xc0\xaf"), "\\xc0\\xaf");           // overlong encoding
+  EXPECT_EQ(shown("\xe2\x80\xae"), "\\xe2\\x80\\xae");  // right-to-left override
   EXPECT_EQ(shown(std::string_view("\0", 1)), "\\x00");
 }
 
@@ -27,7 +27,7 @@ TEST(Shown, CutsTheMiddleOfLongText) {
   EXPECT_EQ(shown(std::string(1000, 'x') + "end"),
             std::string(40, 'x') + "..." + std::string(34, 'x') + "end");
   EXPECT_LE(shown(std::string(100'000'000, '\x1b')).size(), 80u);
-  // Characters are cut, not bytes of them.
+  // The text is cut between characters, not within one.
   std::string greek;
   for (int k = 0; k < 100; ++k) greek += "λ";
   const std::string cut = shown(greek);

@@ -14,7 +14,7 @@ namespace {
 using Exact = boost::multiprecision::cpp_rational;
 using Precise = boost::multiprecision::cpp_bin_float_100;
 
-// Doubles of many magnitudes and both signs, whose products and quotients are not exact.
+// Doubles of many magnitudes and both signs, with inexact products and quotients.
 std::vector<double> awkward_numbers(int count) {
   std::mt19937_64 random(20240713);
   std::uniform_real_distribution<double> mantissa(1, 2);
@@ -26,8 +26,8 @@ std::vector<double> awkward_numbers(int count) {
   return numbers;
 }
 
-// Contains the exact result, no wider than one unit in the last place, and a point only where the
-// result is exact: arithmetic rounded to nearest, or in one direction, fails.
+// The interval contains the exact result, is at most one unit in the last place wide, and is a
+// point only for an exact result. Arithmetic rounded to nearest, or in one direction only, fails.
 void expect_tight(const Interval& result, const Exact& exact, const char* what) {
   ASSERT_LE(Exact(result.lower()), exact) << what;
   ASSERT_GE(Exact(result.upper()), exact) << what;

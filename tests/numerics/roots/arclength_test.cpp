@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// t = g(a), one unknown.
+// The homotopy g(a) - t = 0 of one unknown.
 template <class Function, class Slope>
 Family graph(const Function& g, const Slope& slope) {
   return {[=](const VectorXd& a, double t) { return VectorXd::Constant(1, g(a[0]) - t); },
@@ -23,7 +23,7 @@ Family graph(const Function& g, const Slope& slope) {
 }
 
 TEST(Arclength, PassesTwoFoldsOnTheWay) {
-  // t = a^3 - 1.2 a^2 + 0.4 a + ... rises to a fold, falls, and rises again to 1.
+  // g rises to a fold, falls, and rises again to 1.
   const auto g = [](double a) { return 4 * a * a * a - 6 * a * a + 2.6 * a; };
   const auto slope = [](double a) { return 12 * a * a - 12 * a + 2.6; };
   const Family family = graph(g, slope);
@@ -33,7 +33,8 @@ TEST(Arclength, PassesTwoFoldsOnTheWay) {
   };
   EXPECT_EQ(curve.end, CurveEnd::arrived);
   ASSERT_EQ(curve.folds.size(), 2u);
-  const double half_gap = std::sqrt(144 - 4 * 12 * 2.6) / 24;  // of the roots of the slope
+  // half the distance of the roots of g'
+  const double half_gap = std::sqrt(144 - 4 * 12 * 2.6) / 24;
   for (const int k : {0, 1}) {
     const CurvePoint& fold = curve.points[curve.folds[k]];
     const double expected = 0.5 + (k == 0 ? -half_gap : half_gap);
@@ -54,7 +55,7 @@ TEST(Arclength, PassesTwoFoldsOnTheWay) {
 }
 
 TEST(Arclength, SaysThatTheCurveComesBack) {
-  const auto g = [](double a) { return 2 * a * (1 - a); };  // no more than 1/2
+  const auto g = [](double a) { return 2 * a * (1 - a); };  // at most 1/2
   const auto slope = [](double a) { return 2 - 4 * a; };
   const Curve curve = follow(graph(g, slope), VectorXd::Zero(1), {});
   EXPECT_EQ(curve.end, CurveEnd::returned);
@@ -64,7 +65,7 @@ TEST(Arclength, SaysThatTheCurveComesBack) {
 }
 
 TEST(Arclength, SaysThatTheUnknownsLeave) {
-  const auto g = [](double a) { return a / (1 + a); };  // 1 at infinity only
+  const auto g = [](double a) { return a / (1 + a); };  // g = 1 is reached only at infinity
   const auto slope = [](double a) { return 1 / ((1 + a) * (1 + a)); };
   const Curve curve =
       follow(graph(g, slope), VectorXd::Zero(1), {.max_points = 4000, .greatest_norm = 20});
@@ -82,7 +83,7 @@ TEST(Arclength, WithoutLocatingThemPassesFoldsAllTheSame) {
 }
 
 TEST(Arclength, MayFallBehindTheStartAndComeAgain) {
-  // Up to 0.06, down to -0.39, and up for good.
+  // g rises to 0.06, falls to -0.39, and then rises without bound.
   const auto g = [](double a) { return 8 * a * (a * a - a + 0.16); };
   const auto slope = [](double a) { return 8 * (3 * a * a - 2 * a + 0.16); };
   const Family family = graph(g, slope);

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// atan(a) = 0, from which whole steps flee when |a| > 1.39.
+// atan(a) = 0: full Newton steps diverge for |a| > 1.39.
 struct Arctangent {
   struct Iterate {
     VectorXd a;
@@ -39,7 +39,7 @@ TEST(Newton, DampedStepsReachTheRootThatWholeOnesFlee) {
   EXPECT_TRUE(damped.converged);
   EXPECT_NEAR(damped.a[0], 0, 1e-15);
   EXPECT_FALSE(whole.converged);
-  EXPECT_EQ(whole.a[0], 3);  // the best of them was the start
+  EXPECT_EQ(whole.a[0], 3);  // the start has the smallest residual
   EXPECT_TRUE(from(1, {.damped = false}).converged);
 }
 

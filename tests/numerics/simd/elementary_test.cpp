@@ -1,4 +1,4 @@
-#pragma GCC diagnostic ignored "-Wpsabi"  // packs are inlined, never passed
+#pragma GCC diagnostic ignored "-Wpsabi"  // SIMD vectors are inlined, never passed to functions
 
 #include "numerics/simd/elementary.hpp"
 

@@ -58,7 +58,7 @@ TEST(KnotSplines, GoOnAsConstants) {
 }
 
 TEST(KnotSplines, HaveACornerInTheSecondSlopeAtATripleKnot) {
-  // Two derivatives are continuous there, the third is not.
+  // Two derivatives are continuous at the triple knot, the third is not.
   std::vector<double> c(static_cast<std::size_t>(splines().size()), 0.0);
   c[static_cast<std::size_t>(splines().size()) / 2] = 1;
   const double h = 1e-3;
@@ -102,7 +102,7 @@ TEST(WideningKnots, ShrinkTowardsZeroWhereAsked) {
       EXPECT_NEAR(width(k), width(6), 1e-14);
     }
   }
-  EXPECT_NEAR(breaks[38], 2, 1e-14);  // two of twenty widen
+  EXPECT_NEAR(breaks[38], 2, 1e-14);  // two of twenty cells widen
   const KnotSplines half(widening_knots(0, 5, 2, 20, 1, 6));
   EXPECT_EQ(half.breaks(), std::vector<double>(breaks.begin() + 20, breaks.end()));
 }
