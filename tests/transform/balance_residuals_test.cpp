@@ -43,7 +43,8 @@ TEST(PanelMarginals, GiveTheMeanOfAPolynomial) {
   }
 }
 
-// Two Gaussians of equal mass, with widths 1 and 1/1000, modulated by the direction from the origin.
+// Two Gaussians of equal mass, with widths 1 and 1/1000, modulated by the direction from the
+// origin.
 TEST(PanelMarginals, ShrinkingOnesHoldASpikeThatFansOutFromTheOrigin) {
   const auto bell = [](double rho, double width) {
     return std::exp(-rho * rho / (2 * width * width)) / (2 * std::numbers::pi * width * width);
