@@ -155,7 +155,7 @@ TEST(FinestBounds, AreOfAMillionthBelowTheFourthPowerOfTheVelocity) {
         << name(bound.functional);
   }
   EXPECT_EQ(all.status, BoundsStatus::width_not_met);
-  EXPECT_NE(all.reason.find("grid is offered for E[y'^4]; ask for --width"), std::string::npos)
+  EXPECT_NE(all.reason.find("grid exists for E[y'^4]; request --width"), std::string::npos)
       << all.reason;
 }
 

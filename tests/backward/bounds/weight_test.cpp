@@ -78,7 +78,7 @@ TEST(Weight, HasTheMeanThatItsScaleIsChosenFor) {
 TEST(Weight, IsRefusedForALawWithoutEnclosures) {
   EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=exponential"})), "");
   EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=gamma"})),
-            "no bounds under gamma impulses: their means are not enclosed");
+            "gamma impulses are not supported: no enclosures of the law");
 }
 
 TEST(Weight, IsRefusedForOverdampedMotionInOneLine) {
