@@ -197,7 +197,7 @@ std::string limit_text(const Refined& refined, const Options& options) {
     double seconds = 0;
     for (const End& end : ends) seconds = std::max(seconds, end.seconds);
     return fmt::format(
-        "bounds wider than requested: the next grid for {} would end after {:.2g} s; "
+        "guaranteed, but wider than requested: the next grid for {} would end after {:.2g} s; "
         "increase --seconds above {:g}",
         fmt::join(names, ", "), seconds, options.seconds);
   }
@@ -209,14 +209,15 @@ std::string limit_text(const Refined& refined, const Options& options) {
       widest = std::max(widest, value.half_width());
       relative = std::max(relative, value.half_width() / std::abs(value.middle()));
     }
-    return fmt::format("bounds wider than requested: no finer grid exists for {}; request {}",
-                       fmt::join(names, ", "),
-                       options.relative_half_width > 0
-                           ? fmt::format("--width {:.2g}", rounded_up(relative))
-                           : fmt::format("--absolute-width {:.2g}", rounded_up(widest)));
+    return fmt::format(
+        "guaranteed, but wider than requested: no finer grid exists for {}; request {}",
+        fmt::join(names, ", "),
+        options.relative_half_width > 0
+            ? fmt::format("--width {:.2g}", rounded_up(relative))
+            : fmt::format("--absolute-width {:.2g}", rounded_up(widest)));
   }
   const auto broken = std::ranges::find(ends, End::Cause::fit, &End::cause);
-  return fmt::format("bounds wider than requested: {}",
+  return fmt::format("guaranteed, but wider than requested: {}",
                      broken == ends.end() ? "" : broken->breakdown);
 }
 
