@@ -29,7 +29,7 @@ struct Bounds {
 /// The bound of a moment, or null.
 const Bound* bound_of(const Bounds& bounds, double transform::Moments::*moment);
 
-/// A moment of a solution outside its guaranteed bound.
+/// A moment of a solution that violates its guaranteed bound.
 struct Outside {
   const transform::Solution* solution;
   const Bound* bound;
@@ -44,11 +44,10 @@ struct Outside {
 /// Number of standard errors beyond which a difference is not attributed to sampling.
 inline constexpr double kSureErrors = 4;
 
-/// The moments outside their bounds, of every solution with a density, in the order of the
-/// solutions.
+/// The violated bounds of every solution with a density, in the order of the solutions.
 std::vector<Outside> outside(const Bounds& bounds, std::span<const transform::Solution> solutions);
 
-/// The contradictions by solutions of the full problem (compare/reference.hpp): these solutions are
+/// The contradictions for solutions of the full problem (compare/reference.hpp): these solutions are
 /// wrong whatever their status.
 std::vector<Outside> contradictions(const Bounds& bounds,
                                     std::span<const transform::Solution> solutions);

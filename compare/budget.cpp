@@ -83,7 +83,7 @@ BudgetRow row_of(const Solution& closure, Variable variable, const std::vector<C
   return row;
 }
 
-// A single part from the closure to a simulation equals the total: the budget splits nothing.
+// False for a single part from the closure to a simulation, which equals the total.
 bool splits(const BudgetRow& row, std::span<const Solution> solutions) {
   if (row.parts.size() > 1) return true;
   const Solution* end = transform::find_solution(solutions, row.reference);

@@ -66,7 +66,7 @@ class Chain {
 
   void simulation() {
     if (measure_ == nullptr) pending_.push_back(Link::sampling);
-    // A chain without a discretised equation has no discretisation error.
+    // A chain without a density equation has no discretisation error.
     if (nodes_.size() == 1) std::erase(pending_, Link::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != Role::simulation || s.identity.equation != Equation::kf) continue;

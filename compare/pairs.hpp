@@ -19,8 +19,8 @@ struct SolutionMarginal {
 
 /// Distances between the marginals of two solutions; `b` is the more trusted solution. The averages
 /// are over smooth bins if either solution is the smooth reference (compare/smooth_reference.hpp)
-/// and the other has no sampling error. The L1 distance includes the distance of the rest atoms
-/// (compare/rest_atoms.hpp); the other distances are those of the densities alone.
+/// and its partner has no sampling error. Only the L1 distance includes the distance of the rest
+/// atoms (compare/rest_atoms.hpp).
 struct PairDistances {
   std::string a;
   std::string b;

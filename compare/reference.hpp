@@ -9,7 +9,7 @@
 #include "compare/pairs.hpp"
 #include "transform/solution.hpp"
 
-/// Selection of the reference solution, against which all other solutions are compared.
+/// Selection of the reference solution, with which all solutions are compared.
 namespace fpkcheck::compare {
 
 /// Error estimate of a marginal in L1: the error estimate of the method, else the expected sampling

@@ -67,7 +67,7 @@ bool is_guest(const Identity& identity);
 /// density with a family of its own (methods/external/families.hpp).
 bool is_by_order(const Identity& identity);
 
-/// Equation and impact that were solved, "km4/delta" in tables; "given/-" if unknown.
+/// Equation and impact that were solved, by their names in files: "km4/delta".
 std::string solves_text(const Identity& identity);
 
 /// Name within the family: "n6", "kf"; the id if there is no shorter name.

@@ -7,7 +7,7 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Panels of y without a wall at 0.
+// Number of panels of y without a wall at 0.
 constexpr int kPanelsBetweenOpenEnds = 20;
 
 std::vector<numerics::WeightedPoint> half_line_points(double end, Panels panels) {

@@ -16,9 +16,8 @@ struct Box {
   std::vector<numerics::Interval> residual;  // shape (rows, columns): degrees in y and v, plus 1
 };
 
-// The three factors in v contracted with the coefficients, on every piece of v, for each function a
-// of y: the factor of A with c_a, the factor of S' with c_a - c_{a-1}, the factor of the force with
-// c_a.
+// Contractions of the three factors in v with the coefficients, on every piece of v, for each
+// function a of y: the factor of A with c_a, of S' with c_a - c_{a-1}, of the force with c_a.
 struct Contracted {
   std::array<std::vector<numerics::Interval>, 3> factors;  // shape (pieces, functions of y, order)
 };

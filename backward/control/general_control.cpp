@@ -31,7 +31,7 @@ constexpr double kHeat = 2;       // temperature of the weight, in variances of 
 constexpr double kHeatOfWells = 0.7;
 constexpr double kLeast = 1e-9;
 
-/// Break points from `begin` to `end` with cell widths proportional to `width`.
+/// Break points from `begin` to `end`; the width of a cell is proportional to `width`.
 std::vector<double> breaks_of_widths(double begin, double end, int cells,
                                      const std::function<double(double)>& width) {
   constexpr int kSteps = 4000;

@@ -28,8 +28,8 @@ ControlSplines usual_splines(const problem::Problem& problem, const ControlCells
 ///
 ///     w(y, v) = exp(-(U(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of y',
 ///
-/// normalised to 1 at its maximum; each factor is at least 1e-9. E[Y] counts only if positive (away
-/// from the wall).
+/// normalised to 1 at its maximum; each factor is at least 1e-9. E[Y] counts only if positive,
+/// directed off the wall.
 /// @param problem, y, v the result refers to these
 ControlProblem usual_control(const problem::Problem& problem, const numerics::KnotSplines& y,
                              const numerics::KnotSplines& v, double wall_weight);

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::backward {
 
-/// Side of the velocity axis.
+/// Part of the velocity axis.
 enum class Side {
   below,     ///< v < -u_max: the first function is 1
   incoming,  ///< v = -u

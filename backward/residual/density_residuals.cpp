@@ -41,7 +41,7 @@ constexpr double kGathered = 10;
 // residual.
 constexpr double kDisjoint = 2;
 
-// Largest contrast for which an error is stated. In random wells (RandomWells in
+// Largest contrast for which there is an error estimate. In random wells (RandomWells in
 // tests/backward/residual) the estimate for probabilities of wells wrong by d falls below 2 d from
 // a contrast of 0.65.
 constexpr double kMostContrast = 0.5;

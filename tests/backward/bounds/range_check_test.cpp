@@ -42,7 +42,7 @@ struct Example {
   Candidate candidate() const { return {coefficients, 0.3}; }
 };
 
-// Range of (f + L V - U)/tau over points inside the box, by the rounded operators.
+// Smallest and largest (f + L V - U)/tau over points inside the box, by the rounded operators.
 std::pair<double, double> sampled(const Example& e, const Functional& f) {
   const DisplacementSamples ys = displacement_samples(e.displacement, 24);
   const VelocitySamples vs =
