@@ -47,8 +47,8 @@ inline constexpr double kSureErrors = 4;
 /// The violated bounds of every solution with a density, in the order of the solutions.
 std::vector<Outside> outside(const Bounds& bounds, std::span<const transform::Solution> solutions);
 
-/// The contradictions for solutions of the full problem (compare/reference.hpp): these solutions are
-/// wrong whatever their status.
+/// The contradictions of solutions of the full problem (compare/reference.hpp): such a solution is
+/// wrong whatever its status.
 std::vector<Outside> contradictions(const Bounds& bounds,
                                     std::span<const transform::Solution> solutions);
 
