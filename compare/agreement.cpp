@@ -9,7 +9,7 @@ using transform::Solution;
 using transform::Variable;
 
 double largest_by_chance(double in_99) {
-  // |N| is below these with probabilities 1 - kAgreementLevel / 2 and 0.99.
+  // Quantiles of |N|, N standard normal, at 1 - kAgreementSignificance / 2 and at 0.99.
   constexpr double kQuantileOfLevel = 3.4808, kQuantile99 = 2.5758;
   static_assert(kAgreementLevel == 1e-3);
   return kQuantileOfLevel / kQuantile99 * in_99;

@@ -11,7 +11,7 @@
 namespace fpkcheck::compare {
 namespace {
 
-// A tenth (y') or a twentieth (y) of a deviation: the density is nearly straight over one bin.
+// Bins of a tenth (y') or a twentieth (y) of a deviation: the density is nearly linear over a bin.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDividedBy = 4;
@@ -23,8 +23,8 @@ std::vector<double> even_bins(double from, double to) {
   return edges;
 }
 
-// From 0, or symmetric to the last digit and exactly 0 in the middle, where p(y, y') jumps at the
-// wall.
+// Bins from 0, or symmetric to the last digit about an edge at exactly 0, where p(y, y') jumps at
+// the wall.
 std::vector<double> bins(double end, bool symmetric, int divisions) {
   std::vector<double> edges;
   const double width = end * (symmetric ? 2 : 1) / kBins;
@@ -74,7 +74,7 @@ transform::Marginal on_even_bins(const ComparisonAxes& axes, transform::Variable
                                  const transform::Marginal& marginal) {
   if (axes.divisions == 0) return marginal;
   transform::Marginal even{edges(even_axes(axes), variable), {}, {}, {}};
-  // An end's distances from the density, of the parts from one on: the root of the sum of squares.
+  // Half-width of the interval of a merged bin: the root of the sum of squares over its parts.
   const auto distance = [&](const std::vector<double>& ends, std::size_t from, std::size_t to) {
     double sum = 0;
     for (std::size_t k = from; k < to; ++k) {

@@ -37,7 +37,7 @@ std::vector<Outside> outside(const Bounds& bounds, std::span<const Solution> sol
       if (bound == nullptr) continue;
       const double value = solution.moments.*moment;
       const double by = std::max(bound->lower - value, value - bound->upper);
-      // A file of one marginal leaves the moments of the other unknown.
+      // A file with a single marginal leaves the moments of the other variable unknown.
       if (!std::isfinite(value) || !(by > 0)) continue;
       found.push_back({&solution, bound, value, by, stated_error(solution, moment)});
     }

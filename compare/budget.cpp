@@ -21,8 +21,8 @@ using transform::Solution;
 using transform::Status;
 using transform::Variable;
 
-// Two decades below the densities that L1 sees; a simulation of the default length knows them to
-// better than +-40 %.
+// Two decades below the densities that contribute to L1; a simulation of the default length has
+// intervals within +-40 % there.
 constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
 constexpr std::string_view kJoined = " + ";
 
@@ -83,7 +83,7 @@ BudgetRow row_of(const Solution& closure, Variable variable, const std::vector<C
   return row;
 }
 
-// A single part that ends at a simulation has the total's name only: nothing stood between.
+// False for a single part from the closure to a simulation, which equals the total.
 bool splits(const BudgetRow& row, std::span<const Solution> solutions) {
   if (row.parts.size() > 1) return true;
   const Solution* end = transform::find_solution(solutions, row.reference);
@@ -108,7 +108,7 @@ std::vector<Link> links_named(std::string_view text) {
     const auto link = base::value_named<Link>(rest.substr(0, end));
     if (!link) {
       throw InputError(fmt::format(
-          "{} is no part of an error budget (of another version of the program? run again)",
+          "unknown part of an error budget: {}; repeat the run with this version of the program",
           base::in_quotes(text)));
     }
     links.push_back(*link);
@@ -168,7 +168,7 @@ std::vector<std::string> part_names(std::span<const ClosureBudget> budgets) {
   std::vector<std::string> known;
   for (const auto& budget : budgets) {
     for (const BudgetRow* row : budget.rows()) {
-      // A name that is new stands before the one that follows it here: the chain's order.
+      // Insert a new name before the name that follows it in this row: the order of the chain.
       auto at = known.end();
       for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
         const auto place = std::ranges::find(known, part->name());

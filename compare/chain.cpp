@@ -27,7 +27,7 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
   return nullptr;
 }
 
-/// Builds a chain node by node and remembers the links that no node stands for yet.
+/// Builds a chain node by node and collects the links that no node represents yet.
 class Chain {
  public:
   Chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
@@ -66,7 +66,7 @@ class Chain {
 
   void simulation() {
     if (measure_ == nullptr) pending_.push_back(Link::sampling);
-    // Without an equation on the way nothing was discretised.
+    // A chain without a density equation has no discretisation error.
     if (nodes_.size() == 1) std::erase(pending_, Link::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != Role::simulation || s.identity.equation != Equation::kf) continue;
@@ -111,7 +111,7 @@ class Chain {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   Variable variable_;
-  const Solution* measure_;  ///< where the marginals are in its smooth bins
+  const Solution* measure_;  ///< smooth reference: the marginals use its smooth bins; or null
   std::vector<ChainNode> nodes_;
   std::vector<Link> pending_;
   const Solution* full_ = nullptr;
@@ -126,7 +126,7 @@ std::vector<ChainNode> budget_chain(const ComparisonAxes& axes, std::span<const 
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const Equation equation = closure.identity.equation.value_or(Equation::kf);
-  // What is reflected exactly solves the equation with the map.
+  // A closure with exactly reflected trajectories solves the equation with the impact `map`.
   const bool to_first_order = closure.identity.impact == Impact::delta;
   const Impact impact = to_first_order ? Impact::delta : Impact::map;
   Chain chain(axes, solutions, marginals, variable);

@@ -23,9 +23,9 @@ bool has_marginal(const Solution& solution, Variable variable, const std::vector
          });
 }
 
-/// @param sharp over even bins
-/// @param smooth the same in smooth bins, or empty
-/// @param noisy solutions with errors by chance that are stated of sharp bins
+/// @param sharp marginals over uniform bins
+/// @param smooth the same marginals over smooth bins, or empty
+/// @param noisy solutions with sampling errors over sharp bins
 PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
                       const std::vector<SolutionMarginal>& smooth, std::size_t a, std::size_t b,
                       const Solution* measure, const std::set<std::string>& noisy) {
@@ -39,8 +39,8 @@ PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
           l1_standard_error(measured, *transform::smooth_estimate(*measure, variable))};
 }
 
-// What the tails of a discretised equation that is `ok` have below 0 is of the size of its error
-// (`min_density` tells); no probability is negative.
+// Negative values in the tails of an ok solution of a discretised equation are of the size of its
+// error (`min_density` reports them). Probabilities are not negative: such values become 0.
 void drop_negative(std::span<const Solution> solutions, std::vector<SolutionMarginal>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {
     const Solution* solution = transform::find_solution(solutions, id);

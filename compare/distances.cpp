@@ -16,11 +16,11 @@ constexpr int kDecades = 6;
 constexpr double kWidestRelativeHalfInterval = 0.5;
 
 void require_same_bins(const Marginal& a, const Marginal& b) {
-  if (a.edges != b.edges) throw std::invalid_argument("densities on different bins");
+  if (a.edges != b.edges) throw std::invalid_argument("the densities have different bins");
   for (const Marginal* m : {&a, &b}) {
     const auto fits = [&](const auto& bound) { return bound.empty() || bound.size() == m->size(); };
     if (m->edges.size() != m->size() + 1 || !fits(m->lower) || !fits(m->upper)) {
-      throw std::invalid_argument("a density whose bins, averages and intervals do not fit");
+      throw std::invalid_argument("numbers of bins, averages and intervals of a density differ");
     }
   }
 }
@@ -29,7 +29,7 @@ bool finite(const Marginal& m) {
   return std::ranges::all_of(m.density, [](double p) { return std::isfinite(p); });
 }
 
-// b log(b/a) - b + a, with its limits at 0.
+// b log(b/a) - b + a, with the limits at 0.
 double divergence_term(double a, double b) {
   if (b == 0) return a;
   return a == 0 ? kInfinity : b * std::log(b / a) - b + a;

@@ -18,27 +18,28 @@ using transform::Status;
 
 constexpr const char* kBelowTheEnd = "";
 
-/// Closures that one part limits.
+/// Closures with the same limiting part.
 struct Group {
   std::string part;
   std::vector<const ClosureBudget*> closures;
-  double least_share = 1, greatest_share = 0;  ///< of the part in the sum of all parts
+  double least_share = 1, greatest_share = 0;  ///< fraction of the part in the sum of all parts
 };
 
-// What the end of a row's chain is known to: the simulation to what 99 runs of 100 stay below, the
-// limit of the finite differences to their discretisation error; 0 where neither is known.
+// Error of the reference of a row: the 99 % quantile of the sampling error of a simulation, the
+// discretisation error of a limit of finite volumes, 0 if unknown.
 double error_of_the_end(const BudgetRow& row) {
   const BudgetPart& last = row.parts.back();
   return last.in_99.value_or(last.uncertainty.value_or(0));
 }
 
-/// What a comparison knows of the solutions.
+/// The compared solutions and their distances.
 struct Known {
   std::span<const Solution> solutions;
   std::span<const PairDistances> pairs;
 };
 
-// Finite differences and the simulation do not agree: then the last part is more than sampling.
+// True if finite volumes and the simulation disagree: the last part then exceeds the sampling
+// error.
 bool references_disagree(const BudgetRow& row, const Known& known) {
   const BudgetPart& last = row.parts.back();
   if (last.links != std::vector{Link::sampling}) return false;
@@ -105,7 +106,7 @@ std::string shares(const Group& group) {
                            : fmt::format("{} to {} %", least, greatest);
 }
 
-// The first percentage says of what.
+// Text of a group. Only the first percentage of the sentence is explained.
 std::string text_of(const Group& group, bool& explained) {
   if (group.part != kBelowTheEnd) {
     const char* of_what = explained ? "" : " of the sum of the parts";
@@ -115,9 +116,9 @@ std::string text_of(const Group& group, bool& explained) {
   }
   const BudgetRow& row = *group.closures.front()->rows().front();
   const bool by_chance = row.parts.back().expected.has_value();
-  return fmt::format("the accuracy of {} in {}, which {} within its {} error in L1", row.reference,
-                     list(group.closures), group.closures.size() == 1 ? "lies" : "lie",
-                     by_chance ? "sampling" : "discretisation");
+  return fmt::format("none above the {} error of {} (L1) in {}",
+                     by_chance ? "sampling" : "discretisation", row.reference,
+                     list(group.closures));
 }
 
 }  // namespace
@@ -132,12 +133,13 @@ std::string limits(std::span<const BudgetRow> budget, std::span<const Solution> 
   std::vector<std::string> parts;
   bool explained = false;
   for (const auto& group : groups) parts.push_back(text_of(group, explained));
-  const std::string text = fmt::format("What limits each closure: {}.", fmt::join(parts, "; "));
+  const std::string text =
+      fmt::format("Limiting error of each closure: {}.", fmt::join(parts, "; "));
   const bool disagree = std::ranges::any_of(
       budget, [&](const BudgetRow& row) { return references_disagree(row, known); });
   if (!disagree) return text;
   return text +
-         " The part called sampling is more than that here: finite differences and the simulation "
+         " The part `sampling` exceeds the sampling error: finite volumes and the simulation "
          "differ by more than their errors explain.";
 }
 

@@ -67,14 +67,15 @@ const Solution* reference(std::span<const Solution> solutions) {
 std::string reference_text(std::span<const Solution> solutions) {
   const Solution* chosen = reference(solutions);
   if (chosen == nullptr) {
-    return "There is no reference: no solution of the jump equation or the process itself is ok.";
+    return "There is no reference: no solution of the full problem has status ok.";
   }
   const double y = own_error(*chosen, Variable::y), ydot = own_error(*chosen, Variable::ydot);
   const std::string known =
       std::isfinite(y + ydot)
           ? fmt::format(
-                ", which is known best by its own account (L1 {:.1g} in p(y), {:.1g} in p(y'))", y,
-                ydot)
+                ", the solution with the smallest error estimate (L1 {:.1g} in p(y), {:.1g} in "
+                "p(y'))",
+                y, ydot)
           : std::string();
   return fmt::format("Reference: {}{}.", chosen->id(), known);
 }

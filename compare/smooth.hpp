@@ -6,26 +6,26 @@
 #include "compare/pairs.hpp"
 #include "transform/solution.hpp"
 
-/// Measuring in smooth bins: by a simulation from which the noise was taken, which knows the
-/// density there to about 1e-6 in L1 and owes nothing to any discretisation.
+/// Comparison over smooth bins with a simulation with control variates: its averages have an error
+/// of about 1e-6 in L1 and no discretisation error.
 namespace fpkcheck::compare {
 
-/// The simulation that all others are measured by: ok, of the jumps, with smooth estimates; null
-/// where there is none.
+/// The simulation that serves as reference over smooth bins: status ok, equation `kf`, with smooth
+/// estimates; null if there is none.
 const transform::Solution* smooth_measure(std::span<const transform::Solution> solutions);
 
-/// The marginals of one variable in the measure's smooth bins: its own estimate, and the averages
-/// of all others. Those of a density on cells come from its cells, which are narrow where it has a
-/// spike, and not from the axes' bins, in which the spike is lost.
-/// @param sharp on the comparison axes
-/// @param solutions that they are of
+/// Marginals over the smooth bins of the reference simulation: its own estimates, and averages of
+/// the other marginals. The averages of a density on cells are computed from its cells, which
+/// resolve a spike, not from the bins of the axes, which do not.
+/// @param sharp marginals on the comparison axes
+/// @param solutions the solutions of these marginals
 std::vector<SolutionMarginal> in_smooth_bins(std::span<const SolutionMarginal> sharp,
                                              std::span<const transform::Solution> solutions,
                                              const transform::Solution& measure);
 
-/// Standard error of the L1 distance of a marginal from an estimate, to first order: that of
-/// sum +-(a_b - p_b) w_b with the signs of the differences.
-/// @param a in the estimate's bins
+/// Standard error of the L1 distance of a marginal from an estimate, to first order: the standard
+/// error of sum_b s_b (a_b - p_b) w_b, where s_b is the sign of a_b - p_b.
+/// @param a marginal over the bins of the estimate
 double l1_standard_error(const transform::Marginal& a, const transform::SmoothEstimate& estimate);
 
 }  // namespace fpkcheck::compare

@@ -6,7 +6,7 @@ namespace fpkcheck::problem {
 
 /// Properties of a problem that decide which solvers are applicable.
 struct Features {
-  bool original = false;  ///< is_base_class(problem)
+  bool original = false;  ///< is_paper_oscillator(problem)
 
   bool no_wall = false, two_walls = false;
   /// The restoring force is not 0 at a wall: there is a gap, or the mass is pressed against the

@@ -9,7 +9,7 @@ namespace {
 
 template <class Coordinate>
 std::vector<double> carried(std::vector<double> edges, bool mirrored, const Coordinate& at) {
-  for (double& edge : edges) edge = at(edge) + 0.0;  // no -0
+  for (double& edge : edges) edge = at(edge) + 0.0;  // turns -0 into 0
   if (mirrored) std::ranges::reverse(edges);
   return edges;
 }
@@ -23,7 +23,7 @@ Edges known_edges_of(const problem::Frame& frame, const Edges& x_edges, const Ed
 GridDensity carried(const problem::Frame& frame, GridDensity grid, const Edges& known) {
   grid.y_edges = known_edges_of(frame, grid.y_edges, known);
   grid.v_edges = v_edges_of(frame, grid.v_edges);
-  if (frame.mirrored) std::ranges::reverse(grid.averages);  // both axes
+  if (frame.mirrored) std::ranges::reverse(grid.averages);  // mirrors both axes at once
   return grid;
 }
 

@@ -62,7 +62,7 @@ Marginal marginal(const Density& density, Variable variable, std::span<const dou
 
 double l1(const Marginal& a, const Marginal& b) {
   if (a.edges != b.edges || a.size() != b.size()) {
-    throw std::invalid_argument("L1 distance of marginals on different bins");
+    throw std::invalid_argument("L1 distance undefined: the marginals have different bins");
   }
   double sum = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {

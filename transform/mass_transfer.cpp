@@ -9,19 +9,21 @@ namespace fpkcheck::transform {
 namespace {
 
 constexpr std::ptrdiff_t kInterpolationPoints = 8;  // degree 7
-// Of the whole. Of the densities of the baselines the most is 2e-7, of a spike 1e-2: what is smooth stays linear in the masses.
+// Tolerated overshoot relative to the total mass. The largest overshoot is 2e-7 in the densities of
+// the baselines and 1e-2 at a spike: the remapping of smooth densities stays linear in the masses.
 constexpr double kSwing = 1e-6;
 
 }  // namespace
 
-// Lagrange's interpolation of the cumulative, written for its increments, less what is below the bin.
+// Lagrange interpolation of the cumulative in terms of its increments, minus the masses before the
+// bin.
 MassTransfer::Edge MassTransfer::edge_at(std::span<const double> edges, double x) {
   const auto above = std::ranges::lower_bound(edges, x);
   if (above == edges.end()) return {edges.size() - 1, 0, {}};
   const auto k = above - edges.begin();
   if (*above == x || k == 0) return {static_cast<std::size_t>(k), 0, {}};
 
-  // The edges begin .. end - 1 that a polynomial may join: those on the same side of an edge at 0.
+  // Edges begin .. end - 1 of the stencil: those on the same side of an edge at 0.
   std::ptrdiff_t begin = 0, end = std::ssize(edges);
   if (const auto zero = std::ranges::lower_bound(edges, 0.0); zero != edges.end() && *zero == 0) {
     if (x > 0) begin = zero - edges.begin();
@@ -38,7 +40,7 @@ MassTransfer::Edge MassTransfer::edge_at(std::span<const double> edges, double x
     }
     lagrange.push_back(weight);
   }
-  // The cumulative on edge a counts every bin before a; of bins before k nothing is to be counted.
+  // The cumulative at edge a contains every bin before a; bins before k are subtracted.
   Edge result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
               std::vector<double>(static_cast<std::size_t>(points - 1))};
   double sum = 0;
@@ -60,7 +62,7 @@ std::vector<double> MassTransfer::operator()(std::span<const double> masses) con
   }
   std::vector<double> result;
   const Edge* before = nullptr;
-  double within_before = 0;  // of the source bin in which the edge before lies, below that edge
+  double within_before = 0;  // mass below the previous edge, within the source bin of that edge
   for (const Edge& edge : edges_) {
     const bool same_bin = before != nullptr && before->bin == edge.bin;
     double within = 0;

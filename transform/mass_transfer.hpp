@@ -6,15 +6,17 @@
 
 namespace fpkcheck::transform {
 
-/// Carries the masses of one set of bins over to another along one axis: the cumulative
-/// distribution, known exactly on the source's edges, is interpolated between them by polynomials
-/// of degree 7 and differenced on the target's. Where edges coincide nothing is interpolated. No
-/// polynomial reaches across 0, where densities of y' may jump at the wall. All mass arrives that
-/// is not beyond the target's ends.
+/// Conservative remapping of bin masses from one set of bins to another along one axis.
 ///
-/// Next to a spike a polynomial swings by more than the bin beside it holds. So of masses that are
-/// nowhere negative the interpolated cumulative is kept monotone where it would miss that by more than
-/// 1e-6 of the whole, which the tails of a smooth density do not.
+/// The cumulative distribution, exact on the source edges, is interpolated by polynomials of
+/// degree 7 and differenced on the target edges. Coinciding edges need no interpolation. No
+/// stencil crosses 0, where densities of y' may jump at the wall. All mass within the ends of the
+/// target is kept.
+///
+/// Next to a spike the polynomial overshoots by more than the mass of the adjacent bin. For
+/// nonnegative masses the interpolated cumulative is therefore clipped to be monotone wherever it
+/// violates monotonicity by more than 1e-6 of the total mass. The tails of a smooth density violate
+/// it by less.
 class MassTransfer {
  public:
   /// @param source n + 1 increasing edges; target m + 1 increasing edges
@@ -25,8 +27,8 @@ class MassTransfer {
   std::vector<double> operator()(std::span<const double> masses) const;
 
  private:
-  /// Below a target edge lie all source bins before `bin` and of that one the sum of weight_k times
-  /// the mass of source bin first + k; nothing of it where there are no weights.
+  /// The cumulative at a target edge: the masses of all source bins before `bin`, plus the sum of
+  /// weight_k times the mass of source bin first + k. Without weights the second part is 0.
   struct Edge {
     std::size_t bin;
     std::size_t first;

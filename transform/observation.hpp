@@ -11,44 +11,43 @@
 
 namespace fpkcheck::transform {
 
-/// What an observation is, and with that how a repeated run is held to it.
+/// Kind of a metric; it determines how closely a repeated run must reproduce the value.
 enum class Kind {
-  result,       ///< part of the answer: must come out again
-  coefficient,  ///< of a closed form, of which only the whole is determined to the last digits
-  error,        ///< what a method says of its own errors by chance
-  work,         ///< how the answer came about: steps, iterations, seconds, residuals
-  text          ///< words, for people
+  result,       ///< part of the solution: a repeated run must reproduce it
+  coefficient,  ///< of a closed form; single coefficients are not determined to the last digits
+  error,        ///< a statistical error estimated by the method
+  work,         ///< diagnostics of the computation: steps, iterations, seconds, residuals
+  text          ///< text for readers
 };
 
-/// Something that one solver alone knows of its solution: a value under a path such as
-/// "support.edge_density" or "quantiles.y[2].value", in files as on the page. Whoever writes, checks
-/// or shows observations needs no list of any solver's names.
+/// A solver-specific quantity of a solution: a value under a path such as "support.edge_density"
+/// or "quantiles.y[2].value", the same in files and on the page. Code that writes, checks or
+/// prints metrics needs no list of the solvers' names.
 struct Observation {
   std::string path;
-  base::Value value;  ///< nothing: there is none
+  base::Value value;  ///< null if the quantity is absent
   Kind kind = Kind::result;
-  /// Path of the standard error of this value, itself an observation; empty where chance has no
-  /// part.
+  /// Path of the standard error of this value, itself a metric; empty for a deterministic value.
   std::string error_at = {};
-  /// A change of a result is judged relative to its size, yet to no less than this.
+  /// Smallest scale for relative changes of a result: max(|value|, this).
   double least_scale = 0.1;
-  /// Far out in a tail, or a small difference: rounding shows more than elsewhere.
+  /// True for values that amplify rounding errors: far tails and small differences.
   bool delicate = false;
 
   bool operator==(const Observation&) const = default;
 };
 
-/// Observations in the order in which files show them.
+/// Metrics in their order in files.
 using Observations = std::vector<Observation>;
 
-/// Null when there is none under this path.
+/// The metric with this path, or null.
 const Observation* find(const Observations& observations, std::string_view path);
-/// The number under a path; nothing where there is none.
+/// The number under a path; empty if there is none.
 std::optional<double> number(const Observations& observations, std::string_view path);
-/// The word under a path; nothing where there is none.
+/// The text under a path; empty if there is none.
 std::optional<std::string> word(const Observations& observations, std::string_view path);
 
-/// Gathers observations one by one.
+/// Builder of a list of metrics.
 class Observer {
  public:
   Observer& result(const std::string& path, base::Value value);
@@ -56,7 +55,7 @@ class Observer {
   Observer& text(const std::string& path, base::Value value);
   Observer& error(const std::string& path, base::Value value);
   Observer& add(Observation observation);
-  /// The list under this path is empty.
+  /// Adds an empty list under this path.
   Observer& empty_list(const std::string& path, Kind kind = Kind::result);
 
   Observations take() { return std::move(observations_); }
@@ -65,13 +64,13 @@ class Observer {
   Observations observations_;
 };
 
-/// A count as a value.
+/// Converts a count to a value.
 template <class Integer>
 base::Value counted(Integer count) {
   return static_cast<std::int64_t>(count);
 }
 
-/// The number, if there is one, as a value.
+/// Converts an optional number to a value: null if empty.
 inline base::Value value_of(const std::optional<double>& number) {
   return number ? base::Value(*number) : base::Value();
 }

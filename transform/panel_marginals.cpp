@@ -7,15 +7,15 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Of y where it has no wall at 0.
+// Number of panels of y without a wall at 0.
 constexpr int kPanelsBetweenOpenEnds = 20;
 
 std::vector<numerics::WeightedPoint> half_line_points(double end, Panels panels) {
-  // Each covers about one standard deviation of a bell that fills the box.
+  // Each panel covers about one standard deviation of a Gaussian that fills the box.
   constexpr int kEven = 8;
   if (panels == Panels::even) return numerics::panel_points(0.0, end, kEven);
   constexpr int kGraded = 12;
-  constexpr double kGrading = 1.5;  // the last one is as wide as an even one
+  constexpr double kGrading = 1.5;  // exponent; the last panel is about as wide as a uniform one
   const auto edge = [&](int k) {
     return end * std::pow(static_cast<double>(k) / kGraded, kGrading);
   };

@@ -13,7 +13,7 @@ double order(double before, double last, double ratio) {
   return std::log(before / last) / std::log(ratio);
 }
 
-// The error of u_2 of a number whose differences these are.
+// Error of the finest value of a quantity, from its last two differences.
 double error_of(double before, double last, double fall, double factor) {
   return factor * std::max(std::abs(last), std::abs(before) / fall);
 }
@@ -45,9 +45,9 @@ Change change(const Level& coarser, const Level& finer) {
     change.moments.*moment = finer.moments.*moment - coarser.moments.*moment;
   }
   if (coarser.at_rest.size() != finer.at_rest.size()) {
-    throw std::invalid_argument("levels with different numbers of atoms");
+    throw std::invalid_argument("grid levels not comparable: different numbers of rest atoms");
   }
-  double together = 0;  // all of them are at y' = 0
+  double together = 0;  // all atoms have y' = 0
   for (std::size_t k = 0; k < finer.at_rest.size(); ++k) {
     change.at_rest.push_back(finer.at_rest[k] - coarser.at_rest[k]);
     change.y_l1 += std::abs(change.at_rest[k]);

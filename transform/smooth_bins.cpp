@@ -11,8 +11,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-constexpr int kReach = 2;  // spacings, of M to both sides
-// Boole's rule on four parts.
+constexpr int kReach = 2;  // half-width of the support of M, in spacings
+// Boole's rule on four intervals.
 constexpr int kSubdivision = 4;
 constexpr double kBoole[] = {7.0 / 90, 32.0 / 90, 12.0 / 90, 32.0 / 90, 7.0 / 90};
 
@@ -21,8 +21,8 @@ double slope(double t) {
   return std::copysign(1.0, t) * (12 * near * near - 3 * far * far) / 6;
 }
 
-/// Where F M' is smooth: between the knots of the bins, their middles and the edges, as far as the
-/// bins reach.
+/// Points between which F M' is smooth: the knots of the bins, their midpoints and the edges,
+/// within the support of the bins.
 std::vector<double> cuts_of(const SmoothBins& bins, const std::vector<double>& edges) {
   const double begin = bins.first - kReach * bins.spacing;
   const int halves = 2 * (bins.count - 1 + 2 * kReach);
@@ -32,7 +32,7 @@ std::vector<double> cuts_of(const SmoothBins& bins, const std::vector<double>& e
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double edge) { return begin < edge && edge < end; });
   std::ranges::sort(cuts);
-  // Edges that lie next to knots but for rounding.
+  // Edges that coincide with knots up to rounding.
   constexpr double kSame = 1e-9;
   cuts.erase(std::unique(cuts.begin(), cuts.end(),
                          [&](double a, double b) { return b - a < kSame * bins.spacing; }),
@@ -77,7 +77,7 @@ Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins) {
   const std::vector<double> between = MassTransfer(sharp.edges, nodes)(masses);
   std::vector<double> averages;
   for (int b = 0; b < bins.count; ++b) {
-    // int M p = -int F M', where F = 0 at the begin of M serves as well as the whole cumulative.
+    // int M p = -int F M'; F may start at 0 at the left end of M, since int M' = 0.
     const double begin = b - kReach, end = b + kReach;  // spacings
     const auto place = [&](double x) { return (x - bins.first) / bins.spacing; };
     double cumulative = 0, integral = 0;

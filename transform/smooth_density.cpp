@@ -6,7 +6,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Panels per half-width: each covers about one standard deviation of a bell that fills the support.
+// Panels per half-width: each covers about one standard deviation of a Gaussian that fills the
+// support.
 constexpr int kPanels = 8;
 
 }  // namespace

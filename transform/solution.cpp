@@ -13,7 +13,7 @@ bool states_error(const Solution& solution) {
   return std::ranges::all_of(kVariables, [&](Variable variable) {
     const bool estimated = std::ranges::any_of(
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
-    if (!solution.density && !solution.had_density && !estimated) return true;  // no such marginal
+    if (!solution.density && !solution.had_density && !estimated) return true;  // no marginal
     if (solution.error && std::isfinite(l1(*solution.error, variable))) return true;
     return sampling && std::isfinite(expected(*sampling, variable).value_or(HUGE_VAL));
   });
@@ -22,7 +22,7 @@ bool states_error(const Solution& solution) {
 void require_stated_error(Solution& solution) {
   if (!solution.is_ok() || states_error(solution)) return;
   solution.status = Status::inaccurate;
-  solution.reason = "the solution states no error (nothing here measures it)";
+  solution.reason = "no error estimate: the method has none and there is no reference";
 }
 
 void hold_to(double accuracy, const std::string& reason, Solution& solution) {
@@ -30,7 +30,7 @@ void hold_to(double accuracy, const std::string& reason, Solution& solution) {
   if (!solution.is_ok() || !solution.error) return;
   if (std::max(solution.error->y_l1, solution.error->ydot_l1) <= accuracy) return;
   solution.status = Status::inaccurate;
-  solution.reason = fmt::format("{} ({:g} is asked for: accuracy)", reason, accuracy);
+  solution.reason = fmt::format("{} (requested accuracy: {:g})", reason, accuracy);
 }
 
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id) {
@@ -42,14 +42,14 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
   for (const auto& [estimated, estimate] : solution.estimated_marginals) {
     if (estimated == variable && std::ranges::equal(estimate.edges, edges)) return estimate;
   }
-  if (!solution.density) throw std::logic_error("solution " + solution.id() + " has no density");
+  if (!solution.density) throw std::logic_error("solution " + solution.id() + ": no density");
   return marginal(*solution.density, variable, edges);
 }
 
 Marginal limit_marginal(const Solution& solution, Variable variable,
                         std::span<const double> edges) {
   if (!solution.density || !solution.extrapolation) {
-    throw std::logic_error("solution " + solution.id() + " has no limit");
+    throw std::logic_error("solution " + solution.id() + ": no grids to extrapolate from");
   }
   const auto& [coarser, factor] = *solution.extrapolation;
   Marginal limit = marginal(*solution.density, variable, edges);

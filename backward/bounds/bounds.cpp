@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kWeightPower = 12;
 
-// One per processor where nobody says.
+// The requested number of threads, else one per processor.
 int threads_of(const Options& options) { return options.threads.value_or(base::processors()); }
 
 bool narrow_enough(const Bound& bound, const Options& options) {
@@ -31,27 +31,28 @@ bool narrow_enough(const Bound& bound, const Options& options) {
   return wanted > 0 && bound.value.half_width() <= wanted;
 }
 
-// Why a functional was not bounded more narrowly.
+// Why the refinement for a functional stopped.
 struct End {
   enum class Cause { none, time, grids, fit } cause = Cause::none;
-  double seconds = 0;       ///< that the next grid was expected to end after
-  std::string breakdown{};  ///< of the fit
+  double seconds = 0;       ///< expected time at the end of the next grid
+  std::string breakdown{};  ///< error message of the fit
 };
 
 struct Refined {
   Bounds bounds;
-  std::vector<End> ends;  ///< of each functional
+  std::vector<End> ends;  ///< for each functional
 };
 
 using Numbers = std::vector<std::size_t>;
 
-// The functionals that go on to a grid of their ladders together.
+// The functionals that share the next grid of their sequences.
 struct OnGrid {
   Grid grid;
   Numbers numbers;
 };
 
-// Groups what is too wide at a level by grids, and notes what has no further grid.
+// Groups the functionals with too wide bounds by their grid of this level. Marks the functionals
+// without a further grid.
 std::vector<OnGrid> at_level(std::size_t level, const Options& options, Refined& refined) {
   std::vector<OnGrid> groups;
   for (std::size_t i = 0; i < refined.bounds.each.size(); ++i) {
@@ -73,13 +74,13 @@ std::vector<OnGrid> at_level(std::size_t level, const Options& options, Refined&
   return groups;
 }
 
-// With two digits, above the value.
+// Rounds up to two significant digits.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::ceil(value / unit) * unit;
 }
 
-// The same expectation in the mirrored problem, up to its sign.
+// The expectation in the mirrored problem, up to the sign.
 Functional mirrored(const Functional& functional) {
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     SmoothBin other = *bin;
@@ -96,7 +97,7 @@ bool changes_sign(const Functional& functional) {
   return mean != nullptr && mean->power % 2 == 1;
 }
 
-// What follows from a mean: the momentum of impacts only where one wall has all of it.
+// The functionals without the impact momentum, unless the system has exactly one wall.
 std::vector<Functional> that_can_be_bounded(const problem::System& system,
                                             std::vector<Functional> functionals) {
   if (system.left().has_value() == system.right().has_value()) {
@@ -117,7 +118,7 @@ Refined refined(const problem::Problem& problem, const Options& options) {
 
   const auto begun = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
-  std::vector<double> before(options.functionals.size());  // time of the last grid of each
+  std::vector<double> before(options.functionals.size());  // time of the functional's last grid
   for (std::size_t level = 0;; ++level) {
     const auto groups = at_level(level, options, result);
     if (groups.empty()) return result;
@@ -139,7 +140,7 @@ Refined refined(const problem::Problem& problem, const Options& options) {
         record.values =
             bounds_on_grid(problem, tau, grid, functionals, threads_of(options), &report);
       } catch (const FitBrokeDown& broken) {
-        end_all({End::Cause::fit, 0, broken.what()});  // no finer one either
+        end_all({End::Cause::fit, 0, broken.what()});  // finer grids would fail too
         continue;
       }
       record.unknowns = report.unknowns;
@@ -148,9 +149,11 @@ Refined refined(const problem::Problem& problem, const Options& options) {
         before[numbers[n]] = record.seconds;
         numerics::Enclosure& value = result.bounds.each[numbers[n]].value;
         value = value.intersected(record.values[n]);
-        // Both hold the same number: otherwise a theorem, or the processor, is not what it says.
+        // Both enclosures contain the expectation. An empty intersection means an error in the
+        // program or in the rounding of the processor.
         if (value.lower > value.upper) {
-          throw std::logic_error("bounds of " + name(functionals[n]) + " contradict each other");
+          throw std::logic_error("bounds of " + name(functionals[n]) +
+                                 " from two grids are disjoint");
         }
       }
       result.bounds.grids.push_back(std::move(record));
@@ -158,7 +161,7 @@ Refined refined(const problem::Problem& problem, const Options& options) {
   }
 }
 
-// A lone wall at the right is one at the left of the mirrored problem.
+// A single right wall becomes a left wall of the mirrored problem.
 Refined refined_by_mirror(const problem::Problem& problem, const Options& options) {
   Options there = options;
   for (Functional& f : there.functionals) f = mirrored(f);
@@ -178,7 +181,7 @@ Refined refined_by_mirror(const problem::Problem& problem, const Options& option
   return result;
 }
 
-// Names of the functionals that ended so.
+// Names of the functionals that stopped for this cause.
 std::vector<std::string> ended_by(End::Cause cause, const Refined& refined) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < refined.ends.size(); ++i) {
@@ -187,15 +190,15 @@ std::vector<std::string> ended_by(End::Cause cause, const Refined& refined) {
   return names;
 }
 
-// Why bounds are wider than asked for, by the first limit that the caller can move.
+// Reason for bounds wider than requested; the first applicable option that the caller can change.
 std::string limit_text(const Refined& refined, const Options& options) {
   const auto& ends = refined.ends;
   if (const auto names = ended_by(End::Cause::time, refined); !names.empty()) {
     double seconds = 0;
     for (const End& end : ends) seconds = std::max(seconds, end.seconds);
     return fmt::format(
-        "guaranteed, but wider than asked for: the next grid of {} was expected to "
-        "end after {:.2g} s; allow more than --seconds {:g}",
+        "guaranteed, but wider than requested: the next grid for {} would end after {:.2g} s; "
+        "increase --seconds above {:g}",
         fmt::join(names, ", "), seconds, options.seconds);
   }
   if (const auto names = ended_by(End::Cause::grids, refined); !names.empty()) {
@@ -207,14 +210,14 @@ std::string limit_text(const Refined& refined, const Options& options) {
       relative = std::max(relative, value.half_width() / std::abs(value.middle()));
     }
     return fmt::format(
-        "guaranteed, but wider than asked for: no finer grid is offered for {}; ask for {}",
+        "guaranteed, but wider than requested: no finer grid exists for {}; request {}",
         fmt::join(names, ", "),
         options.relative_half_width > 0
             ? fmt::format("--width {:.2g}", rounded_up(relative))
             : fmt::format("--absolute-width {:.2g}", rounded_up(widest)));
   }
   const auto broken = std::ranges::find(ends, End::Cause::fit, &End::cause);
-  return fmt::format("guaranteed, but wider than asked for: {}",
+  return fmt::format("guaranteed, but wider than requested: {}",
                      broken == ends.end() ? "" : broken->breakdown);
 }
 

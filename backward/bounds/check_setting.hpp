@@ -10,12 +10,14 @@
 
 namespace fpkcheck::backward {
 
-/// V = sum c_{ab} A_a(y) B_b(v) and U: what is claimed to solve L V = U - f.
+/// The certificate of a bound: V = sum c_{ab} A_a(y) B_b(v) and U, an approximate solution of
+/// L V = U - f.
 struct Candidate {
   const Eigen::MatrixXd& coefficients;
   double mean;
 };
 
+/// Context of the checks of a certificate: problem, bases, enclosed generator, weight, box ends.
 struct CheckSetting {
   const problem::Problem& problem;
   const numerics::SplineBasis& displacement;

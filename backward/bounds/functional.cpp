@@ -81,7 +81,7 @@ Axis axis_of(const Functional& functional) {
 void validate(const Functional& functional) {
   if (const PowerMean* const m = std::get_if<PowerMean>(&functional)) {
     if (m->power < 1 || m->power > 4) {
-      throw InputError(fmt::format("{} cannot be bounded: powers 1 to 4 can", name(functional)));
+      throw InputError(fmt::format("{} cannot be bounded: use powers 1 to 4", name(functional)));
     }
   }
   if (const SmoothBin* const b = std::get_if<SmoothBin>(&functional)) {
@@ -89,12 +89,11 @@ void validate(const Functional& functional) {
     for (int i = 0; i < 4; ++i) increasing = increasing && b->knots[i] < b->knots[i + 1];
     if (!increasing || !std::isfinite(b->knots[4])) {
       throw InputError(
-
-          "the knots of a smooth bin do not increase (give a finite centre and a positive "
-          "spacing)");
+          "the knots of a smooth bin do not increase: give a finite centre and a positive "
+          "spacing");
     }
     if (b->axis == Axis::displacement && b->knots[0] < 0) {
-      throw InputError(fmt::format("a smooth bin of p(y) begins at {:.4g}: y >= 0", b->knots[0]));
+      throw InputError(fmt::format("a smooth bin of p(y) begins at {:.4g} < 0", b->knots[0]));
     }
   }
 }

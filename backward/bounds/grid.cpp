@@ -26,12 +26,12 @@ numerics::SplineBasis displacement_basis(const Grid& grid, const Weight& weight,
     return numerics::SplineBasis(
         numerics::graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
   }
-  // V bends along the orbits that graze a wall, all over the plane: cells are hardly graded.
+  // V is not smooth along the orbits that graze a wall, anywhere in the plane: little grading.
   const double width = end - begin;
   const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
   std::vector<double> breaks =
       numerics::graded_breaks(width, cells, kFinestOfAll * width, grid.even * width);
-  if (begin == -y) {  // no wall to be fine at
+  if (begin == -y) {  // no left wall: uniform cells
     for (std::size_t n = 0; n < breaks.size(); ++n) {
       breaks[n] = width * static_cast<double>(n) / cells;
     }
@@ -51,8 +51,8 @@ Ends ends_of(const numerics::SplineBasis& displacement, const problem::System& s
 }
 
 ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution) {
-  // v^2/2 = edge h0 for v = -u. With losses further: v = r u is the other edge, and G there must
-  // not be small either.
+  // v^2/2 = edge h0 at v = -u without losses. With losses the box is larger: the outgoing edge is
+  // v = r u, where G must not be small either.
   const double u = std::sqrt(2 * grid.edge * weight.scale) / std::pow(restitution, 0.85);
   return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(u, grid.speed_cells,
                                                                    grid.finest * u, grid.even * u)),
@@ -66,14 +66,14 @@ WidthLimit width_limit(const Functional& functional) {
 }
 
 std::span<const Grid> grids_for(WidthLimit limit) {
-  // V has a conical point at the origin: the error falls with the cells there as long as they are
-  // the worst. Finer ones than the last cost more digits of the normal equations than they give.
+  // V has a conical point at the origin: smaller cells there reduce the error while they dominate
+  // it. Beyond the last grid the normal equations lose more digits than smaller cells gain.
   static constexpr Grid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
                                      {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
                                      {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
                                      {72, 72, 2.5e-6, 0.15, 8}};
-  // Higher powers lose these digits first: in the end cells are wider at the origin and the box is
-  // larger.
+  // Higher powers lose these digits first: the last grids have wider cells at the origin and a
+  // larger box.
   static constexpr Grid kTails[] = {kOrigin[0],
                                     kOrigin[1],
                                     kOrigin[2],
@@ -81,7 +81,7 @@ std::span<const Grid> grids_for(WidthLimit limit) {
                                     kOrigin[4],
                                     {56, 56, 6e-5, 0.1, 9.5},
                                     {64, 64, 3e-5, 0.12, 9.5}};
-  // The motion carries the knots of a bin all over the phase plane.
+  // The flow transports the knots of a bin through the whole phase plane.
   static constexpr Grid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
                                     {28, 40, 3e-2, 0.1, 6},
                                     {36, 50, 3e-2, 0.1, 6},

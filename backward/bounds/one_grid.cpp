@@ -18,7 +18,7 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kPointsPerCell = 4;
-constexpr double kSlack = 0.03;  // bisection stops this close to values that are taken
+constexpr double kSlack = 0.03;  // relative tolerance of the residual range (docs/bounds.md)
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -39,7 +39,7 @@ std::vector<double> breaks_on(Axis axis, const std::vector<Functional>& function
 numerics::Enclosure mean_enclosure(double mean, const Range& range, double outside,
                                    const Weight& weight) {
   const numerics::Interval tau = weight.mean_bound;
-  // What is not a number bounds nothing.
+  // NaN or infinity gives no bound.
   if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
     return {-HUGE_VAL, HUGE_VAL};
   }
@@ -48,7 +48,7 @@ numerics::Enclosure mean_enclosure(double mean, const Range& range, double outsi
           (numerics::Interval(mean) + numerics::Interval(largest) * tau).upper()};
 }
 
-// Calls work(0) .. work(count - 1) on a few threads.
+// Calls work(0) .. work(count - 1) on several threads.
 void in_parallel(int count, int threads, const std::function<void(int)>& work) {
   std::atomic<int> next = 0;
   std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));

@@ -9,20 +9,20 @@
 
 namespace fpkcheck::backward {
 
-/// How the time was spent, and what limits the width.
+/// Times of the stages, and the residual range of each functional.
 struct OneGridReport {
   int unknowns = 0;
   double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
   struct Each {
     double mean;            ///< U
-    double least, largest;  ///< range of (f + L V - U)/tau in the box
-    double outside;         ///< bound of its absolute value outside the box
-    long boxes;
+    double least, largest;  ///< range of (f + L V - U)/tau inside the box
+    double outside;         ///< bound of |f + L V - U|/tau outside the box
+    long boxes;             ///< number of sub-boxes in the bisection
   };
   std::vector<Each> each;
 };
 
-/// Bounds of all functionals from one grid.
+/// Bounds of all functionals from a single grid.
 std::vector<numerics::Enclosure> bounds_on_grid(const problem::Problem& problem,
                                                 const Weight& weight, const Grid& grid,
                                                 const std::vector<Functional>& functionals,

@@ -8,12 +8,12 @@ const Description<Options>& description() {
   static const auto options =
       Description<Options>("bounds ")
           .add("width", &Options::relative_half_width,
-               {"W",
-                "refine until every half-width is below W of the value, or the time is used up"},
+               {"W", "refine until every half-width is below W times the value, or the time limit"},
                not_negative())
-          .add("absolute_width", &Options::half_width, {"W", "the same, W itself"}, not_negative())
+          .add("absolute_width", &Options::half_width,
+               {"W", "refine until every half-width is below W, or the time limit"}, not_negative())
           .add("seconds", &Options::seconds,
-               {"S", "begin no grid that is likely to end later (the first one always is)"},
+               {"S", "time limit: start no grid that would end later, except the first"},
                not_negative())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
                between(1, 4096));

@@ -8,8 +8,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// A part of the outside: G is at least `energy` there, V has no larger slopes than these, and its
-// oscillation in v is no larger.
+// A region outside the box, with the least G and with bounds of the slopes of V and of its
+// oscillation in v.
 struct Region {
   numerics::Interval energy;
   double y_slope, v_slope, oscillation;
@@ -55,7 +55,7 @@ class Outside {
     return (numerics::Interval(coefficients.maxCoeff()) - coefficients.minCoeff()).upper();
   }
 
-  // A slope on a span is a mean, with weights >= 0 of sum 1, of the coefficients of the derivative:
+  // Largest slope on a span. A slope is a convex combination of the coefficients of the derivative,
   // p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), i = span .. span + p - 1.
   template <class Coefficient>
   static double steepest(const numerics::SplineBasis& basis, int span,
@@ -72,15 +72,15 @@ class Outside {
     return slope;
   }
 
-  // The least G where |v| >= u and |y| >= `y`: as |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2,
+  // The least G for |v| >= u and |y| >= `y`: as |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2,
   // G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
   numerics::Interval least_incoming(const numerics::Interval& u,
                                     const numerics::Interval& y) const {
     return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
            cubic() * power(y, 4) / 4.0;
   }
-  // The least G where v >= `v` >= 0 and y >= `y` >= 0, or both are likewise below 0: |w| = |v| +
-  // c |y|/2 grows with both.
+  // The least G for v >= `v` >= 0 and y >= `y` >= 0, or for both negative: |w| = |v| + c |y|/2
+  // increases with both.
   numerics::Interval least_outgoing(const numerics::Interval& v,
                                     const numerics::Interval& y) const {
     return square(v + c() * y / 2.0) / 2.0 + potential(y);
@@ -95,30 +95,30 @@ class Outside {
     }
     return region;
   }
-  // v > r u_end, y in a span.
+  // The region v > r u_end, y in a span.
   Region above(int span) const {
     const double y = s_.displacement.breaks()[span];
     return beside(
         span, last_column(),
         y >= 0 ? least_outgoing(r() * u_end(), y) : least_incoming(r() * u_end(), nearest(span)));
   }
-  // v < -u_end, y in a span.
+  // The region v < -u_end, y in a span.
   Region below(int span) const { return beside(span, 0, least_incoming(u_end(), nearest(span))); }
   // The least |y| of a span.
   double nearest(int span) const {
     const auto breaks = s_.displacement.breaks();
     return std::max({0.0, breaks[span], -breaks[span + 1]});
   }
-  // |y| at an open end, which is beyond 0: at the right y > 0, at the left y < 0.
+  // |y| at an open end: y > 0 at the right end, y < 0 at the left end.
   numerics::Interval end(bool at_right) const {
     return at_right ? s_.displacement.end() : -s_.displacement.breaks().front();
   }
-  // y beyond an open end, v in a span.
+  // The region past an open end in y, v in a span.
   Region beyond(bool at_right, int span, bool outgoing) const {
     const ImpactBasis& velocity = s_.velocity;
     const numerics::Interval u = velocity.speeds().breaks()[span];
     const numerics::Interval speed = outgoing ? r() * u : u, y = end(at_right);
-    // Outgoing is v >= 0: away from 0 at the right.
+    // Outgoing means v >= 0: away from y = 0 at the right end.
     const numerics::Interval energy =
         outgoing == at_right ? least_outgoing(speed, y) : least_incoming(speed, y);
     const int row = at_right ? last_row() : 0;
@@ -128,14 +128,14 @@ class Outside {
     const double slope = outgoing ? (numerics::Interval(in_speed) / r()).upper() : in_speed;
     return {energy, 0, slope, oscillation(row)};
   }
-  // Beyond both: V does not depend on y nor, by itself, on v.
+  // The region past the ends in both y and v, where V is constant in each.
   Region corners(bool at_right) const {
     return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
   }
 
   // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
-  // at most a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0: over G^m it is
-  // largest where G is least.
+  // bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0. Its ratio to G^m
+  // is largest at the least G.
   double bound_in(const Region& region) const {
     const double least = region.energy.lower();
     if (!(least > 0)) return HUGE_VAL;
@@ -149,7 +149,7 @@ class Outside {
         numerics::Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
     const double bound =
         (numerator / power(numerics::Interval(least) / s_.weight.scale, s_.weight.power)).upper();
-    return std::isnan(bound) ? HUGE_VAL : bound;  // std::max would drop it
+    return std::isnan(bound) ? HUGE_VAL : bound;  // std::max would ignore NaN
   }
 
   const CheckSetting& s_;

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::backward {
 
-/// A bound of |f + L V - U| / tau outside the box of the splines, where V is continued by constants
-/// along each axis: docs/bounds.md, "Outside the box".
+/// A bound of |f + L V - U| / tau outside the box of the splines, where V is constant along each
+/// axis: docs/bounds.md, "Outside the box".
 /// @pre inside rounded_upward
 double residual_outside(const CheckSetting& setting, const Functional& functional,
                         const Candidate& candidate);

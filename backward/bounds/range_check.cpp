@@ -7,17 +7,17 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kDeepest = 40;  // bisections of one box
+constexpr int kDeepest = 40;  // bisections of a box
 
-// A part of the product of two pieces and the residual's Bernstein coefficients on it.
+// A sub-box of the product of two pieces, with the Bernstein coefficients of the residual.
 struct Box {
   numerics::Interval y_from, y_to, v_from, v_to;
   int depth;
   std::vector<numerics::Interval> residual;  // shape (rows, columns): degrees in y and v, plus 1
 };
 
-// The three factors in v contracted with the coefficients, on every piece of v: for each function a
-// of y, that of A with c_a, that of S' with c_a - c_{a-1} (in place a), that of the force with c_a.
+// Contractions of the three factors in v with the coefficients, on every piece of v, for each
+// function a of y: the factor of A with c_a, of S' with c_a - c_{a-1}, of the force with c_a.
 struct Contracted {
   std::array<std::vector<numerics::Interval>, 3> factors;  // shape (pieces, functions of y, order)
 };
@@ -74,9 +74,9 @@ class Search {
 
   void look_at(Box box) {
     ++range_.boxes;
-    // The coefficients enclose the residual on the box; those at the corners are values.
+    // The coefficients enclose the residual on the box; the corner coefficients are attained.
     double least = box.residual[0].lower(), largest = box.residual[0].upper();
-    double noise = 0;  // by rounding: bisection does not help against it
+    double noise = 0;  // rounding errors, which bisection does not reduce
     bool numbers = true;
     for (const numerics::Interval& r : box.residual) {
       noise = std::max(noise, width(r));
@@ -110,7 +110,7 @@ class Search {
  private:
   static constexpr double kNegligible = 1e-13;
 
-  // tau at the least G that the box allows.
+  // Lower bound of tau: its value at a lower bound of G on the box.
   numerics::Interval lowest_weight(const Box& box) const {
     const numerics::Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
     const numerics::Interval w = v + numerics::Interval(s_.weight.damping) * y / 2.0;
@@ -134,8 +134,8 @@ class Search {
     }
   }
 
-  // In the direction in which the coefficients vary more, every fourth time in the other one: the
-  // weight varies too.
+  // Bisects in the direction of larger variation of the coefficients, every fourth time in the
+  // other direction, since the weight varies too.
   void bisect(const Box& box) {
     double along_y = 0, along_v = 0;
     for (int i = 0; i < rows_; ++i) {
@@ -152,7 +152,7 @@ class Search {
     Box first = box, second = box;
     ++first.depth;
     ++second.depth;
-    // de Casteljau at 1/2: halving is exact but for underflow
+    // de Casteljau at 1/2: halving is exact except for underflow
     const int lines = in_y ? columns_ : rows_, n = in_y ? rows_ : columns_;
     const int line_step = in_y ? 1 : columns_, step = in_y ? columns_ : 1;
     for (int line = 0; line < lines; ++line) {
@@ -186,7 +186,7 @@ class Search {
 Range residual_range(const CheckSetting& s, const Functional& functional,
                      const Candidate& candidate, std::pair<double, double> expected, double slack) {
   const Eigen::MatrixXd& c = candidate.coefficients;
-  // Condition (1) of docs/bounds.md: nothing is trusted that was not looked at.
+  // Condition (1) of docs/bounds.md is checked, not assumed from the fit.
   const auto meets_impacts = [&](Eigen::Index row) {
     for (int b = 0; b < s.velocity.size(); ++b) {
       if (c(row, b) != c(row, s.velocity.mirrored(b))) return false;

@@ -12,7 +12,7 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kDegree = numerics::KnotSplines::kDegree;
-constexpr int kPoints = 8;  // of Gauss's rule on a cell
+constexpr int kPoints = 8;  // of the Gauss rule on a cell
 
 void weigh(numerics::QuadratureRule& q, const std::function<double(double)>& weight) {
   for (std::size_t n = 0; n < q.points.size(); ++n) {
@@ -20,7 +20,7 @@ void weigh(numerics::QuadratureRule& q, const std::function<double(double)>& wei
   }
 }
 
-/// <factor a, factor b> under the weight.
+/// Weighted inner products <factor a, factor b>.
 using Grams = std::vector<std::vector<Eigen::MatrixXd>>;
 
 Grams grams(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
@@ -43,7 +43,7 @@ Eigen::VectorXd map(const std::vector<double>& points, const std::function<doubl
   return values;
 }
 
-/// int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u), likewise at the right.
+/// int u w(wall, u) J J^T du with the jumps J_j(u) = B_j(r u) - B_j(-u), mirrored at a right wall.
 Eigen::MatrixXd wall_gram(const ControlProblem& p, const ImpactWall& wall) {
   numerics::QuadratureRule q = numerics::gauss_rule<kPoints>(breaks_of_jumps(p.v, wall));
   weigh(q, [&](double u) { return u * p.weight_v(u); });
@@ -64,7 +64,7 @@ numerics::BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& 
       }
     }
   }
-  // One function of y alone is not 0 at a wall, where it is 1.
+  // At a wall a single function of y does not vanish; its value is 1.
   for (const ImpactWall& wall : impact_walls(p.problem.system)) {
     const int at = wall.away > 0 ? 0 : p.y.size() - 1;
     matrix.block(at, at) += p.wall_weight * wall_gram(p, wall);
@@ -88,14 +88,14 @@ ControlFunctions control_functions(const ControlProblem& problem,
       normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights)),
       "the control functions");
 
-  // Right-hand sides -<f, L A_i B_j>: each f, and 1 in the last place.
+  // Right-hand sides -<f, L A_i B_j> for each f, and for 1 as the last.
   const auto one = [](double) { return 1.0; };
   std::vector<SeparableFunction> all(functions);
   all.push_back({one, one});
   const auto count = static_cast<Eigen::Index>(all.size());
   const Eigen::Index nv = problem.v.size();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(equations.size(), count);
-  std::vector<double> integrals;  // of w f
+  std::vector<double> integrals;  // int w f
   for (Eigen::Index f = 0; f < count; ++f) {
     const auto& [of_y, of_v] = all[static_cast<std::size_t>(f)];
     const Eigen::VectorXd wy = in_y.weights.cwiseProduct(map(in_y.points, of_y));
@@ -108,7 +108,8 @@ ControlFunctions control_functions(const ControlProblem& problem,
   }
   ControlFunctions result;
   result.coefficients = equations.solve(right);
-  // e_f is orthogonal to all L h, so <e_1, e_f> = <1, f> + <1, L h_f>, and <1, L A B> is -right.
+  // e_f is orthogonal to all L h: <e_1, e_f> = <1, f> + <1, L h_f>, where <1, L A B> is the last
+  // column of -right.
   const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
   const double of_one = integrals.back() - products(count - 1);
   for (Eigen::Index f = 0; f + 1 < count; ++f) {

@@ -14,29 +14,28 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr double kBeyondY = 9.0 / 7, kBeyondV = 1.5;  // in units of Scales' extents
-constexpr double kEvenShare = 0.55;                   // of the extent, in cells of one width
-constexpr double kLeastCell = 0.05;                   // the narrowest cell, of the widest
-// Of y, where white noise and losses leave a spike at the wall, as narrow as v^3 / D.
+constexpr double kBeyondY = 9.0 / 7, kBeyondV = 1.5;  // box in units of the extents of Scales
+constexpr double kEvenShare = 0.55;                   // fraction of the extent with uniform cells
+constexpr double kLeastCell = 0.05;                   // narrowest relative to uniform cell
+// The same for y if white noise and losses cause a spike at the wall, as narrow as v^3 / D.
 constexpr double kLeastCellOfSpike = 0.002;
-constexpr double kGrowth = 0.25;  // of cells away from where they are narrowest
-constexpr int kCorner = 3;        // knots at v = 0 with a wall
+constexpr double kGrowth = 0.25;  // slope of the cell width with distance from the narrowest cell
+constexpr int kCorner = 3;        // multiplicity of the knot at v = 0 with a wall
 constexpr double kHeat = 2;       // temperature of the weight, in variances of y'
-// Likewise where there are several wells. The slowest solution of the backward equation, which is
-// about constant in each well and changes on the barrier, has the size of the time of exchange,
-// exp(barrier / T). Under a weight that is wider than the density the residual on the barrier costs
-// more than a wrong mean in each well, and the fit gives that solution up: of 30 random wells 2 keeps
-// it in 14 and 0.7 in 18 (RandomWells in tests/backward/residual). Of ten of these 0.5 to 0.7 leave about
-// as much unresolved, 1 and 2 more.
+// Temperature of the weight with several wells. The slowest solution of the backward equation is
+// nearly constant in each well and varies on the barrier; its size is the exchange time between the
+// wells, exp(barrier / T). With a weight wider than the density the residual on the barrier costs
+// more than a wrong mean in each well, and the fit omits that solution. Of 30 random problems the
+// fit keeps it in 14 with 2 and in 18 with 0.7 (RandomWells in tests/backward/residual). In ten of
+// these problems 0.5 to 0.7 leave about the same unresolved residual, 1 and 2 a larger one.
 constexpr double kHeatOfWells = 0.7;
 constexpr double kLeast = 1e-9;
 
-/// Break points from `begin` to `end` where cells have about the widths that `width` says, up to one
-/// factor for all.
+/// Break points from `begin` to `end`; the width of a cell is proportional to `width`.
 std::vector<double> breaks_of_widths(double begin, double end, int cells,
                                      const std::function<double(double)>& width) {
   constexpr int kSteps = 4000;
-  std::vector<double> passed{0};  // cells up to a point
+  std::vector<double> passed{0};  // cumulative number of cells
   const double step = (end - begin) / kSteps;
   for (int k = 0; k < kSteps; ++k) {
     passed.push_back(passed.back() + step / width(begin + (k + 0.5) * step));
@@ -53,8 +52,8 @@ std::vector<double> breaks_of_widths(double begin, double end, int cells,
   return breaks;
 }
 
-/// The widths of cells that are narrow at some points and wide beyond `low` and `high`, in terms of
-/// the width between them.
+/// Cell width as a function of position: `even` between `low` and `high`, growing beyond them, and
+/// narrower near the points `narrow_at`.
 std::function<double(double)> widths(std::vector<double> narrow_at, double even, double low,
                                      double high, double least_cell = kLeastCell) {
   return [=](double x) {
@@ -67,7 +66,7 @@ std::function<double(double)> widths(std::vector<double> narrow_at, double even,
   };
 }
 
-/// Largest size of an impulse that is not rarer than 1e-9.
+/// Largest amplitude of an impulse whose density times the deviation of the law exceeds 1e-9.
 double farthest_impulse(const problem::ImpulseTrain& impulses) {
   if (!impulses.present()) return 0;
   double largest = 0;
@@ -88,9 +87,9 @@ double farthest_impulse(const problem::ImpulseTrain& impulses) {
   return largest;
 }
 
-/// By how much the box is wider than what the averaged density fills.
+/// Factor by which the box is wider than the extent of the energy-averaged density.
 double wider_by(const problem::Problem& problem, const problem::Scales& scales) {
-  constexpr double kBefore = 2;  // deviations of y' from which impulses reach on
+  constexpr double kBefore = 2;  // velocity before the largest impulse, in deviations of y'
   const double after = kBefore * scales.velocity_deviation + farthest_impulse(problem.impulses);
   return std::max(1.0, after / (kBeyondV * scales.v_high));
 }

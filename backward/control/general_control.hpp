@@ -7,22 +7,24 @@
 
 namespace fpkcheck::backward {
 
-/// Splines for any problem, chosen by its scales (problem/scales.hpp) alone: of y from wall to wall,
-/// or to where the energy-averaged density is exp(-9^2/2) of its peak if that is nearer, of y' a half
-/// farther than where it is exp(-7^2/2), both wider where single impulses reach farther. Cells are of
-/// about one width, wider towards an open end, and shrink towards walls and, where there are walls,
-/// towards v = 0, where grazing impacts leave a corner and the knot is triple.
-/// @param cells those of y count where the motion reaches to one side of a wall; twice as many where
-/// there is no wall
+/// Splines for any problem, determined by its scales (problem/scales.hpp) alone.
+/// - y: from wall to wall, but not beyond the points where the energy-averaged density is
+/// exp(-9^2/2)
+///   of its peak.
+/// - y': to 1.5 times the velocity at which that density is exp(-7^2/2) of its peak.
+/// - Both are wider if single impulses lead farther.
+/// - Cells have about equal widths, wider towards an open end, narrower towards walls and, with
+///   walls, towards v = 0. There grazing impacts cause a corner of h, and the knot is triple.
+/// @param cells number of cells of y on one side of a wall; twice that number without a left wall
 ControlSplines general_splines(const problem::Problem& problem, const ControlCells& cells);
 
-/// The fit on such splines under the weight
+/// The fit on these splines with the weight
 ///
 ///     w(y, v) = exp(-(U(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of y'
-///     (0.7 where there are several wells),
+///     (0.7 variances with several wells),
 ///
-/// 1 where it is largest; each factor is no less than 1e-9.
-/// @param problem, y, v referred to by the result
+/// normalised to 1 at its maximum; each factor is at least 1e-9.
+/// @param problem, y, v the result refers to these
 ControlProblem general_control(const problem::Problem& problem, const numerics::KnotSplines& y,
                                const numerics::KnotSplines& v, double wall_weight);
 

@@ -19,7 +19,7 @@ void add(const numerics::KnotSplines& splines, double at, double probability,
   }
 }
 
-/// The ends of the parts of one smooth piece, seen from v.
+/// The ends of the subintervals of a smooth piece of the density, shifted by v.
 std::vector<double> parts(const numerics::KnotSplines& splines, double from, double to,
                           double longest) {
   std::vector<double> ends{from};

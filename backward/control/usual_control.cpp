@@ -8,16 +8,16 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr double kYExtent = 9, kVExtent = 10.5;  // deviations
-constexpr double kYEven = 5, kVEven = 6;         // cells of one width
-constexpr int kWallKnots = 3;                    // at v = 0
+constexpr double kYExtent = 9, kVExtent = 10.5;  // ends of the box, in deviations
+constexpr double kYEven = 5, kVEven = 6;         // ends of the uniform cells, in deviations
+constexpr int kWallKnots = 3;                    // multiplicity of the knot at v = 0
 constexpr double kTemperature = 2;               // of the weight, in variances of y'
 constexpr double kLeastWeight = 1e-9;
 
-constexpr double kBeforeImpulse = 2;  // deviations of y' from which impulses reach on
-constexpr double kRare = 1e-9;        // of a law's density times its deviation
+constexpr double kBeforeImpulse = 2;  // velocity before the largest impulse, in deviations of y'
+constexpr double kRare = 1e-9;        // threshold of the density of the law times its deviation
 
-/// The largest size of an amplitude that is not rare.
+/// Largest amplitude of an impulse that is not rare.
 double reach(const problem::ImpulseLaw& law) {
   constexpr int kSteps = 200;
   double largest = 0;
@@ -33,8 +33,8 @@ double reach(const problem::ImpulseLaw& law) {
   return largest;
 }
 
-/// By how much the box is wider than for nearly normal motion: single impulses may leave that, of
-/// heavy-tailed laws and where they are few.
+/// Factor by which the box is wider than for a nearly Gaussian density: single impulses of
+/// heavy-tailed laws, or rare impulses, lead beyond that box.
 double widening(const problem::Problem& problem, double velocity_deviation) {
   const double after_impulse = kBeforeImpulse * velocity_deviation + reach(problem.impulses.law());
   return std::max(1.0, after_impulse / (kVExtent * velocity_deviation));

@@ -6,30 +6,31 @@
 
 namespace fpkcheck::backward {
 
-/// Cells of the splines of y and of y'.
+/// Numbers of cells of the splines of y and of y'.
 struct ControlCells {
   int y, v;
 };
 
-/// What control functions are made of.
+/// The splines of the control functions.
 struct ControlSplines {
   numerics::KnotSplines y, v;
 };
 
-/// Chosen for a problem alone, in deviations of equivalent linearisation: 9 in y, beyond where the
-/// mean of the impulses holds the oscillator, and 10.5 to both sides in v, with cells of one width
-/// up to 5 and 6 of them, and a triple knot at v = 0, where grazing impacts leave a corner.
-/// @param shrinking cells next to the wall, and to v = 0, that shrink towards it (widening_knots)
+/// Splines for the base class, determined by the deviations of equivalent linearisation. The ends
+/// are 9 deviations from the static deflection in y and 10.5 deviations to both sides in v; the
+/// cells are uniform up to 5 and 6 deviations. The knot at v = 0 is triple, since grazing impacts
+/// cause a corner of h there.
+/// @param shrinking number of cells that shrink towards the wall and towards v = 0 (widening_knots)
 ControlSplines usual_splines(const problem::Problem& problem, const ControlCells& cells,
                              int shrinking = 0);
 
-/// The fit on these splines under the weight
+/// The fit on these splines with the weight
 ///
 ///     w(y, v) = exp(-(U(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of y',
 ///
-/// 1 where it is largest, with E[Y] only where impulses push away from the wall; each factor is no
-/// less than 1e-9.
-/// @param problem, y, v referred to by the result
+/// normalised to 1 at its maximum; each factor is at least 1e-9. E[Y] counts only if positive,
+/// directed off the wall.
+/// @param problem, y, v the result refers to these
 ControlProblem usual_control(const problem::Problem& problem, const numerics::KnotSplines& y,
                              const numerics::KnotSplines& v, double wall_weight);
 

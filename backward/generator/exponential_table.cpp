@@ -1,17 +1,18 @@
-// Laplace's law: density exp(-|y - m|/s) / (2s) (s the scale). K B(v) = L(v + m) + R(v + m) with
+// Laplace law: density exp(-|y - m|/s) / (2s), s the scale. K B(v) = L(v + m) + R(v + m) with
 //
 //     L(z) = int_{-inf}^z B(x) exp(-(z - x)/s) dx/(2s),   s L' = -L + B/2,
 //
-// and R the same from above. The exponential law has one of them alone, with the weight w = 1 in
-// place of 1/2, at v + m - scale: R where its tail is above, L where it is below.
+// and R the mirrored integral over x > z. The exponential law has only one of the two integrals, at
+// v + m - scale and with the weight w = 1 in place of 1/2: R for an upper tail, L for a lower tail.
 //
-// Along the axis L is carried from piece to piece. Within a piece of length e, theta = (z -
-// begin)/e, it is L(begin) exp(-e theta/s) and a solution that starts at 0, each as a power series,
+// L is integrated from piece to piece along the axis. Within a piece of length e, with theta =
+// (z - begin)/e, L is the sum of L(begin) exp(-e theta/s) and of a solution that starts at 0. Both
+// are power series with
 //
-//     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1),
+//     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1).
 //
-// which for n > p are the terms of an exponential: what follows the last term kept, n = N - 1, is
-// at most |q_N| exp(e/s).
+// For n > p the terms are those of an exponential series: the remainder after the last term kept,
+// n = N - 1, is at most |q_N| exp(e/s).
 #include <algorithm>
 #include <cmath>
 
@@ -22,11 +23,11 @@ namespace {
 
 constexpr int kOneSidedOrder = 16;  // N
 
-// Bernstein coefficients of the two solutions on a piece, t in [0, 1].
+// Bernstein coefficients in theta of the two solutions on a piece.
 struct OneSided {
   numerics::BernsteinCoefficients decay;  ///< exp(-e theta/s)
   std::vector<numerics::BernsteinCoefficients>
-      forced;                      ///< of each function of the piece, 0 at theta = 0
+      forced;                      ///< solution for each function of the piece, 0 at theta = 0
   numerics::Interval final_decay;  ///< exp(-e/s)
 };
 
@@ -64,10 +65,10 @@ OneSided one_sided(const std::vector<numerics::BernsteinCoefficients>& functions
   return solution;
 }
 
-// The shifted images of the pieces, in order, and what lies between them and the ends of the basis.
+// The shifted pieces in order, and further pieces between them and the ends of the basis.
 struct Axis {
   std::vector<VelocityPiece> pieces;
-  std::size_t first = 0;  ///< image of the first piece
+  std::size_t first = 0;  ///< index of the shifted first piece
 };
 
 Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
@@ -91,7 +92,7 @@ Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pi
   return axis;
 }
 
-// w, of L and of R.
+// The weight w of L (below) and of R (above).
 struct Weights {
   double below, above;
 };
@@ -107,7 +108,7 @@ ImpulseTable table_of_sides(const numerics::Interval& shift, double s, const Wei
   for (const bool forward : {true, false}) {
     const double weight = forward ? weights.below : weights.above;
     if (weight == 0) continue;
-    // L or R of all functions at the end of the axis: its part of the constant beyond it.
+    // L or R of all functions at the end of the axis: the integral over the constant beyond it.
     std::vector<numerics::Interval> carried(basis.size(), numerics::Interval(0));
     carried[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {
@@ -139,9 +140,9 @@ ImpulseTable table_of_sides(const numerics::Interval& shift, double s, const Wei
       }
     }
   }
-  // A function misrepresented by an amount everywhere changes K B by no more.
+  // An error of B that is bounded everywhere changes K B by at most this bound.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
-  // An image that lies beyond the basis altogether leaves a stretch between that is not there.
+  // If the shifted pieces lie wholly beyond the basis, the pieces between are missing: no bound.
   const double reach = (pieces.back().to - pieces.front().from).lower();
   if (!(magnitude(shift) < reach)) table.remainder = HUGE_VAL;
   return table;

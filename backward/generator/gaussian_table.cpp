@@ -1,14 +1,16 @@
 // Y ~ N(m, s^2). With v = v0 + h x on the target piece and z = z0 + g y on a source piece,
-// D = (z0 - v0 - m)/s and Hermite's polynomials He,
+// D = (z0 - v0 - m)/s and the Hermite polynomials He,
 //
 //     K B(v) = int B(z) phi((z - v - m)/s) dz/s
 //            = sum_{q,k} x^q (h/s)^q/q! (-1)^k (g/s)^k/k! He_{q+k}(D) phi(D) int B y^k dz/s.
 //
-// Errors, each for |V| <= 1 (the functions are positive and their sum is 1):
-// - sources further than kReach deviations: P(|Y - m| > kReach s) <= 2 exp(-kReach^2/2);
+// Truncation errors for |V| <= 1 (the functions are positive and their sum is 1):
+// - sources beyond kSourceRange deviations: P(|Y - m| > kSourceRange s) <= 2
+// exp(-kSourceRange^2/2);
 // - q >= N: |d^N/dv^N K V| <= s^-N E|He_N| <= s^-N sqrt(N!), so (h/s)^N / sqrt(N!);
-// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!, so with
-//   a = sqrt(2) g/s, b = sqrt(2) h/s at most 0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
+// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!. With
+//   a = sqrt(2) g/s, b = sqrt(2) h/s the error is at most
+//   0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
 #include <cmath>
 #include <stdexcept>
 
@@ -37,7 +39,8 @@ numerics::BernsteinCoefficients centred_power(int q, int n) {
   return elevated(b, n);
 }
 
-// int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSources): the mean of the Bernstein coefficients.
+// int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSourceMoments): the mean of the Bernstein
+// coefficients of the integrand.
 std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   std::vector<numerics::BernsteinCoefficients> integrals(p + 1,
@@ -55,7 +58,7 @@ std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
   return integrals;
 }
 
-// A source: (-1)^k (g/s)^k/k! int B y^k dz/s of its functions.
+// A source piece: the moments (-1)^k (g/s)^k/k! int B y^k dz/s of its functions.
 struct Source {
   numerics::Interval centre;
   double half;
@@ -82,9 +85,10 @@ Source source_of(const ImpactBasis& basis, const VelocityPiece& piece, double s,
   return source;
 }
 
-// sum_{n >= first} a^n / sqrt(n!): for a <= 3/4 each term is at most 3/4 of the one before.
+// Bound of sum_{n >= first} a^n / sqrt(n!): for a <= 3/4 the ratio of consecutive terms is at most
+// 3/4.
 numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
-  if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: pieces longer than allowed");
+  if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: velocity pieces too long");
   return 4.0 * power(a, first) / sqrt(factorial(first));
 }
 
@@ -96,7 +100,7 @@ ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
   ImpulseTable table = empty_table(basis, pieces, kOrder);
   const auto integrals = power_integrals(basis.speeds().degree());
 
-  // Beyond the ends the first and the last function are 1.
+  // Source pieces beyond the ends, where the first or the last function is 1.
   std::vector<VelocityPiece> sourced(pieces);
   const double reach = kReach * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;
@@ -165,7 +169,7 @@ ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
 
   const numerics::Interval a = sqrt(numerics::Interval(2)) * largest_g / s,
                            b = sqrt(numerics::Interval(2)) * largest_h / s;
-  // The lengths of all sources that a target sees, in deviations.
+  // Total length of the sources of a target, in deviations.
   const numerics::Interval seen = 2.0 * (kReach + 2.0 * (largest_h + 2.0 * largest_g) / s);
   const numerics::Interval sources_cut =
       0.44 * seen * root_factorial_tail(b, 0) * root_factorial_tail(a, kSources);

@@ -16,7 +16,7 @@ using problem::LaplaceLaw;
 using problem::TwoPointLaw;
 using problem::UniformLaw;
 
-// Offsets y where the law's density or its derivative jumps, or its atoms.
+// Amplitudes at which the density of the law or its derivative jumps, or which are atoms.
 std::vector<double> kinks_of(const GaussianLaw&) { return {}; }
 std::vector<double> kinks_of(const LaplaceLaw& law) {
   return law.mean == 0 ? std::vector<double>{} : std::vector{law.mean};
@@ -30,14 +30,14 @@ std::vector<double> kinks_of(const UniformLaw& law) {
 
 std::vector<double> kinks_of(const ExponentialLaw& law) { return {law.mean - law.scale}; }
 
-// Pieces are short against the length over which the law's kernel varies.
+// Pieces are short compared with the length scale of the law's density.
 double longest_piece(const GaussianLaw& law) { return 0.8 * law.deviation; }
 double longest_piece(const LaplaceLaw& law) { return 0.6 * law.scale; }
 double longest_piece(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
 double longest_piece(const TwoPointLaw& law) { return 2 * law.deviation; }
 double longest_piece(const UniformLaw& law) { return law.half_width; }
 
-// E[(Y - mean)^n]; n even where the law is symmetric.
+// E[(Y - mean)^n]; for even n only if the law is symmetric.
 numerics::Interval central_moment(const GaussianLaw& law, int n) {
   numerics::Interval m = power(numerics::Interval(law.deviation), n);
   for (int i = n - 1; i > 1; i -= 2) m *= static_cast<double>(i);
@@ -69,7 +69,7 @@ concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
 };
 
 [[noreturn]] void refuse(std::string_view law) {
-  throw std::logic_error(fmt::format("no enclosures for the law {}: ask has_enclosures", law));
+  throw std::logic_error(fmt::format("law {}: no enclosures; check has_enclosures first", law));
 }
 
 }  // namespace

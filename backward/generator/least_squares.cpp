@@ -10,9 +10,10 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kMostSteps = 12;
-constexpr double kConverged = 1e-20;  // of the first product of gradient and step: rounding
+// Relative to the first product of gradient and preconditioned gradient: the level of rounding.
+constexpr double kConverged = 1e-20;
 
-// The rows of the least-squares problem, applied through their three separable terms.
+// The rows of the least-squares problem, applied as a sum of three separable terms.
 class Rows {
  public:
   explicit Rows(const LeastSquaresProblem& p)
@@ -32,7 +33,7 @@ class Rows {
   int v_points() const { return static_cast<int>(p_.v.v.size()); }
   double force(int i) const { return p_.problem.system.force()(p_.y.y[i]); }
 
-  /// At a wall both functions of a mirrored pair have one unknown.
+  /// Numbers of unknowns: at a wall the two functions of a mirrored pair share one unknown.
   std::vector<Eigen::Index> block_sizes() const {
     std::vector<Eigen::Index> sizes(p_.displacement.size(), functions_);
     for (std::size_t a : {std::size_t{0}, sizes.size() - 1}) {
@@ -46,7 +47,7 @@ class Rows {
     const Eigen::SparseMatrix<double>& drift = p_.v.drift;
     Eigen::MatrixXd motion, weighted;
     for (int i = 0; i < y_points(); ++i) {
-      // L = A M + A' D with M = jump + g(y) force, D = drift
+      // L = A M + A' D with M = jump + g(y) force and D = drift
       motion = p_.v.jump + force(i) * p_.v.force;
       weighted = weights_.col(i).cwiseSqrt().asDiagonal() * motion;
       Eigen::MatrixXd mm = Eigen::MatrixXd::Zero(functions_, functions_);
@@ -69,7 +70,8 @@ class Rows {
     return matrix;
   }
 
-  /// L V at all points, shape (v points, y points), of coefficients (functions of y, of v).
+  /// L V at all points, shape (v points, y points), for coefficients of shape (functions of y, of
+  /// v).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& c) const {
     const Eigen::MatrixXd jump = p_.v.jump * c.transpose(), drift = p_.v.drift * c.transpose(),
                           force_term = p_.v.force * c.transpose();
@@ -85,7 +87,7 @@ class Rows {
     return result;
   }
 
-  /// The transpose of `apply` with the weights: unknowns of the normal equations.
+  /// The weighted transpose of `apply`: a vector in the unknowns of the normal equations.
   Eigen::VectorXd transposed(const Eigen::MatrixXd& residual) const {
     const Eigen::MatrixXd weighted = weights_.cwiseProduct(residual);
     Eigen::MatrixXd value = Eigen::MatrixXd::Zero(v_points(), p_.displacement.size());
@@ -106,7 +108,7 @@ class Rows {
     return (weights_.array() * a.array() * b.array()).sum();
   }
 
-  /// numerics::BernsteinCoefficients from unknowns.
+  /// Spline coefficients from the unknowns.
   Eigen::MatrixXd unfolded(const Eigen::VectorXd& x) const {
     const int rows = p_.displacement.size(), centre = p_.velocity.centre();
     Eigen::MatrixXd c(rows, functions_);
@@ -145,7 +147,7 @@ class Rows {
     return x;
   }
 
-  // Adds the rows of mirrored functions, the centre counted once.
+  // Adds the rows of mirrored functions; the centre counts once.
   Eigen::MatrixXd folded_rows(const Eigen::MatrixXd& g) const {
     Eigen::MatrixXd f = g.bottomRows(tied_);
     f.bottomRows(tied_ - 1) += g.topRows(tied_ - 1).colwise().reverse();
@@ -170,10 +172,10 @@ class Rows {
   Eigen::MatrixXd weights_;  // squares, shape (v points, y points)
 };
 
-/// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal equations,
-/// which rounding and its ridge put off on the finest grids: three or four steps on the others. Each
-/// column ends where it is converged or rounding lets it go no further.
-/// @param residual, x those of x = 0; the residuals end within rounding of f + A x
+/// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal
+/// equations. Three or four steps suffice, except on the finest grids, where rounding and the ridge
+/// degrade the preconditioner. A column stops at convergence or when rounding prevents progress.
+/// @param residual, x start values for x = 0; at the end the residuals equal f + A x up to rounding
 void minimise(const Rows& rows, const NormalEquations& equations,
               std::vector<Eigen::MatrixXd>& residual, Eigen::MatrixXd& x) {
   Eigen::MatrixXd gradient(x.rows(), x.cols()), direction = x;
@@ -213,7 +215,7 @@ BackwardSolutions solve_backward(
   const Rows rows(problem);
   const NormalEquations equations(rows.normal_matrix(), "the fit");
 
-  // Right-hand sides: each f, and 1 in the last place.
+  // Right-hand sides: each f, and 1 as the last.
   const std::size_t count = functions.size() + 1;
   std::vector<Eigen::MatrixXd> f(count);
   for (std::size_t n = 0; n < count; ++n) {
@@ -238,7 +240,7 @@ BackwardSolutions solve_backward(
     const double mean = rows.dot(one, residual[n]) / rows.dot(one, one);
     solutions.means.push_back(mean);
     Eigen::MatrixXd c = rows.unfolded(x.col(n) - mean * x.rightCols<1>());
-    c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;  // L of a constant is 0
+    c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;  // a constant is free: L of it is 0
     solutions.coefficients.push_back(std::move(c));
     const Eigen::MatrixXd left = residual[n] - mean * one;
     std::pair<double, double> extremes{0, 0};

@@ -6,7 +6,7 @@ namespace fpkcheck::backward {
 
 ImpulseTable table_of(const problem::TwoPointLaw& law, const ImpactBasis& basis,
                       const std::vector<VelocityPiece>& pieces) {
-  const int order = basis.speeds().degree() + 2;  // the generator's own v V_y has this order
+  const int order = basis.speeds().degree() + 2;  // order of the term v V_y of the generator
   ImpulseTable table = empty_table(basis, pieces, order);
   double overhang = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -22,7 +22,7 @@ ImpulseTable table_of(const problem::TwoPointLaw& law, const ImpactBasis& basis,
       }
     }
   }
-  // At a point no more than the functions of two spans, 2 (p + 1), are affected.
+  // At a point the error affects at most the functions of two spans, 2 (p + 1).
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
   return table;
 }

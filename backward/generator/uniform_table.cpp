@@ -5,8 +5,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// I(v) = int_{begin}^v B of all functions, at the beginning of each span and at the end of the
-// last.
+// I(v) = int_{begin}^v B for all functions, at the beginning of each span and at the end of the
+// last span.
 class Primitive {
  public:
   explicit Primitive(const ImpactBasis& basis) : basis_(basis) {
@@ -32,7 +32,8 @@ class Primitive {
     for (int b = 0; b < basis_.size(); ++b) {
       for (int j = 0; j < order; ++j) coefficients[b * order + j] += factor * at_begin_[known][b];
     }
-    // From the beginning of the span (below the range: back from its beginning) to the piece.
+    // Integral from the beginning of the span to the piece; below the range, from the piece to the
+    // beginning of the range.
     const numerics::Interval begin =
         known < static_cast<int>(spans_.size()) ? spans_[known].from : spans_.back().to;
     const VelocityPiece gap{piece.side, piece.span, begin, piece.from, 0};
@@ -98,7 +99,7 @@ ImpulseTable table_of(const problem::UniformLaw& law, const ImpactBasis& basis,
       error = std::max(error.upper(), (magnitude(factor) * numerics::Interval(missed)).upper());
     }
   }
-  // Two shifts, each affecting no more than the functions of two spans.
+  // Each of the two shifts affects at most the functions of two spans.
   table.remainder = (4.0 * (basis.speeds().degree() + 1.0) * error).upper();
   return table;
 }

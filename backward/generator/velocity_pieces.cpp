@@ -8,7 +8,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// The ends of a span in v, increasing.
+// Ends of a span in v, increasing.
 std::array<numerics::Interval, 2> ends_of(const ImpactBasis& basis, Side side, int span) {
   const double u0 = basis.speeds().breaks()[span], u1 = basis.speeds().breaks()[span + 1];
   if (side == Side::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
@@ -20,7 +20,7 @@ double middle(const numerics::Interval& from, const numerics::Interval& to) {
   return (from.lower() + to.upper()) / 2;
 }
 
-// |B'| <= p / (the shortest knot interval on which it lives), in v.
+// Bound of |dB/dv|: p / (the shortest knot interval in v).
 double steepest(const ImpactBasis& basis) {
   const std::span<const double> u = basis.speeds().breaks();
   double shortest = u[1] - u[0];
@@ -71,11 +71,11 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
     }
     slope = (slope * p / numerics::Interval(piece.length().lower())).upper();
   }
-  // On the overhang both the polynomial and the function start from the same value at the span's
-  // end: they part by no more than the sum of their slopes allows.
+  // At the end of the span the polynomial and the function are equal. On the overhang their
+  // difference is at most its length times the sum of the bounds of both slopes.
   functions.overhang_error =
       (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + steepest(basis))).upper();
-  // A piece whose length is not known to be positive has no slope.
+  // A piece without a positive lower bound of its length has no bound of the slope.
   if (!(piece.length().lower() > 0)) {
     functions.overhang_error = piece.overhang > 0 ? HUGE_VAL : 0;
   }
@@ -106,7 +106,7 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 
 std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,
                                      double longest) {
-  // Cuts closer than this to a break are left to the overhang of their pieces.
+  // Cuts closer than this to a break are omitted; the overhang of the pieces covers them.
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;
   const auto add_span = [&](Side side, int span) {

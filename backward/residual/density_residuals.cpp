@@ -15,8 +15,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// The jumps at the wall count as if in samples of the density four times a radian of the
-// undamped motion; the corrected moments hardly depend on it.
+// Weight of the jumps at the wall, as for four samples per radian of the undamped motion. The
+// corrected moments hardly depend on it.
 constexpr double kWallWeight = 4;
 
 WeakResiduals usual_residuals(const problem::Problem& problem, ControlSplines splines) {
@@ -34,19 +34,21 @@ const ControlCells& cells_for(const problem::Features& features) {
   return features.noise ? DensityResiduals::kCellsOfWells : DensityResiduals::kCellsOfSharpWells;
 }
 
-// By how many times its error in L1 a density may be off where the backward equation is not
-// resolved: faults gather there.
+// Ratio of the local error to the L1 error of a density where the backward equation is not
+// resolved: errors concentrate there.
 constexpr double kGathered = 10;
-// (E_p - E)|e|, and the L1 distance, of densities that have nothing in common.
+// L1 distance of disjoint densities; also the largest (E_p - E)[e] in units of the unresolved
+// residual.
 constexpr double kDisjoint = 2;
 
-// The contrast of wells up to which e is about constant in each of them: in random wells (RandomWells
-// in tests/backward/residual) shares that are wrong by d are stated with less than 2 d from 0.65 on.
+// Largest contrast for which there is an error estimate. In random wells (RandomWells in
+// tests/backward/residual) the estimate for probabilities of wells wrong by d falls below 2 d from
+// a contrast of 0.65.
 constexpr double kMostContrast = 0.5;
 
-/// The error t with t = found + min(kGathered t, kDisjoint) unresolved + contrast t: shares of wells
-/// that are wrong by d, which is t/2 at the most, leave 2 d contrast in (E_p - E)[e]. Infinite where
-/// the residuals do not determine the shares.
+/// The error t that solves t = found + min(kConcentration t, kDisjointL1) unresolved + contrast t.
+/// Probabilities of wells that are wrong by d <= t/2 contribute 2 d contrast to (E_p - E)[e].
+/// Infinite if the residuals do not determine these probabilities.
 double with_unresolved(const JudgedError& error) {
   if (error.contrast > kMostContrast) return std::numeric_limits<double>::infinity();
   const double of_wells = 1 - error.contrast;

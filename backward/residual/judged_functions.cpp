@@ -11,12 +11,12 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kShrinking = 12;     // cells
-constexpr double kOffTheWall = 4;  // deviations
+constexpr int kShrinking = 12;     // cells that shrink towards the wall and towards v = 0
+constexpr double kOffTheWall = 4;  // static deflection off the wall, in deviations
 
 double one_everywhere(double) { return 1; }
 
-/// The B-splines on every second break.
+/// The B-splines on every second break of the splines.
 std::shared_ptr<const numerics::KnotSplines> wider(const numerics::KnotSplines& splines) {
   const auto& breaks = splines.breaks();
   std::vector<double> knots(numerics::KnotSplines::kDegree + 1, splines.begin());

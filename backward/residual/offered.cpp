@@ -7,11 +7,11 @@ namespace fpkcheck::backward {
 std::string residuals_refused(const problem::Problem& problem) {
   const problem::Features features = problem::features(problem);
   if (features.rests_in_contact) {
-    return "the mass comes to rest at a wall, where its law has an atom that no density shows";
+    return "the mass comes to rest at a wall: residuals of a density do not contain the atom";
   }
   if (features.collapse) {
-    return "impacts accumulate at a wall (r <= 0.163 under noise): the impact does not say how the "
-           "mass leaves it";
+    return "impacts accumulate at a wall (r <= 0.163 under noise): the impact law does not define "
+           "how the mass leaves the wall";
   }
   return {};
 }

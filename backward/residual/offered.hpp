@@ -6,8 +6,7 @@
 
 namespace fpkcheck::backward {
 
-/// Why no density of a problem is judged by its residuals (DensityResiduals), in one phrase; empty
-/// where they are.
+/// Why DensityResiduals does not support a problem, in one phrase; empty if it does.
 std::string residuals_refused(const problem::Problem& problem);
 
 }  // namespace fpkcheck::backward

@@ -6,9 +6,9 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr std::ptrdiff_t kEdges = 8;  // that a polynomial of degree 7 joins
+constexpr std::ptrdiff_t kEdges = 8;  // stencil of a polynomial of degree 7
 
-/// The slopes at x of Lagrange's polynomials of some edges.
+/// The slopes at x of the Lagrange polynomials on some edges.
 std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
   std::vector<double> slopes;
   for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -45,7 +45,7 @@ SparseRows reconstruction(std::span<const double> edges, std::span<const double>
     const auto chosen =
         edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
     const std::vector<double> slopes = lagrange_slopes(chosen, x);
-    // The cumulative on an edge counts the mass of every cell before it; all slopes sum to 0.
+    // The cumulative at an edge contains the masses of all cells before it; all slopes sum to 0.
     double sum = 0;
     for (auto a = count - 1; a > 0; --a) {
       const auto at = static_cast<std::size_t>(a);

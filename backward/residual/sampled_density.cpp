@@ -17,7 +17,7 @@ namespace {
 constexpr unsigned kSixPoints = 6;
 constexpr int kPanelsOfRange = 24;
 
-/// On [begin, end], cut at both kinds of breaks.
+/// Gauss rule on [begin, end], divided at both kinds of breaks.
 numerics::QuadratureRule rule_between(double begin, double end, std::span<const double> a,
                                       std::span<const double> b) {
   std::vector<double> cuts{begin, end};
@@ -30,14 +30,14 @@ numerics::QuadratureRule rule_between(double begin, double end, std::span<const 
   return numerics::gauss_rule<kSixPoints>(cuts);
 }
 
-/// The samples are averages over cells.
+/// An axis whose samples are averages over cells.
 SampledAxis of_averages(const numerics::QuadratureRule& rule, std::span<const double> edges) {
   SparseRows rows = reconstruction(edges, rule.points);
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.row(n) *= rule.weights(n);
   return {rule.points, std::move(rows)};
 }
 
-/// The samples are values at the points.
+/// An axis whose samples are values at the points.
 SampledAxis of_values(const numerics::QuadratureRule& rule) {
   SparseRows rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
@@ -48,11 +48,11 @@ SampledAxis of_values(const numerics::QuadratureRule& rule) {
 void check_edges(std::span<const double> edges, const char* axis) {
   if (edges.size() < 2 ||
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
-    throw InputError(std::string("the edges of the cells of ") + axis + " must increase");
+    throw InputError(std::string("the cell edges of ") + axis + " do not increase");
   }
 }
 
-/// How far a density reaches, up to rounding errors.
+/// The range of a density in y, with comparisons up to rounding errors.
 struct Reach {
   double low, high;
 
@@ -73,12 +73,12 @@ SampledDensity sampled_form(const transform::GridDensity& density, const Integra
   const Reach reach{density.y_edges.front(), density.y_edges.back()};
   for (const ImpactBreaks& wall : breaks.walls) {
     if (wall.away > 0 && !reach.ends_at(wall)) {
-      throw InputError("the cells of y must begin at 0, the wall");
+      throw InputError("the cells of y do not begin at the wall, y = 0");
     }
-    if (reach.passes(wall)) throw InputError("the cells of y must end at the wall");
+    if (reach.passes(wall)) throw InputError("the cells of y extend past the wall");
   }
   if (density.averages.size() != density.ny() * density.nv()) {
-    throw InputError("a density on cells needs one average for each of them");
+    throw InputError("the number of averages differs from the number of cells");
   }
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const RowMajor> averages(density.averages.data(),
@@ -90,7 +90,7 @@ SampledDensity sampled_form(const transform::GridDensity& density, const Integra
                         .samples = averages,
                         .impacts = {}};
   for (const ImpactBreaks& wall : breaks.walls) {
-    // Along the wall by the speed of impact: the same cells, mirrored at the left one.
+    // The cells of v as cells of the impact speed: mirrored at a left wall.
     std::vector<double> edges;
     for (const double edge : v) edges.push_back(-wall.away * edge);
     if (wall.away > 0) std::ranges::reverse(edges);
@@ -110,11 +110,11 @@ SampledDensity sampled_form(const transform::SmoothDensity& density,
   const double range = density.y_max - density.y_min;
   if (!(range > 0) || !(density.v_max > 0) || !std::isfinite(range) ||
       !std::isfinite(density.v_max)) {
-    throw InputError("a density given as a function needs a finite range of y and of y'");
+    throw InputError("a density given as a function has no finite positive range of y or y'");
   }
   const Reach reach{density.y_min, density.y_max};
   if (std::ranges::any_of(breaks.walls, [&](const auto& wall) { return reach.passes(wall); })) {
-    throw InputError("a density given as a function must end at the wall");
+    throw InputError("the range of a density given as a function extends past the wall");
   }
   std::vector<double> in_y, in_v;
   for (int k = 1; k <= kPanelsOfRange; ++k) {
@@ -136,7 +136,7 @@ SampledDensity sampled_form(const transform::SmoothDensity& density,
   for (const ImpactBreaks& wall : breaks.walls) {
     SampledAxis speeds = of_values(rule_between(0, density.v_max, wall.speeds, in_v));
     Eigen::VectorXd samples = Eigen::VectorXd::Zero(std::ssize(speeds.points));
-    // What the density is where y is off by a rounding error must not count.
+    // Clamped: the density may be 0 at a wall position with a rounding error.
     const double at = std::clamp(wall.position, density.y_min, density.y_max);
     for (Eigen::Index n = 0; reach.ends_at(wall) && n < samples.size(); ++n) {
       samples(n) = density.value(at, -wall.away * speeds.points[static_cast<std::size_t>(n)]);

@@ -12,9 +12,9 @@ namespace fpkcheck::backward {
 Eigen::MatrixXd spline_shares(const numerics::KnotSplines& splines, std::span<const double> edges) {
   if (edges.size() < 2 ||
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
-    throw InputError("the edges of the cells of a map must increase");
+    throw InputError("the cell edges of a map do not increase");
   }
-  // Between all breaks and edges splines are polynomials of degree 5: three points are exact.
+  // Between breaks and edges the splines are polynomials of degree 5: three points are exact.
   std::vector<double> cuts(splines.breaks());
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double x) { return splines.begin() < x && x < splines.end(); });
@@ -29,7 +29,7 @@ Eigen::MatrixXd spline_shares(const numerics::KnotSplines& splines, std::span<co
       shares(cell, b.first + l) += weights(static_cast<Eigen::Index>(n)) * b.value[l];
     }
   }
-  // The integral of a spline is the width of its support by its degree plus 1 (de Boor).
+  // The integral of a B-spline is the width of its support divided by its degree plus 1 (de Boor).
   for (int i = 0; i < splines.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const auto& knots = splines.knots();

@@ -13,7 +13,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kPerCell = 2;  // points along an axis
+constexpr int kPerCell = 2;  // points of a cell along an axis
 
 /// Values of f at all points of both axes.
 Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
@@ -28,7 +28,7 @@ Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
   return along(f.of_y, y) * along(f.of_v, v).transpose();
 }
 
-/// Weights of a rule times those of the fit.
+/// Weights of a rule times weights of the fit.
 Eigen::VectorXd weights_of(const numerics::QuadratureRule& rule,
                            const std::function<double(double)>& weight) {
   Eigen::VectorXd weights = rule.weights;
@@ -44,7 +44,7 @@ Eigen::VectorXd normalised_weights(const numerics::QuadratureRule& rule,
   return weights / weights.sum();
 }
 
-/// Where V is highest between neighbouring minima, increasing.
+/// Positions of the maxima of V between neighbouring minima, increasing.
 std::vector<double> barriers(const problem::Problem& problem, const std::vector<double>& points) {
   const problem::UndampedOrbits orbits(problem);
   const auto& minima = orbits.minima();
@@ -60,14 +60,14 @@ std::vector<double> barriers(const problem::Problem& problem, const std::vector<
   return tops;
 }
 
-/// Means over each well from values at the points of y, shape (wells, points): from barrier to
-/// barrier. No rows for one well.
+/// Matrix of the means over each well, from barrier to barrier, of values at the points of y: shape
+/// (wells, points). No rows for a single well.
 Eigen::MatrixXd averages_in_wells(const problem::Problem& problem,
                                   const numerics::QuadratureRule& rule,
                                   const std::function<double(double)>& weight) {
   if (problem::features(problem).wells < 2) return {};
-  // With the weight of general_control(), which is narrower than the density, a well below this share
-  // has less than 1e-4 of the mass.
+  // The weight of general_fit() is narrower than the density: a well below this fraction of the
+  // weight has less than 1e-4 of the mass.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> tops = barriers(problem, rule.points);
   const Eigen::VectorXd weights = weights_of(rule, weight);

@@ -9,25 +9,26 @@
 
 namespace fpkcheck::backward {
 
-/// What approximate solutions h of backward equations leave of them: e = f - U + L h in the plane
-/// and h(0, r u) - h(0, -u) at the wall, as means of their sizes over the cells of the splines and
-/// over speeds of impacts.
+/// Residuals of approximate solutions h of backward equations: e = f - U + L h in the plane and
+/// h(0, r u) - h(0, -u) at the wall, as means of |e| over the cells of the splines and over cells
+/// of impact speeds.
 class Unresolved {
  public:
-  /// @param fit what h was fitted in; its weight averages over wells
-  /// @param functions f, as many as columns of h
+  /// @param fit the fit of h; its weight defines the averages over wells
+  /// @param functions the functions f, one for each column of h
   Unresolved(const ControlProblem& fit, std::span<const SeparableFunction> functions,
              const ControlFunctions& h);
 
-  /// E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du (the last for each wall) of each function, for the density p whose
-  /// weak form is given. (E_p - E)[f], less what -sum h rho says of it, is (E_p - E)[e] and the
-  /// like at the wall: if p were as far off as can be, twice this.
+  /// E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du, with the last term for each wall, for each
+  /// function; p is the density of the weak form. The error (E_p - E)[f] minus its estimate
+  /// -sum h rho equals (E_p - E)[e] plus the same for the jumps at the wall. For a density disjoint
+  /// from the exact density this is about twice the returned value.
   Eigen::VectorXd of(const WeakForm& density) const;
 
-  /// The largest difference between the means of e in two wells, of each function; 0 with one well.
-  /// Where exchange between wells is not resolved, e is about constant in each of them, and a density
-  /// whose shares of the wells are wrong by d leaves d times the difference in (E_p - E)[e], whatever
-  /// E_p|e| is. Wells of negligible mass are left out.
+  /// Largest difference between the means of e over two wells, for each function; 0 with one well.
+  /// If the exchange between wells is not resolved, e is nearly constant in each well. A density
+  /// whose probabilities of the wells are wrong by d then contributes d times this difference to
+  /// (E_p - E)[e], whatever E_p|e| is. Wells of negligible mass are omitted.
   const Eigen::VectorXd& contrasts() const { return contrasts_; }
 
  private:

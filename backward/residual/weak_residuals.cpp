@@ -15,9 +15,9 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr std::size_t kNodes = 8;     // between breaks of v
+constexpr std::size_t kNodes = 8;     // Gauss points between breaks of v
 constexpr int kPowers = 5;            // 0 .. 4
-constexpr double kLeastCell = 1e-12;  // of the range: breaks that are one but for rounding
+constexpr double kLeastCell = 1e-12;  // relative to the range: closer breaks coincide by rounding
 
 std::vector<double> nodes_of(const std::vector<double>& breaks) {
   auto nodes = numerics::gauss_rule<kNodes>(breaks).points;
@@ -25,8 +25,8 @@ std::vector<double> nodes_of(const std::vector<double>& breaks) {
   return nodes;
 }
 
-/// The breaks of B_j, and what impulses of one size, or a corner of their density, make of the
-/// knots where B_j is less smooth than elsewhere.
+/// The breaks of B_j and of K B_j: multiple knots, where B_j is less smooth, are shifted by each
+/// atom of the law and by each corner of its density.
 std::vector<double> breaks_after_impulse(const numerics::KnotSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;
@@ -58,7 +58,7 @@ std::vector<ImpactBreaks> breaks_at(const std::vector<ImpactWall>& walls,
   return all;
 }
 
-/// 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
+/// The powers 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
 template <class Coordinate>
 Eigen::MatrixXd powers_at(std::span<const double> points, const Coordinate& coordinate) {
   Eigen::MatrixXd powers(std::ssize(points), kPowers);
@@ -71,7 +71,7 @@ Eigen::MatrixXd powers_at(std::span<const double> points, const Coordinate& coor
   return powers;
 }
 
-/// 1 between two breaks, shape (points, breaks - 1).
+/// Indicator functions of the cells between consecutive breaks, shape (points, breaks - 1).
 Eigen::MatrixXd indicators(std::span<const double> points, const std::vector<double>& breaks) {
   Eigen::MatrixXd one = Eigen::MatrixXd::Zero(std::ssize(points), std::ssize(breaks) - 1);
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -94,8 +94,8 @@ WeakResiduals::WeakResiduals(const problem::Problem& problem, numerics::KnotSpli
       nodes_(nodes_of(v_breaks_)),
       means_(impulse_means(v_, problem.impulses, nodes_)) {}
 
-/// K B_j by interpolation between the nodes of a cell, where it is smooth; beyond the ends as at
-/// the ends.
+/// K B_j by interpolation between the nodes of a cell, where it is smooth; constant beyond the
+/// ends.
 Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) const {
   if (!problem_.impulses.present()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_.size());
@@ -120,7 +120,7 @@ Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) co
   return result;
 }
 
-/// int u p(0, -u) [B_j(r u) - B_j(-u)] du, likewise at the right
+/// int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right wall.
 Eigen::RowVectorXd WeakResiduals::impacts(const ImpactWall& wall,
                                           const SampledImpacts& impacts) const {
   const auto& speeds = impacts.speeds.points;
@@ -133,7 +133,7 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   const SampledDensity p =
       sampled(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
 
-  // E_p[y^m y'^n] of the physical coordinates, before the mass is divided by.
+  // E_p[y^m y'^n] in physical coordinates, not yet divided by the mass.
   const problem::Frame& frame = problem_.frame;
   const Eigen::MatrixXd along_y =
       p.y.integrals(powers_at(p.y.points, [&](double x) { return frame.y(x); })) * p.samples;
@@ -142,7 +142,7 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   const Eigen::MatrixXd powers = along_y * along_v.transpose();
   const double mass = powers(0, 0);
   if (!(mass > 0) || !std::isfinite(mass)) {
-    throw InputError(fmt::format("a density of mass {:.4g} has no residuals: no mean", mass));
+    throw InputError(fmt::format("no residuals: the mass {:.4g} is not positive", mass));
   }
   const auto moment = [&](int m, int n) { return powers(m, n) / mass; };
 
@@ -155,7 +155,7 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   }
   std::vector<Eigen::VectorXd> of_impacts;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
-    // The first (last) function of y is 1 at the left (right) wall, and all others vanish there.
+    // At the left (right) wall the first (last) function of y is 1 and all other functions vanish.
     residuals.row(walls_[n].away > 0 ? 0 : y_.size() - 1) += impacts(walls_[n], p.impacts[n]);
     const SampledAxis& speeds = p.impacts[n].speeds;
     const Eigen::Map<const Eigen::VectorXd> u(speeds.points.data(), std::ssize(speeds.points));

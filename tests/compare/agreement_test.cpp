@@ -33,7 +33,7 @@ std::vector<PairDistances> pairs_apart(double y, double ydot) {
   return pairs;
 }
 
-// For |N|, where the S-inequality is an equality.
+// For |N|, N standard normal, the S-inequality is an equality.
 TEST(Agreement, IsTestedAtItsLevelOverBothDensities) {
   const boost::math::normal normal;
   const double in_99 = boost::math::quantile(normal, 0.995);
@@ -42,7 +42,7 @@ TEST(Agreement, IsTestedAtItsLevelOverBothDensities) {
   EXPECT_NEAR(2 * beyond, kAgreementLevel, 1e-6);
 }
 
-// L1 norms of Gaussian vectors between one mode and many: the limit is exceeded no more often.
+// L1 norms of Gaussian vectors with one to many modes exceed the limit at most at the stated level.
 TEST(Agreement, LimitsL1ByChanceWhateverItsModes) {
   boost::random::mt19937_64 engine(1);
   boost::random::normal_distribution<double> normal;
@@ -60,7 +60,7 @@ TEST(Agreement, LimitsL1ByChanceWhateverItsModes) {
   }
 }
 
-// What `fpkcheck run case1 --set system.damping=0` met with one seed of six.
+// Values of `fpkcheck run case1 --set system.damping=0` with one of six seeds.
 TEST(Agreement, IsNotDeniedByOneRunOfAHundred) {
   Solution one = solution_named("a"), other = solution_named("b");
   one.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
@@ -74,7 +74,7 @@ TEST(Agreement, IsNotDeniedByOneRunOfAHundred) {
 TEST(Agreement, AddsTheErrorsOfBoth) {
   Solution one = solution_named("a"), other = solution_named("b");
   EXPECT_FALSE(largest_explained(one, other, Variable::y, false));
-  EXPECT_TRUE(agree(one, other, pairs_apart(1, 1)));  // nothing is known of their errors
+  EXPECT_TRUE(agree(one, other, pairs_apart(1, 1)));  // both without error estimates
   one.sampling = {.y = 3e-3, .ydot = 3e-3, .y_99 = 4e-3, .ydot_99 = 6e-3};
   other.sampling = {.y = 1e-3, .ydot = 4e-3, .y_99 = 3e-3};
   EXPECT_DOUBLE_EQ(*largest_explained(one, other, Variable::y, false), largest_by_chance(5e-3));

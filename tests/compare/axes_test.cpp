@@ -54,7 +54,7 @@ TEST(ComparisonAxes, DivideTheBinsAtASpike) {
 }
 
 TEST(ComparisonAxes, HaveTheEvenBinsOfTheSameOscillator) {
-  // The rate alone says where bins are divided; the intensity, and with it the extent, stays.
+  // The rate alone decides where bins are divided; the intensity and the extent are equal.
   const auto rare = comparison_axes(with_impulses_per_decay_time(0.5));
   const auto frequent = comparison_axes(with_impulses_per_decay_time(5));
   for (const Variable variable : transform::kVariables) {
@@ -76,7 +76,7 @@ TEST(ComparisonAxes, MergeWhatIsDividedByItsMass) {
     const auto even = on_even_bins(axes, variable, marginal);
     ASSERT_EQ(even.edges, edges(even_axes(axes), variable));
     ASSERT_EQ(even.size(), 140u);
-    const std::size_t below = variable == Variable::y ? 0 : 69;  // even bins before those at 0
+    const std::size_t below = variable == Variable::y ? 0 : 69;  // uniform bins before those at 0
     double mass = 0;
     for (std::size_t b = below; b < below + 4; ++b) mass += marginal.density[b] * marginal.width(b);
     EXPECT_NEAR(even.density[below] * even.width(below), mass, 1e-15);

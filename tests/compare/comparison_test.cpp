@@ -58,7 +58,7 @@ TEST(Comparison, UsesTheSimulationsOwnHistogram) {
   EXPECT_EQ(used.marginal.lower, own.lower);
 }
 
-// By rounding a discretised tail falls below 0. Of what is not `ok` that is what one wants to see.
+// Rounding makes a discretised tail negative. Solutions that are not ok keep the negative values.
 TEST(Comparison, LeavesNoNegativeProbabilityInABinOfAnOk) {
   const auto axes = comparison_axes(tests::paper_case(1));
   auto solutions = tests::made_up_solutions(axes);
@@ -93,7 +93,7 @@ TEST(Comparison, IsOverEvenBinsWhereThoseAtASpikeAreDivided) {
   const auto& one = comparison.marginals[0];
   const auto& other = comparison.marginals[2];
   ASSERT_EQ(one.variable, Variable::y);
-  EXPECT_EQ(one.marginal.edges, axes.y_edges);  // shown
+  EXPECT_EQ(one.marginal.edges, axes.y_edges);  // output keeps the divided bins
   const auto* pair = find_pair(comparison.pairs, one.solution, other.solution, Variable::y);
   ASSERT_NE(pair, nullptr);
   EXPECT_EQ(pair->distances.l1, transform::l1(on_even_bins(axes, Variable::y, one.marginal),
@@ -101,7 +101,7 @@ TEST(Comparison, IsOverEvenBinsWhereThoseAtASpikeAreDivided) {
 }
 
 TEST(Comparison, IsOfTheMarginalOfTheVariableItNames) {
-  // Made with the same p(y), and with another p(y').
+  // Two solutions with the same p(y) and different p(y').
   std::vector<Solution> two;
   for (const double quartic : {0.0, 0.1}) {
     two.push_back(tests::solution(

@@ -23,7 +23,7 @@ Marginal normal(double mean, double deviation, int bins = 4000) {
   for (int k = 0; k <= bins; ++k) m.edges.push_back(-10 + 20.0 * k / bins);
   for (int k = 0; k < bins; ++k) {
     const double a = (m.edges[k] - mean) / deviation, b = (m.edges[k + 1] - mean) / deviation;
-    // The smaller of the two tails, else the difference of two numbers near 1 loses the far one.
+    // Differences of the smaller tail: the difference of two numbers near 1 would lose digits.
     const double p = a > 0 ? normal_cdf(-a) - normal_cdf(-b) : normal_cdf(b) - normal_cdf(a);
     m.density.push_back(p / (m.edges[k + 1] - m.edges[k]));
   }
@@ -112,7 +112,7 @@ TEST(Distances, OtherBinsOrAWrongShapeAreMisuse) {
 }
 
 TEST(TailDistance, IsTheMeanLogarithmByDecadesOfTheReference) {
-  // Bins of b in two decades; a is off by the factors 10, 100 and 1/10.
+  // Bins of b in two decades; a / b is 10, 100 and 1/10.
   const Marginal b{{0, 1, 2, 3, 4}, {0.5, 2e-3, 5e-3, 3e-8}, {}, {}};
   const Marginal a{{0, 1, 2, 3, 4}, {5, 2e-1, 5e-4, 1}, {}, {}};
   const auto tail = distances(a, b).log10_tail;

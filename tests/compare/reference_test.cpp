@@ -28,9 +28,9 @@ std::string reference_id(const std::vector<Solution>& solutions) {
 
 TEST(Reference, IsTheSolutionOfTheProblemThatIsKnownBestByItsOwnAccount) {
   auto solutions = made_up();
-  EXPECT_EQ(reference_id(solutions), "mcs");  // fd-kf says nothing of its error
+  EXPECT_EQ(reference_id(solutions), "mcs");  // fd-kf has no error estimate
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
-  EXPECT_EQ(reference_id(solutions), "fd-kf");  // the simulation is known to 0.0011, 0.0015
+  EXPECT_EQ(reference_id(solutions), "fd-kf");  // sampling errors of mcs: 0.0011, 0.0015
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-3};
   EXPECT_EQ(reference_id(solutions), "mcs");
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
@@ -74,7 +74,7 @@ TEST(Reference, ClosuresAreRankedByItAndThoseWithinItsErrorAreNotToldApart) {
   const Solution& measure = *reference(solutions);
   EXPECT_FALSE(indistinguishable(ranks[0], ranks[1], measure));
   Rank near = ranks[0];
-  near.y += 4.9e-5;  // both marginals together are known to 5e-5
+  near.y += 4.9e-5;  // the error estimates of both marginals sum to 5e-5
   EXPECT_TRUE(indistinguishable(ranks[0], near, measure));
   near.y += 0.2e-5;
   EXPECT_FALSE(indistinguishable(ranks[0], near, measure));
@@ -84,8 +84,8 @@ TEST(Reference, IsStatedInWords) {
   auto solutions = made_up();
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
   EXPECT_EQ(reference_text(solutions),
-            "Reference: fd-kf, which is known best by its own account (L1 2e-05 in p(y), 3e-05 in "
-            "p(y')).");
+            "Reference: fd-kf, the solution with the smallest error estimate (L1 2e-05 in p(y), "
+            "3e-05 in p(y')).");
 }
 
 }  // namespace

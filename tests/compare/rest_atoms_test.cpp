@@ -20,7 +20,7 @@ TEST(RestAtoms, OfDifferentWallsAreApartInYAndTogetherInVelocity) {
   EXPECT_EQ(atom_distance({}, {}, Variable::y), 0);
 }
 
-// The same density on half of the mass: what is left apart is the atom.
+// Equal densities of mass 1/2: only the atoms differ.
 TEST(RestAtoms, ArePartOfTheDistanceOfSolutions) {
   const ComparisonAxes axes{{0, 1, 2}, {-1, 0, 1}, 0};
   const auto solution = [](const char* id, double p0) {

@@ -37,13 +37,13 @@ TEST(SmoothMeasure, IsTheReferenceByWhatItKnowsOfItsSmoothBins) {
   EXPECT_EQ(reference(one.solutions)->id(), "fd-kf");
 }
 
-// Errors in one direction all: the signs of the differences decide which of them add up.
+// Fully correlated errors: the signs of the differences decide which errors add and which cancel.
 TEST(SmoothMeasure, ErrorsOfItsDistancesFollowTheSignsOfTheDifferences) {
   const transform::SmoothBins bins{.first = 0, .spacing = 1, .count = 3};
   const transform::SmoothEstimate estimate{
       .bins = bins,
       .averages = transform::marginal_of(bins, {1, 1, 1}),
-      // Standard errors .1, .2, .3, correlated wholly.
+      // Standard errors .1, .2, .3, with correlation 1.
       .covariance = {.01, .02, .03, .02, .04, .06, .03, .06, .09}};
   const auto error = [&](std::vector<double> averages) {
     return l1_standard_error(transform::marginal_of(bins, std::move(averages)), estimate);
@@ -59,8 +59,7 @@ TEST(SmoothMeasure, AllDistancesToItAreThoseOfSmoothAverages) {
   const auto plain = tests::made_up_case();
   for (const auto variable : transform::kVariables) {
     const auto* pair = find_pair(one.pairs, "fd-kf", "mcs", variable);
-    // The same density but for the errors that were put in: half the bins, the weights sum to the
-    // extent.
+    // The same density except for errors of kError in every second bin.
     const auto& averages = transform::smooth_estimate(one.solutions.back(), variable)->averages;
     double expected = 0, variance = 0;
     for (std::size_t b = 0; b < averages.size(); ++b) {
@@ -69,16 +68,16 @@ TEST(SmoothMeasure, AllDistancesToItAreThoseOfSmoothAverages) {
     }
     EXPECT_NEAR(pair->distances.l1, expected, 0.01 * expected);
     EXPECT_NEAR(*pair->l1_standard_error, std::sqrt(variance), 1e-12);
-    // The noise of the histogram was this.
+    // The sampling noise of the histogram.
     EXPECT_GT(*l1_between(plain.pairs, "fd-kf", "mcs", variable), 100 * expected);
-    // Among themselves the others are compared as before.
+    // Distances between the other solutions do not change.
     EXPECT_EQ(*l1_between(one.pairs, "fd-white", "fd-kf", variable),
               *l1_between(plain.pairs, "fd-white", "fd-kf", variable));
     EXPECT_FALSE(find_pair(one.pairs, "fd-white", "fd-kf", variable)->l1_standard_error);
   }
 }
 
-// What chance does to the other end is stated of sharp bins, and judged there.
+// A solution with a sampling error over sharp bins is compared over sharp bins.
 TEST(SmoothMeasure, IsComparedInSharpBinsWithWhatIsNoisyItself) {
   auto one = tests::made_up_case_without_noise();
   auto solutions = one.solutions;

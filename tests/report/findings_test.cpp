@@ -38,7 +38,8 @@ TEST(Findings, SayWhichApproximationCostsWhat) {
   set_l1(one, "epc-gaussian-n4", "mcs", 0.0001, 0.0001);  // the closest, but inadmissible
   set_l1(one, "fd-kf", "mcs", 0.0012, 0.0016);
   const std::vector<std::string> expected{
-      "Reference: mcs, which is known best by its own account (L1 0.001 in p(y), 0.002 in p(y')).",
+      "Reference: mcs, the solution with the smallest error estimate (L1 0.001 in p(y), 0.002 in "
+      "p(y')).",
       "L1 error of each approximation: white noise in place of the full jump integral (fd-white) "
       "0.011 in p(y) and 0.031 in p(y'); Kramers-Moyal series to the fourth derivative in place of "
       "the full jump integral (fd-km4) 0.0001 in p(y) and 0.0004 in p(y').",

@@ -46,8 +46,9 @@ TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
   for (const char* part :
        {"L1: integral", "white: white noise", "energy: residual", "sec: wall-clock",
         "its parts and of the row discretisation + sampling;",
-        "closure: the closure itself, against", "impact: the impact to first order",
-        "trunc.: the cut of the Kramers-Moyal series", "tail: mean", "*: the closure is not ok"}) {
+        "closure: the closure approximation, against", "impact: the impact to first order",
+        "trunc.: the truncation of the Kramers-Moyal series", "tail: mean",
+        "*: the closure is not ok"}) {
     EXPECT_TRUE(contains(wide, part)) << part << "\n" << wide;
   }
   EXPECT_FALSE(contains(narrow, "energy: residual")) << narrow;

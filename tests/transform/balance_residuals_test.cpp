@@ -30,7 +30,7 @@ TEST(BalanceResiduals, AreNullWhereThereAreNone) {
   EXPECT_FALSE(number(observations, "balances.momentum"));
 }
 
-// Of a folded normal law: E[y] = sqrt(2/pi), E[y^2] = 1, E[y^3] = 2 sqrt(2/pi).
+// Half-normal density: E[y] = sqrt(2/pi), E[y^2] = 1, E[y^3] = 2 sqrt(2/pi).
 TEST(PanelMarginals, GiveTheMeanOfAPolynomial) {
   const SmoothDensity bell{
       [](double y, double v) { return std::exp(-(y * y + v * v) / 2) / std::numbers::pi; }, 9.0,
@@ -43,8 +43,8 @@ TEST(PanelMarginals, GiveTheMeanOfAPolynomial) {
   }
 }
 
-// A wide bell and one of a thousandth of its width, each with half of the mass, that change with the
-// direction from the origin only.
+// Two Gaussians of equal mass, with widths 1 and 1/1000, modulated by the direction from the
+// origin.
 TEST(PanelMarginals, ShrinkingOnesHoldASpikeThatFansOutFromTheOrigin) {
   const auto bell = [](double rho, double width) {
     return std::exp(-rho * rho / (2 * width * width)) / (2 * std::numbers::pi * width * width);

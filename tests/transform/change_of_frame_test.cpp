@@ -8,7 +8,7 @@ namespace {
 const problem::Frame kShifted{.origin = -0.5, .mirrored = false};
 const problem::Frame kMirrored{.origin = 2, .mirrored = true};
 
-// Cells over (x, x'): 2 of x, 3 of x', the averages 1 .. 6 row by row.
+// 2 x 3 cells over (x, x') with the averages 1 .. 6, row by row.
 const GridDensity kGrid{{0, 1, 3}, {-2, -1, 0, 4}, {1, 2, 3, 4, 5, 6}};
 
 const GridDensity& grid_of(const Density& density) { return std::get<GridDensity>(density); }
@@ -20,7 +20,7 @@ TEST(ChangeOfFrame, ShiftsCells) {
   EXPECT_EQ(grid_of(density).averages, kGrid.averages);
 }
 
-// y = 2 - x, y' = -x': the first cell becomes the last one in both directions.
+// y = 2 - x, y' = -x': the first cell becomes the last cell in both directions.
 TEST(ChangeOfFrame, MirrorsCellsInBothDirections) {
   const Density density = in_physical_coordinates(kMirrored, kGrid);
   EXPECT_EQ(grid_of(density).y_edges, (std::vector<double>{-1, 1, 2}));

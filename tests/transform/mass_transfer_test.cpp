@@ -14,7 +14,7 @@ namespace {
 
 using tests::uniform_edges;
 
-// Exact averages of p(y) p(v), given by their cumulatives.
+// Exact cell averages of p(y) p(v) from the cumulative distributions.
 using Cumulative = double (*)(double);
 GridDensity product(Cumulative of_y, Cumulative of_v, std::vector<double> y_edges,
                     std::vector<double> v_edges) {
@@ -40,8 +40,7 @@ double largest_difference(const GridDensity& a, const GridDensity& b) {
 }
 
 double bell_cumulative(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
-// p(v) that is 1/0.81 times higher above 0 than below, as at a wall that takes a tenth of the
-// speed.
+// p(v) is higher by 1/0.81 above 0 than below, as at a wall of restitution coefficient 0.9.
 double jumping_cumulative(double v) {
   const double half = bell_cumulative(v) - 0.5;
   return v < 0 ? half : half / 0.81;
@@ -49,7 +48,7 @@ double jumping_cumulative(double v) {
 
 TEST(MassTransfer, OntoCoincidingEdgesSumsWholeBinsToTheLastDigit) {
   const std::vector<double> source{-2, -1, -0.25, 0, 0.5, 1, 3};
-  // The neighbours of the tiny masses are huge: nothing may be subtracted from anything.
+  // Tiny masses beside large ones: any subtraction would lose their digits.
   const std::vector<double> masses{1e-30, 3e-25, 7, 5, 2e-20, 1e-28};
   EXPECT_EQ(MassTransfer(source, source)(masses), masses);
   const std::vector<double> coarse{-2, -0.25, 0, 1, 3};
@@ -71,7 +70,7 @@ TEST(MassTransfer, KeepsAllMassAndPutsNoneBeyondTheSource) {
 
 TEST(MassTransfer, ReachesUpToZeroFromBothSidesAndNotBeyond) {
   const auto source = uniform_edges(-8, 8, 16);
-  // The polynomial through 0 at seven edges and 1 at the next, half a bin before that.
+  // Value of the polynomial through 0 at seven edges and 1 at the next edge, half a bin before it.
   const double half = 0.5 * 1.5 * 2.5 * 3.5 * 4.5 * 5.5 * 6.5 / (1 * 2 * 3 * 4 * 5 * 6 * 7);
   for (const int side : {-1, 1}) {
     std::vector<double> masses(16);
@@ -84,8 +83,8 @@ TEST(MassTransfer, ReachesUpToZeroFromBothSidesAndNotBeyond) {
   }
 }
 
-// A spike on cells that shrink towards it, as of rare impulses: its polynomial swings by more than the
-// bins beside it hold.
+// A spike on cells that shrink towards it, as for rare impulses: the polynomial overshoots by more
+// than the mass of the adjacent bins.
 TEST(MassTransfer, LeavesNoNegativeMassBesideASpike) {
   std::vector<double> source{0}, masses;
   for (double x = 1e-3; x < 30; x *= 1.25) source.push_back(x);

@@ -8,7 +8,7 @@
 namespace fpkcheck::transform {
 namespace {
 
-// u(h) = limit + error h^order, with an error that changes its sign over the bins.
+// u(h) = limit + error h^order; the sign of the error varies over the bins.
 Level at(double h, double order, double error = 0.1) {
   const double scale = error * std::pow(h, order);
   const auto marginal = [&](double level) {
@@ -66,15 +66,15 @@ TEST(Richardson, SeesTheOrderOfASequence) {
   }
 }
 
-// A moment that happens to be the same on the last two levels is not known exactly.
+// A moment with equal values on the last two levels still has an error.
 TEST(Richardson, DoesNotTakeAChanceAgreementOfMomentsForAccuracy) {
   Sequence levels = of_order(3);
   levels.fine.moments.y2 = levels.middle.moments.y2;
-  // What a sequence of this order would have.
+  // The error of a sequence of this order.
   EXPECT_NEAR(levels.richardson(5).error.moments.y2, 0.1 / 8, 1e-12);
 }
 
-// Differences that fall faster than the scheme can are chance: the limit must not be overrated.
+// Differences that decrease faster than the scheme allows must not enlarge the extrapolation.
 TEST(Richardson, DoesNotExtrapolateByMoreThanTheSchemeHas) {
   EXPECT_NEAR(of_order(7).richardson(2).factor, 1, 1e-13);  // 1 / (sqrt(2)^2 - 1)
 }
@@ -85,7 +85,7 @@ TEST(Richardson, ErrorsAreByACredibleOrder) {
   EXPECT_NEAR(credible_order(7 + kMostAboveOrder, 5), 3, 1e-12);
   EXPECT_EQ(credible_order(22.4, 2), 1);
   EXPECT_EQ(credible_order(-3, 5), 1);
-  // Differences that fall by 2^7 from a coarsest level that is far off.
+  // The error of the coarsest level is far too large: the differences decrease too fast.
   Sequence levels = of_order(3);
   levels.coarse = at(1, 3, 3);
   const Richardson known = levels.richardson(3);
@@ -102,7 +102,7 @@ TEST(Richardson, DoesNotExtrapolateASequenceThatDoesNotConvergeBeyondFirstOrder)
   EXPECT_LT(diverging.richardson(5).orders.l1, 0);
 }
 
-// Two levels are compared on common bins; those of another pair may differ.
+// Consecutive levels need common bins; another pair of levels may have other bins.
 TEST(Richardson, ComparesNeighboursOnTheirOwnBins) {
   Level coarse = at(1, 3);
   coarse.y.edges = {0, 2, 4, 6};
@@ -113,7 +113,7 @@ TEST(Richardson, ComparesNeighboursOnTheirOwnBins) {
               1e-14);
 }
 
-// Atoms at walls of their own are apart in y, and together at y' = 0.
+// Atoms at different walls have different y, and all have y' = 0.
 TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
   const auto with_atoms = [](double h) {
     Level level = at(h, 2);
@@ -129,7 +129,7 @@ TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
   EXPECT_NEAR(last.y_l1 - plain.y_l1, 0.0035, 1e-15);
   EXPECT_NEAR(last.ydot_l1 - plain.ydot_l1, 0.0015, 1e-15);
   const Richardson known = richardson(change(coarse, middle), last, kLevelRatio, 2);
-  EXPECT_NEAR(known.at_rest[0], 0.0025, 1e-12);  // of the second order: as much again is missing
+  EXPECT_NEAR(known.at_rest[0], 0.0025, 1e-12);  // second order: the error is the last difference
   EXPECT_NEAR(known.at_rest[1], 0.001, 1e-12);
   EXPECT_THROW(change(at(1, 2), fine), std::invalid_argument);
 }

@@ -12,7 +12,7 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Two correlated bells, without any symmetry: N(m, 1) x N(a z, 1).
+// A correlated Gaussian without symmetry: z ~ N(0.4, 1), z' ~ N(z/2, 1).
 PlaneDensity skewed() {
   return {[](double x1, double x2) {
             const double u = x1 - 0.4, w = x2 - 0.5 * x1;

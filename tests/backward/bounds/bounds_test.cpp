@@ -30,7 +30,7 @@ TEST(Bounds, OfCase1HoldTheTruthAndExcludeFaults) {
   EXPECT_TRUE(b[1].contains(0.4415122125));
   EXPECT_LT(b[0].half_width(), 3e-6);
   EXPECT_LT(b[1].half_width(), 3e-6);
-  // White noise for the impulses, an impact to first order, km4-pade, 20 x 40 cells.
+  // Values with white noise, with the impact to first order, with km4-pade and on 20 x 40 cells.
   for (const double fault : {0.39700, 0.39416, 0.394545, 0.394560}) {
     EXPECT_FALSE(b[0].contains(fault)) << fault;
   }
@@ -40,7 +40,7 @@ TEST(Bounds, TellDampingAndRateToOneTenThousandth) {
   const numerics::Enclosure right =
       on_level(problem::load_case("case1"), 2, {kMeanSquareVelocity})[0];
   for (const char* wrong : {"system.damping=0.10001", "impulse.rate=1.0001"}) {
-    // The amplitudes' variance stays: lambda E[Y^2] changes with lambda.
+    // The variance of the amplitudes is fixed: lambda E[Y^2] changes with lambda.
     const std::vector<std::string> overrides =
         wrong[0] == 's' ? std::vector<std::string>{wrong}
                         : std::vector<std::string>{wrong, "impulse.intensity=0.10001"};
@@ -142,7 +142,7 @@ TEST(Bounds, AreRefinedUntilTheWidthAskedForIsMet) {
   EXPECT_NE(wide.reason.find("--seconds"), std::string::npos) << wide.reason;
 }
 
-// Beyond the grids that all powers have in common each goes on where it is limited.
+// After the common grids each functional continues with the grids of its width limit.
 TEST(FinestBounds, AreOfAMillionthBelowTheFourthPowerOfTheVelocity) {
   Options options;
   options.relative_half_width = 1e-6;
@@ -155,7 +155,7 @@ TEST(FinestBounds, AreOfAMillionthBelowTheFourthPowerOfTheVelocity) {
         << name(bound.functional);
   }
   EXPECT_EQ(all.status, BoundsStatus::width_not_met);
-  EXPECT_NE(all.reason.find("grid is offered for E[y'^4]; ask for --width"), std::string::npos)
+  EXPECT_NE(all.reason.find("grid exists for E[y'^4]; request --width"), std::string::npos)
       << all.reason;
 }
 

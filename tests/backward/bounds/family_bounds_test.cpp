@@ -124,7 +124,7 @@ TEST(FamilyBounds, AreRefusedWithAReasonWhereNoWeightIsKnown) {
       "two walls");
 }
 
-// Without a wall: a rough candidate that solves nothing.
+// No wall, and a rough certificate with a large residual.
 struct OpenExample {
   problem::Problem problem =
       driven({.damping = 0.3, .stiffness = 1, .cubic = 0.2}, {.none = true}, "gaussian", 0.05);
@@ -205,7 +205,7 @@ TEST(FamilyBounds, InsideAndOutsideAreAboveEverySampleOnBothSides) {
 }
 
 TEST(FamilyBounds, OutsideSeesTheEdgeAtTheOpenEndInQuestion) {
-  // V is steep in v at one end alone: f, and all else, is small beside it.
+  // V is steep in v at one end only; f and all other terms are small.
   const Functional f = PowerMean{Axis::displacement, 1};
   for (const double y : {-3.5001, 4.0001}) {
     OpenExample e(14);

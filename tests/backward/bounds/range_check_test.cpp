@@ -12,7 +12,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// A rough candidate that solves nothing: its residual is large and varies.
+// A rough certificate: its residual is large and varies.
 struct Example {
   problem::Problem problem;
   Weight tau;
@@ -42,7 +42,7 @@ struct Example {
   Candidate candidate() const { return {coefficients, 0.3}; }
 };
 
-// (f + L V - U)/tau at points inside, by the rounded operators.
+// Smallest and largest (f + L V - U)/tau over points inside the box, by the rounded operators.
 std::pair<double, double> sampled(const Example& e, const Functional& f) {
   const DisplacementSamples ys = displacement_samples(e.displacement, 24);
   const VelocitySamples vs =
@@ -108,7 +108,7 @@ TEST(ResidualOutside, IsAboveEverySampleBeyondTheBox) {
   const Functional f = PowerMean{Axis::velocity, 4};
   const double bound =
       numerics::rounded_upward([&] { return residual_outside(e.setting(), f, e.candidate()); });
-  // Beyond y_end V is that of the last row.
+  // For y > y_end V has the coefficients of the last row.
   const VelocitySamples vs =
       numerics::rounded_upward([&] { return velocity_samples(e.v, e.velocity, 5); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
@@ -121,7 +121,7 @@ TEST(ResidualOutside, IsAboveEverySampleBeyondTheBox) {
       EXPECT_LE(std::abs(r) / e.tau(y, vs.v[j]), bound) << y << " " << vs.v[j];
     }
   }
-  // Beyond the speeds what is left of L V is v V_y, and jumps between values of V.
+  // Past the largest speeds L V consists of v V_y and the jump term.
   const DisplacementSamples ys = displacement_samples(e.displacement, 5);
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     for (const double v : {-5.001, -7.0, -30.0, 3.501, 5.0, 30.0}) {
@@ -134,7 +134,7 @@ TEST(ResidualOutside, IsAboveEverySampleBeyondTheBox) {
 }
 
 TEST(ResidualOutside, SeesSlopesInVBeyondTheLargestDisplacement) {
-  // A low edge in y, and V a steep function of v alone: f and the jumps are small beside it.
+  // Small y_end, and V a steep function of v alone: f and the jump term are small.
   Example e("gaussian", 4, 12);
   for (int b = 0; b < e.coefficients.cols(); ++b)
     e.coefficients.col(b).setConstant(1e3 * std::sin(b));
@@ -154,7 +154,7 @@ TEST(ResidualOutside, SeesSlopesInVBeyondTheLargestDisplacement) {
 }
 
 TEST(ResidualOutside, SeesSlopesInYBeyondTheLargestSpeeds) {
-  // Low edges in v, and V a steep function of y alone: all that is left of L V is v V_y.
+  // Small u_end, and V a steep function of y alone: L V = v V_y.
   Example e("gaussian", 9, 7);
   for (int a = 0; a < e.coefficients.rows(); ++a)
     e.coefficients.row(a).setConstant(1e3 * std::sin(a));

@@ -17,7 +17,7 @@ problem::Problem linear(const std::string& law) {
 
 // E[z^p v^q], p + q = 4, from cumulants of a symmetric law.
 double fourth_moment(const problem::Problem& problem, int p) {
-  const auto second = [&](bool a, bool b) {  // of z (true) or v
+  const auto second = [&](bool a, bool b) {  // true for z, false for v
     return exact::linear_cumulant(problem, a + b, 2 - a - b);
   };
   const bool z[4] = {p > 0, p > 1, p > 2, p > 3};
@@ -40,7 +40,7 @@ TEST(EnergyMomentBounds, HoldTheExactMomentsOfLinearMotion) {
                           (b * b + 2 * a * d) * fourth_moment(problem, 2) +
                           2 * b * d * fourth_moment(problem, 3) + d * d * fourth_moment(problem, 4);
     EXPECT_EQ(bounds[0], 1);
-    EXPECT_NEAR(bounds[1], first, 1e-9) << law;  // without losses and mu, G falls at rate c exactly
+    EXPECT_NEAR(bounds[1], first, 1e-9) << law;  // r = 1 and mu = 0: G decays at exactly rate c
     EXPECT_GE(bounds[1], first - 1e-9) << law;
     EXPECT_GE(bounds[2], second) << law;
     EXPECT_LT(bounds[2], 2 * second) << law;
@@ -78,7 +78,7 @@ TEST(Weight, HasTheMeanThatItsScaleIsChosenFor) {
 TEST(Weight, IsRefusedForALawWithoutEnclosures) {
   EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=exponential"})), "");
   EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=gamma"})),
-            "no bounds under gamma impulses: their means are not enclosed");
+            "gamma impulses are not supported: no enclosures of the law");
 }
 
 TEST(Weight, IsRefusedForOverdampedMotionInOneLine) {

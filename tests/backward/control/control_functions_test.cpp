@@ -26,7 +26,7 @@ ControlFunctions fitted(const problem::Problem& problem, int cells, double width
 }
 
 TEST(ControlFunctions, FindTheMeansOfTheLinearOscillator) {
-  // The linear oscillator with elastic impacts: folding changes no even moment.
+  // Linear oscillator with r = 1: the transformation y = |z| preserves all even moments.
   for (const char* law : tests::kSymmetricLaws) {
     const auto problem = tests::linear_problem({.law = law});
     const auto exact = exact::linear_moments_at(problem, {}, 1e4);
@@ -48,13 +48,13 @@ TEST(ControlFunctions, OfTheVelocityAreMinusTheDisplacement) {
   const double constant = h.coefficients(0, 0) + in_y[0];
   for (int i = 0; i < y.size(); ++i) {
     for (int j = 0; j < v.size(); ++j) {
-      EXPECT_NEAR(h.coefficients(i * v.size() + j, 0), constant - in_y[i], 1e-3);  // the ridge
+      EXPECT_NEAR(h.coefficients(i * v.size() + j, 0), constant - in_y[i], 1e-3);  // ridge error
     }
   }
 }
 
 TEST(ControlFunctions, ConvergeToAValueThatManyRunsAgreeOn) {
-  // Case 1: E[y^2] = 0.3945181772. Two-sided: the coarse grid is not as good as the fine one.
+  // Case 1: E[y^2] = 0.3945181772. The coarse grid must also be less accurate than the fine grid.
   const auto problem = tests::paper_case(1);
   const auto error = [&](int cells) {
     return std::abs(fitted(problem, cells, 0.65, {{power(2), power(0)}}).means[0] - 0.3945181772);

@@ -31,7 +31,7 @@ TEST(ImpulseMeans, AreTheMomentsOfEveryLawOnPowers) {
             expected += choose * std::pow(v[i], p - n) * law.moment(n);
             choose = choose * (p - n) / (n + 1);
           }
-          // (Of the Laplace law 1e-18 is beyond its pieces, times 30^5 here.)
+          // The pieces of the Laplace law omit a probability of 1e-18, here times 30^5.
           EXPECT_NEAR(got(i), expected, 1e-10) << name << ' ' << mean << ' ' << p;
         }
       }
@@ -63,7 +63,8 @@ TEST(ImpulseMeans, OfTwoPointsAreTwoShifts) {
 }
 
 TEST(ImpulseMeans, OfAUniformLawAreAveragesOverCorners) {
-  // The triple knot at 0 lies inside; a fine midpoint rule is the other way.
+  // The triple knot at 0 lies inside the support; the expected values are from a fine midpoint
+  // rule.
   const double v[] = {0.2};
   const auto law = problem::ImpulseLaw::named("uniform", 0, 0.5);
   const double half = 0.5 * std::sqrt(3.0);

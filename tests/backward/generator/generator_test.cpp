@@ -10,7 +10,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Splines for case 1 with a mean, made so wide that near the origin no jump sees the ends.
+// Splines for case 1 with a mean, so wide that jumps from near the origin do not reach the ends.
 struct Generator {
   problem::Problem problem = problem::load_case(
       "case1",

@@ -52,7 +52,7 @@ double point(const VelocityPiece& piece, double t) {
   return piece.from.lower() + t * (piece.to.upper() - piece.from.lower());
 }
 
-// E[V(v + Y)] by Gauss quadrature between all kinks of the integrand, and sums over atoms.
+// E[V(v + Y)] by Gauss quadrature between all kinks of the integrand, plus the sum over atoms.
 double quadrature(const Tabulated& t, const Eigen::VectorXd& c, const ImpulseLaw& law, double v) {
   double sum = 0;
   for (const problem::Atom& atom : law.atoms()) {
@@ -75,7 +75,7 @@ double quadrature(const Tabulated& t, const Eigen::VectorXd& c, const ImpulseLaw
 
 class ImpulseTables : public ::testing::TestWithParam<std::tuple<const char*, double>> {
  protected:
-  /// "mirrored": exponential, with its tail below.
+  /// "mirrored": the exponential law with a lower tail.
   ImpulseLaw law() const {
     const auto [name, mean] = GetParam();
     if (std::string_view(name) != "mirrored") return ImpulseLaw::named(name, mean, kDeviation);

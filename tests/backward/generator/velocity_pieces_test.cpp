@@ -56,8 +56,8 @@ TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
 }
 
 TEST(VelocityPieces, MirroredFunctionsTakeTheSameValueBeforeAndAfterAnImpact) {
-  // The impact condition in exact arithmetic: their Bernstein coefficients on mirrored spans are
-  // enclosed by overlapping intervals, whatever the rounding of r u.
+  // The impact condition in exact arithmetic: the enclosures of the Bernstein coefficients on
+  // mirrored spans overlap, whatever the rounding of r u.
   const ImpactBasis basis = example(0.98);
   numerics::rounded_upward([&] {
     const std::vector<VelocityPiece> spans = pieces_of(basis, {}, 100);
@@ -102,7 +102,7 @@ TEST(VelocityPieces, AnEndOutsideItsSpanIsPaidFor) {
     EXPECT_EQ(across.side, Side::incoming);
     EXPECT_GE(across.overhang, 1e-3);
     const PieceFunctions functions = functions_on(basis, across);
-    // The centre function continues from 1 on, but its true value falls.
+    // The polynomial of the centre function continues above 1, but its true value decreases.
     Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
     c(basis.centre()) = 1;
     for (std::size_t l = 0; l < functions.index.size(); ++l) {

@@ -7,9 +7,9 @@
 
 namespace fpkcheck::tests {
 
-inline constexpr double kSy = 0.6, kSv = 0.7;  // deviations of no density of any case here
+inline constexpr double kSy = 0.6, kSv = 0.7;  // deviations, different from those of all cases
 
-/// Half a Gaussian of y times one of v.
+/// A half-Gaussian of y times a Gaussian of v.
 inline transform::SmoothDensity bell() {
   return {[](double y, double v) {
             const double a = y / kSy, b = v / kSv;

@@ -21,7 +21,7 @@ using tests::bell;
 using tests::kSv;
 using tests::kSy;
 
-/// Known, and wrong by some per cent.
+/// Exact moments of the Gaussian; they differ from those of the cases by some per cent.
 const transform::Moments kOfBell{.y1 = kSy * std::sqrt(2 / std::numbers::pi),
                                  .y2 = kSy * kSy,
                                  .y4 = 3 * std::pow(kSy, 4),
@@ -29,7 +29,7 @@ const transform::Moments kOfBell{.y1 = kSy * std::sqrt(2 / std::numbers::pi),
                                  .v2 = kSv * kSv,
                                  .v4 = 3 * std::pow(kSv, 4)};
 
-/// Its averages over cells, exactly.
+/// Exact averages of the Gaussian over cells.
 transform::GridDensity bell_on(const std::vector<double>& y, const std::vector<double>& v) {
   const auto part = [](const std::vector<double>& edges, std::size_t k, double s) {
     const double unit = s * std::numbers::sqrt2;
@@ -52,7 +52,7 @@ const DensityResiduals& of_case_1() {
 TEST(DensityResiduals, KnowTheErrorsOfAWrongDensity) {
   const auto found = of_case_1().of(bell());
   EXPECT_NEAR(found.mass, 1, 1e-12);
-  // Errors of 0.03 and 0.05 to 3e-9 (what many runs agree on).
+  // Errors of 0.03 and 0.05 are found to 3e-9 (reference: many simulations).
   EXPECT_NEAR(found.corrected.y2, 0.3945181772, 3e-9);
   EXPECT_NEAR(found.corrected.v2, 0.4415122125, 3e-9);
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
@@ -77,7 +77,7 @@ TEST(DensityResiduals, LeadAnyDensityIntoTheGuaranteedBounds) {
       const double value = found.corrected.*moments[k];
       EXPECT_TRUE(bounds[k].contains(value)) << name(functionals[k]) << ' ' << value << " in "
                                              << bounds[k].lower << ' ' << bounds[k].upper;
-      // A fourth of the error would not do.
+      // The bounds are narrow: half-width below a fourth of the error.
       EXPECT_GT(std::abs(found.error.*moments[k]), 4 * bounds[k].half_width());
     }
     EXPECT_NEAR(found.corrected.v1, 0, 1e-9);
@@ -102,7 +102,7 @@ TEST(DensityResiduals, OfCellAveragesConvergeToThoseOfTheFunction) {
     EXPECT_GT(order, 6.2) << worst[k] << ' ' << worst[k + 1];
     EXPECT_LT(order, 9.5) << worst[k] << ' ' << worst[k + 1];
   }
-  // The averages by three points are of sixth order.
+  // Averages by three Gauss points are of sixth order.
   const auto on_cells = transform::on_cells(bell(), tests::uniform_edges(0, 8 * kSy, 72),
                                             tests::uniform_edges(-8 * kSv, 8 * kSv, 144));
   const auto found = of_case_1().of(on_cells).error;
@@ -135,7 +135,7 @@ double l1(const std::vector<double>& a, const std::vector<double>& b,
 }
 
 TEST(DensityResiduals, KnowHowFarMarginalsAreFromTheExactOnes) {
-  // The bell is off by a quarter or so; its marginals and the exact ones are known.
+  // The Gaussian has an error of about a quarter; its marginals and the exact marginals are known.
   for (const char* law : {"gaussian", "uniform", "laplace"}) {
     const auto problem = tests::linear_problem({.law = law});
     const exact::LinearDensity exact(problem);
@@ -153,7 +153,7 @@ TEST(DensityResiduals, KnowHowFarMarginalsAreFromTheExactOnes) {
     const double y_true = l1(of_y, exact.displacement_averages(y), y);
     const double v_true = l1(of_v, exact.velocity_averages(v), v);
     EXPECT_GT(y_true, 0.1) << law;
-    // Bins see less where the error changes its sign within one.
+    // Bins underestimate an error that changes sign within a bin.
     EXPECT_NEAR(found.y_l1.found / y_true, 0.94, 0.06) << law;
     EXPECT_NEAR(found.ydot_l1.found / v_true, 0.94, 0.06) << law;
     const auto stated = found.stated();
@@ -167,7 +167,7 @@ TEST(DensityResiduals, KnowHowFarMarginalsAreFromTheExactOnes) {
 }
 
 TEST(DensityResiduals, OfWideCellsAreOffByLessThanWhatTheyLeaveUnresolved) {
-  // Losses are strong: few cells do not resolve the backward equation.
+  // Strong losses: few cells do not resolve the backward equation.
   const auto problem = tests::make_problem({.restitution = 0.5, .rate = 0.5});
   const DensityResiduals fine(problem), wide(problem, {.y = 32, .v = 64});
   const auto known = fine.of(bell()), found = wide.of(bell());
@@ -188,12 +188,12 @@ TEST(StatedError, GrowsByWhatIsUnresolvedInProportionToTheError) {
   };
   EXPECT_DOUBLE_EQ(stated(0.01, 0), 0.01);
   EXPECT_DOUBLE_EQ(stated(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02
-  EXPECT_DOUBLE_EQ(stated(0.5, 0.02), 0.54);         // no more than twice what is unresolved
-  EXPECT_DOUBLE_EQ(stated(0, 0.2), 0.4);             // nothing is found where nothing is known
-  EXPECT_DOUBLE_EQ(stated(0.01, 0, 0.5), 0.02);      // half of the error of wells' shares is seen
+  EXPECT_DOUBLE_EQ(stated(0.5, 0.02), 0.54);         // at most twice the unresolved part
+  EXPECT_DOUBLE_EQ(stated(0, 0.2), 0.4);             // unresolved only
+  EXPECT_DOUBLE_EQ(stated(0.01, 0, 0.5), 0.02);      // residuals contain half of the wells' error
   EXPECT_DOUBLE_EQ(stated(0.01, 0.02, 0.3), 0.02);   // t = 0.01 + 10 t 0.02 + 0.3 t
-  EXPECT_EQ(stated(0, 0.7), -1);                     // no two densities are farther apart than 2
-  EXPECT_EQ(stated(0, 0, 0.6), -1);                  // shares of wells are hardly seen
+  EXPECT_EQ(stated(0, 0.7), -1);                     // would reach 2, the largest L1 distance
+  EXPECT_EQ(stated(0, 0, 0.6), -1);                  // contrast above kMaxContrast
 }
 
 TEST(DensityResiduals, DoNotDependOnTheUnitOfTheDensity) {
@@ -209,7 +209,7 @@ TEST(DensityResiduals, DoNotDependOnTheUnitOfTheDensity) {
 }
 
 TEST(DensityResiduals, WeighByTheSolutionLessItsMean) {
-  // Of E[y'] the solution is h = -y + constant: what counts is y - E_p[y].
+  // For E[y'] the solution is h = -y + constant: the weight is y - E_p[y].
   const auto weak = WeakResiduals(tests::paper_case(1), of_case_1().y(), of_case_1().v())(bell());
   const auto y = of_case_1().y().power(1);
   Eigen::MatrixXd expected = weak.residuals;
@@ -236,7 +236,7 @@ TEST(DensityResiduals, SpreadSumsToTheError) {
 }
 
 TEST(DensityResiduals, MapALocalFaultToItsPlace) {
-  // The exact solution and a bump of no mass: pulled apart at (0.9, 0.6).
+  // The exact solution plus a perturbation of zero mass, antisymmetric about (0.9, 0.6).
   const auto problem = tests::linear_problem();
   const exact::LinearDensity exact(problem);
   const DensityResiduals residuals(problem);

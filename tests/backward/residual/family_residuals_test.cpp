@@ -37,7 +37,7 @@ struct Exact {
 
 const SystemCoefficients kDuffing{.damping = 0.2, .stiffness = 1, .cubic = 0.5};
 
-/// Of r = 1 and white noise: exact::EnergyLaw.
+/// Systems with r = 1 and white noise, with the exact density exact::EnergyLaw.
 const std::vector<Exact> kExact{
     {"no wall", kDuffing, {.none = true}, 0.4},
     {"gap", kDuffing, {.left = -0.5, .left_restitution = 1}, 0.4},
@@ -99,7 +99,7 @@ TEST(FamilyResiduals, KnowTheErrorsOfTheLawOfStrongerNoise) {
     const auto right = density_of(problem),
                wrong = density_of(tests::in_frame(one.problem(kStronger)));
     const auto found = DensityResiduals(problem, {.y = 28, .v = 60}).of(wrong);
-    // In the physical coordinates.
+    // In physical coordinates.
     const auto known = moments_of(one.problem()), of_wrong = moments_of(one.problem(kStronger));
     for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       const double error = of_wrong.*moment - known.*moment;
@@ -128,7 +128,7 @@ TEST(FamilyResiduals, KnowTheErrorsOfTheLawOfStrongerNoise) {
 }
 
 TEST(FamilyResiduals, SeeMassInTheWrongWell) {
-  // The slowest motion of all: how the mass is shared between two wells.
+  // The slowest mode: exchange of probability between two wells.
   const Exact tilted{
       "", {.damping = 0.2, .constant = 0.02, .stiffness = -1, .cubic = 1}, {.none = true}, 0.1};
   Exact other = tilted;
@@ -140,7 +140,7 @@ TEST(FamilyResiduals, SeeMassInTheWrongWell) {
   EXPECT_NEAR(found.error.y1, of_wrong.y1 - known.y1, 1e-5);
 }
 
-/// Two wells whose barrier is `height` times the mean energy of a degree of freedom.
+/// Two wells with a barrier of `height` times the mean energy per degree of freedom.
 Exact deep_wells(double height) {
   constexpr double kDamping = 0.2, kDepth = 0.25;
   return {"",
@@ -149,7 +149,8 @@ Exact deep_wells(double height) {
           2 * kDamping * kDepth / height};
 }
 
-/// A density with other shares of the wells on both sides of a barrier: times 1 + factor tanh.
+/// A density with other probabilities of the wells on both sides of a barrier: multiplied by
+/// 1 + factor tanh((y - barrier)/0.1) and normalised.
 transform::SmoothDensity with_other_shares(transform::SmoothDensity density,
                                            const exact::EnergyLaw& law, double barrier,
                                            double factor) {
@@ -179,7 +180,7 @@ TEST(FamilyResiduals, StateNoLessThanTheErrorOfTheSharesOfWells) {
     };
     return mass(0) / mass(p.y_min);
   };
-  // Exchange goes like exp(-height): it is resolved, and is not.
+  // The exchange rate is of order exp(-height): resolved for 10, not resolved for 25.
   for (const double height : {10.0, 25.0}) {
     const auto wells = deep_wells(height);
     const DensityResiduals residuals(wells.problem());
@@ -196,8 +197,8 @@ TEST(FamilyResiduals, StateNoLessThanTheErrorOfTheSharesOfWells) {
   }
 }
 
-/// Wells of y^4 and y^6, tilted, some cut by a wall, with barriers of 1 to 12 mean energies of a degree
-/// of freedom and damping .02 to 2.
+/// Tilted quartic and sextic wells, some cut by a wall, with barriers of 1 to 12 mean energies per
+/// degree of freedom and damping .02 to 2.
 Exact random_wells(std::uint64_t number) {
   boost::random::mt19937_64 engine(number);
   boost::random::uniform_01<double> unit;
@@ -242,7 +243,7 @@ TEST(RandomWells, HaveErrorsStatedThatHoldOrNone) {
     const double barrier = problem.frame.x(0);
     for (const double factor : {-0.95, -0.3, 0.3, 0.95}) {
       const auto wrong = with_other_shares(right, law, barrier, factor);
-      // The velocity is independent of y in these laws.
+      // In these laws the velocity is independent of y.
       const double v = 0.1, ratio = law.displacement_marginal(barrier) / law(barrier, v);
       check(wrong, [&](double y) { return wrong.value(y, v) * ratio; });
     }
@@ -278,7 +279,7 @@ TEST(FamilyResiduals, AreThoseOfTheMirroredProblem) {
   const auto b = DensityResiduals(tests::in_frame(other), cells)
                      .of(transform::SmoothDensity{
                          [&](double x, double v) { return bell(-(x - 1.2), -v); }, 2, 3});
-  // Splines are graded alike from both walls.
+  // The splines are graded equally from both walls.
   EXPECT_NEAR(a.y_l1.found, b.y_l1.found, 1e-4 * a.y_l1.found);
   EXPECT_NEAR(a.ydot_l1.found, b.ydot_l1.found, 1e-4 * a.ydot_l1.found);
   EXPECT_NEAR(a.corrected.y1, -b.corrected.y1, 1e-6);

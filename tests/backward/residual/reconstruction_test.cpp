@@ -10,7 +10,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-/// Averages of a function with a known integral.
+/// Cell averages of a function with a known integral.
 template <class Integral>
 Eigen::VectorXd averages_between(const std::vector<double>& edges, const Integral& integral) {
   Eigen::VectorXd averages(std::ssize(edges) - 1);
@@ -43,7 +43,7 @@ TEST(Reconstruction, IsExactForDegree6OnUnequalCells) {
 
 TEST(Reconstruction, DoesNotReachAcrossAJumpAt0NorBeyondTheEnds) {
   const std::vector<double> edges = tests::uniform_edges(-2, 2, 20);
-  // 3 - x to the left, x^2 to the right.
+  // The function is 3 - x for x < 0 and x^2 for x > 0.
   const auto averages = averages_between(
       edges, [](double x) { return x < 0 ? 3 * x - x * x / 2 : std::pow(x, 3) / 3; });
   const std::vector<double> points{-2.1, -2, -0.05, -1e-9, 0, 0.05, 2, 2.1};

@@ -17,7 +17,8 @@ TEST(SplineShares, SumToOneWhereTheCellsCoverTheSplines) {
 }
 
 TEST(SplineShares, OfPolynomialsAreTheirIntegrals) {
-  // Shares of c_i int B_i sum to the integral of the spline with coefficients c over the cell.
+  // Fractions times c_i int B_i sum to the integral over the cell of the spline with coefficients
+  // c.
   const numerics::KnotSplines splines(numerics::widening_knots(0, 3, 2, 9));
   const std::vector<double> edges{-1, 0.4, 0.45, 1.9, 2.5};
   const Eigen::MatrixXd shares = spline_shares(splines, edges);

@@ -40,7 +40,7 @@ Eigen::VectorXd linear(const WeakResiduals& residuals, bool in_v) {
 }
 
 TEST(Unresolved, IsNothingWhereTheBackwardEquationIsSolved) {
-  // L (-y) = -v and no jump: the solution for f = v, of mean 0.
+  // L (-y) = -v without a jump: h = -y is the exact solution for f = v, with mean 0.
   const auto problem = tests::paper_case(1);
   const auto residuals = weak_residuals(problem);
   const std::vector<SeparableFunction> f{{one_of, same}};
@@ -48,7 +48,7 @@ TEST(Unresolved, IsNothingWhereTheBackwardEquationIsSolved) {
   EXPECT_NEAR(weak.cells.sum(), 1, 1e-12);
   const Unresolved solved(fit_of(problem, residuals), f, {-linear(residuals, false), {0}});
   EXPECT_NEAR(solved.of(weak)(0), 0, 1e-12);
-  // The wrong sign leaves 2 v, a wrong mean what it is off by.
+  // The wrong sign leaves the residual 2 v, a wrong mean leaves its error.
   const Unresolved wrong(fit_of(problem, residuals), f, {linear(residuals, false), {0}});
   EXPECT_NEAR(wrong.of(weak)(0), 2 * kSv * std::sqrt(2 / std::numbers::pi), 5e-3);
   const Unresolved off(fit_of(problem, residuals), f, {-linear(residuals, false), {0.3}});
@@ -56,7 +56,7 @@ TEST(Unresolved, IsNothingWhereTheBackwardEquationIsSolved) {
 }
 
 TEST(Unresolved, CountsJumpsAtTheWallByTheirFlux) {
-  // h = v jumps by (1 + r) u; in the plane it leaves the same for every r.
+  // h = v jumps by (1 + r) u; its residual in the plane does not depend on r.
   const auto left = [](double restitution) {
     const auto problem = tests::make_problem({.restitution = restitution});
     const auto residuals = weak_residuals(problem);

@@ -22,7 +22,7 @@ WeakResiduals residuals_of(const problem::Problem& problem) {
           numerics::KnotSplines(numerics::widening_knots(-7, 7, 4, 28, 3))};
 }
 
-/// Of no symmetry, 1e-11 of its peak at the ends.
+/// A density without symmetry; 1e-11 of its peak at the ends.
 double skew_bell(double y, double v) {
   return std::exp(-y * y - 0.8 * (v - 0.3) * (v - 0.3) - 0.4 * y * v) * (1 + 0.5 * y);
 }
@@ -35,7 +35,7 @@ double function(const numerics::KnotSplines& splines, int i, double x, bool slop
                : at.value[static_cast<std::size_t>(i - at.first)];
 }
 
-/// The integral over [a, b], cut at the breaks of splines, times `factor`.
+/// The integral over [a, b], divided at the breaks of splines times `factor`.
 double integral(const std::function<double(double)>& f, double a, double b,
                 std::vector<double> breaks, double factor = 1) {
   for (double& x : breaks) x = std::clamp(factor * x, a, b);
@@ -51,7 +51,7 @@ double integral(const std::function<double(double)>& f, double a, double b,
   return sum;
 }
 
-/// E[f(Y)], f smooth.
+/// E[f(Y)] for a smooth f.
 double mean_over_law(const problem::ImpulseLaw& law, const std::function<double(double)>& f) {
   double sum = 0;
   for (const auto& atom : law.atoms()) sum += atom.probability * f(atom.amplitude);
@@ -63,8 +63,8 @@ double mean_over_law(const problem::ImpulseLaw& law, const std::function<double(
   return sum;
 }
 
-/// rho_ij by the definition, of the density above before it is normalised; impulses act on p
-/// instead of on B_j: int p K B dv = int B(w) E[p(w - Y)] dw.
+/// rho_ij by its definition, for the unnormalised density above. The jump operator acts on p
+/// instead of B_j: int p K B dv = int B(w) E[p(w - Y)] dw.
 double by_definition(const problem::Problem& problem, const WeakResiduals& splines, int i, int j) {
   const numerics::KnotSplines &in_y = splines.y(), &in_v = splines.v();
   const auto& system = problem.system;
@@ -104,7 +104,7 @@ TEST(WeakResiduals, AreWhatTheirDefinitionSaysForEveryLaw) {
         {.damping = 0.3, .restitution = 0.7, .rate = 1.7, .mean = 0.1, .law = law});
     const auto residuals = residuals_of(problem);
     const auto weak = residuals(skew_density());
-    // At the wall where particles come, where they go and where both meet; inside; the last in y.
+    // Functions at the wall: incoming, outgoing and at v = 0; inside; the last in y.
     for (const auto& [i, j] : {std::pair{0, 13}, {0, 19}, {0, 16}, {4, 12}, {7, 20}, {1, 18}}) {
       EXPECT_NEAR(weak.mass * weak.residuals(i, j), by_definition(problem, residuals, i, j), 1e-8)
           << law << ' ' << i << ' ' << j;
@@ -114,7 +114,7 @@ TEST(WeakResiduals, AreWhatTheirDefinitionSaysForEveryLaw) {
 }
 
 TEST(WeakResiduals, OfCellAveragesAreThoseOfTheFunction) {
-  // Cells of other widths to the left than to the right of 0.
+  // Different cell widths for v < 0 and v > 0.
   const auto residuals = residuals_of(tests::make_problem({.restitution = 0.7, .mean = 0.1}));
   auto v = tests::uniform_edges(-6.5, 0, 100);
   for (const double edge : tests::uniform_edges(0, 6.5, 80)) {

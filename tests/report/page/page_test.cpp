@@ -45,7 +45,7 @@ TEST(Page, HasTheSectionsOfAWholeRun) {
 
 TEST(Page, StatesTheReferenceOnce) {
   const std::string html = page(whole_run());
-  EXPECT_EQ(occurrences(html, "Reference: fd-kf, which is known best"), 1u);
+  EXPECT_EQ(occurrences(html, "Reference: fd-kf, the solution with the smallest"), 1u);
 }
 
 TEST(Page, IsSelfContained) {
