@@ -12,9 +12,9 @@ namespace {
 void white_noise_against_exact(benchmark::State& state) {
   const auto problem =
       problem::load_case("case" + std::to_string(state.range(0)), {"system.restitution=1"});
-  const auto options = tests::elastic_white_noise(problem, static_cast<int>(state.range(3)),
-                                                  static_cast<int>(state.range(1)),
-                                                  static_cast<int>(state.range(2)));
+  const auto options = tests::elastic_white_noise_exponent(
+      problem, static_cast<int>(state.range(3)), static_cast<int>(state.range(1)),
+      static_cast<int>(state.range(2)));
   fd_fpk::Result result;
   for (auto _ : state) result = fd_fpk::solve(problem, options);
   if (!result.solution.density) {

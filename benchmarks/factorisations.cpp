@@ -225,7 +225,7 @@ void null_vector_by_whole_factors(benchmark::State& state) {
   const Eigen::VectorXd start = gaussian_start(setting.grid(), setting.problem);
   const double frequency = std::sqrt(problem::equivalent_linearisation(setting.problem).stiffness);
   for (auto _ : state) {
-    const NullVector null = factored_null_vector(op, start, frequency);
+    const NullVector null = null_vector_by_inverse_iteration(op, start, frequency);
     if (!null.averages) state.SkipWithError(null.failure.c_str());
   }
 }

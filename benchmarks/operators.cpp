@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "fd_fpk/line/jump_matrix.hpp"
+#include "fd_fpk/axis/jump_matrix.hpp"
 #include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
@@ -11,8 +11,8 @@ using namespace fd_fpk;
 void jump_matrix_of_a_line(benchmark::State& state) {
   const auto problem = paper_case(1);
   const int cells = static_cast<int>(state.range(0));
-  const Line line = Line::uniform(-5, 10.0 / cells, cells);
-  for (auto _ : state) benchmark::DoNotOptimize(jump_matrix(line, problem.impulses.law()));
+  const Axis axis = Axis::uniform(-5, 10.0 / cells, cells);
+  for (auto _ : state) benchmark::DoNotOptimize(jump_matrix(axis, problem.impulses.law()));
 }
 BENCHMARK(jump_matrix_of_a_line)->Arg(88)->Arg(176)->Arg(352)->Unit(benchmark::kMillisecond);
 

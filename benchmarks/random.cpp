@@ -17,7 +17,7 @@
 
 #include "compare/axes.hpp"
 #include "compare/rest_atoms.hpp"
-#include "mcs/offered.hpp"
+#include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
 #include "methods/in_frame.hpp"
@@ -77,7 +77,7 @@ struct Answer {
   double seconds = 0;
   bool density = false;
   double y_l1 = 0, ydot_l1 = 0;  // to the simulation
-  std::optional<transform::StatedError> stated;
+  std::optional<transform::ErrorEstimate> stated;
   std::string reason;
 
   double worst() const { return std::max(y_l1, ydot_l1); }
@@ -86,7 +86,7 @@ struct Answer {
 mcs::Options judge_options(const problem::Problem& problem, const compare::ComparisonAxes& axes,
                            double most_events) {
   const auto scales = problem::scales(problem);
-  const double decay_times = 1.6e6 / scales.slowest_decay;
+  const double decay_times = 1.6e6 / scales.slowest_decay_rate;
   const double events = problem.impulses.arrival_rate() + scales.frequency;
   return {.time = std::min(decay_times, most_events / events),
           .y_edges = axes.y_edges,
@@ -273,8 +273,8 @@ problem::Problem problem_of(int number, const Settings& settings) {
 const mcs::Options kTails{.tails = true};
 
 bool has_tails(const problem::Problem& problem) {
-  return mcs::objection(problem, kTails).empty() &&
-         mcs::splitting_objection(problem, kTails).empty();
+  return mcs::unsupported_reason(problem, kTails).empty() &&
+         mcs::unsupported_splitting_reason(problem, kTails).empty();
 }
 
 // The lowest density, relative to the peak, whose 95 % interval is within +-half of it.
@@ -282,7 +282,7 @@ double lowest_known(const Marginal& marginal) {
   const double peak = *std::ranges::max_element(marginal.density);
   double lowest = 1;
   for (std::size_t b = 0; b < marginal.size(); ++b) {
-    if (compare::known_well(marginal, b) && marginal.density[b] > 0) {
+    if (compare::has_narrow_interval(marginal, b) && marginal.density[b] > 0) {
       lowest = std::min(lowest, marginal.density[b] / peak);
     }
   }
@@ -303,9 +303,8 @@ void solve_tails(const problem::Problem& problem) {
   for (const auto& [variable, marginal] : solution.estimated_marginals) {
     fmt::print(" {:>8.1e}", lowest_known(marginal));
   }
-  const auto levels = std::ranges::count_if(solution.observations, [](const auto& o) {
-    return o.path.starts_with("splitting_thresholds[");
-  });
+  const auto levels = std::ranges::count_if(
+      solution.metrics, [](const auto& o) { return o.path.starts_with("splitting_thresholds["); });
   fmt::print(" {:2} energies {}\n", levels, solution.reason);
 }
 
@@ -369,7 +368,7 @@ int run(const Settings& settings) {
       continue;
     }
     const auto& problem = problems.back();
-    const auto axes = compare::even_axes(compare::comparison_axes(problem));
+    const auto axes = compare::uniform_axes(compare::comparison_axes(problem));
     judges.push_back(judge(problem, axes, settings));
     std::vector<Answer> row(methods.size());
     methods::side_by_side(methods.size(), 0, [&](std::size_t m) {

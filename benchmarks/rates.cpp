@@ -98,7 +98,7 @@ void add(const problem::Problem& problem, const Solution& solution,
          const Settings& settings, Tally& tally) {
   constexpr double kAllowed = 2;
   std::string text;
-  const bool states = transform::states_error(solution);
+  const bool states = transform::has_error_estimate(solution);
   if (solution.is_ok()) {
     ++tally.ok;
     if (!states) ++tally.silent;
@@ -126,7 +126,7 @@ int run(const Settings& settings) {
   std::vector<Tally> tallies(methods.size());
   int problems = 0;
   for (const auto& problem : settings.scan.problems()) {
-    const auto axes = compare::even_axes(compare::comparison_axes(problem));
+    const auto axes = compare::uniform_axes(compare::comparison_axes(problem));
     const auto judging = judge(problem);
     if (settings.verbose) {
       fmt::print("{} ({})\n", problem.name, judging ? "judged" : "no judge");

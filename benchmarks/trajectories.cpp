@@ -87,7 +87,7 @@ struct Lanes {
 };
 
 Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
-                 const simd::LaneSet& lanes, bool records) {
+                 const simd::CodeVariant& lanes, bool records) {
   const mcs::BinFinder y(even(0, 5)), v(even(-5, 5));
   const mcs::Motion motion{.oscillator = mcs::Oscillator(problem.system),
                            .step = kStep,
@@ -184,7 +184,7 @@ void errors(const char* name, const problem::System& system, const State& deviat
   const mcs::Oscillator oscillator(system);
   const auto [rms_lanes, largest_lanes] = error_per_time(system, deviation, [&](const State& x) {
     const mcs::Flight flight(oscillator, x);
-    const double time = flight.reach(kStep);
+    const double time = flight.max_step(kStep);
     return std::pair{flight.at(time), time};
   });
   fmt::print(
@@ -225,7 +225,7 @@ int main(int argc, char** argv) {
   fmt::print("case1, {} threads; steps: simulated time / 0.05\n", threads);
   fmt::print("scalar RK4 loop                   {:.2e} steps/s   E[v^2] {:.4f}\n",
              plain / kRungeKuttaStep, found[0]);
-  for (const auto& lanes : simd::available_lanes()) {
+  for (const auto& lanes : simd::available_variants()) {
     for (const bool records : {false, true}) {
       std::vector<Lanes> seen(static_cast<std::size_t>(threads));
       const double rate = speed(threads, time, [&](unsigned t) {

@@ -84,7 +84,7 @@ std::string command_of(const std::string& id, const std::string& words,
     const auto usual =
         std::ranges::find(solver->usual_options, option.name, &base::NamedValue::name);
     if (parameter == nullptr || parameter->flag.empty()) continue;
-    if (base::is_nothing(option.value)) continue;
+    if (base::is_unset(option.value)) continue;
     if (*usual == option && !telling.contains(option.name)) continue;
     const auto* word = std::get_if<std::string>(&option.value);
     command += fmt::format(" --{} {}", parameter->flag,
@@ -113,7 +113,7 @@ int advise_command(const Call& call) {
     throw InputError(fmt::format("--accuracy {:g} (must be above 0 and at most 2)", accuracy));
   }
   const auto problem = load_cases(common).front();
-  if (!problem::of_the_paper(problem)) {
+  if (!problem::is_paper_oscillator(problem)) {
     throw InputError(fmt::format(
         "{}: the map of validity holds one wall at the equilibrium, constant damping and impulses alone "
         "(fpkcheck run {} compares the methods there)",
@@ -124,12 +124,13 @@ int advise_command(const Call& call) {
   const std::string words = words_of_case(common);
   // Finer grids follow until an error of 1e-4 is stated; beyond that they have to be asked for.
   constexpr double kUsualGrids = 1e-4;
-  const sweep::AdviceSetting setting{
+  const sweep::AdviceContext setting{
       .name = problem.name,
       .command = [&](const std::string& id) { return command_of(id, words, call.registry); },
-      .otherwise = {fmt::format("fpkcheck fd {} --{} {:g}", words,
-                                accuracy < kUsualGrids ? "tolerance" : "accuracy", accuracy),
-                    fmt::format("fpkcheck mcs {}", words)},
+      .fallback_commands = {fmt::format("fpkcheck fd {} --{} {:g}", words,
+                                        accuracy < kUsualGrids ? "tolerance" : "accuracy",
+                                        accuracy),
+                            fmt::format("fpkcheck mcs {}", words)},
       .registry = call.registry};
   put_out(common.json ? sweep::advice_json(advice, setting, call.command_line) + '\n'
                       : sweep::advice_text(advice, setting, terminal_format()));

@@ -5,8 +5,8 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
-#include "base/text/shown.hpp"
+#include "base/process/write_guard.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -51,7 +51,7 @@ backward::Functional bin_from(const std::string& text) {
   const std::string variable = text.substr(0, first);
   if (variable != "y" && variable != "ydot") refuse();
   const auto number = [&](const std::string& part) {
-    const auto found = base::Parameter{.name = "bin", .help = {}}.parsed(part);
+    const auto found = base::Parameter{.name = "bin", .help = {}}.parse(part);
     if (!found) refuse();
     return std::get<double>(*found);
   };
@@ -106,7 +106,7 @@ int bounds_command(const Call& call) {
   }
   if (common.json) put_out(results::summary_text(run) + '\n');
   if (common.out) {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     base::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');

@@ -4,7 +4,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -72,7 +72,7 @@ boost::program_options::options_description options_of(CheckArguments& arguments
 
 void write(const std::filesystem::path& directory, const results::Run& run,
            const std::string& json) {
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   base::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
@@ -100,8 +100,8 @@ int check_command(const Call& call) {
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
-  const auto run = check::run_again(baseline, call.command_line, threads,
-                                    [&](const methods::RunProgress& at) { progress.show(at); });
+  const auto run = check::repeat_run(baseline, call.command_line, threads,
+                                     [&](const methods::RunProgress& at) { progress.show(at); });
   throw_if_interrupted();
   progress.clear();
 
@@ -124,7 +124,7 @@ int check_command(const Call& call) {
         elapsed.count()));
   }
   if (common.quiet && !result.agrees()) {
-    complain(fmt::format("{} of {} figures moved", result.moved().size(), result.figures.size()));
+    complain(fmt::format("{} of {} figures moved", result.moved().size(), result.changes.size()));
   }
   return result.agrees() ? kDone : kNotReached;
 }

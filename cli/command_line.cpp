@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/help.hpp"
 #include "problem/case_file.hpp"
 #include "results/directory.hpp"
@@ -59,7 +59,7 @@ bool parse(const std::vector<std::string>& arguments, const std::string& usage,
     }
     po::notify(values);
   } catch (const po::error& error) {
-    throw InputError(fmt::format("{} (--help lists the options)", base::shown(error.what())));
+    throw InputError(fmt::format("{} (--help lists the options)", base::sanitise(error.what())));
   }
   return true;
 }
@@ -68,10 +68,11 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   std::vector<problem::Problem> problems;
   std::set<std::string> names;
   for (const auto& name : common.cases) {
-    problems.push_back(problem::load_case(name, common.overrides, problem::Naming::of_changes));
+    problems.push_back(
+        problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
     // Pictures are filed under a plainer name, so that is what must not be shared.
     if (std::ranges::count(common.cases, name) > 1) {
-      throw InputError(fmt::format("{} is named twice (name it once)", base::shown(name)));
+      throw InputError(fmt::format("{} is named twice (name it once)", base::sanitise(name)));
     }
     if (!names.insert(results::file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
@@ -86,7 +87,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
       throw InputError(
           fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "
                       "name: rename one)",
-                      base::shown(name), addition));
+                      base::sanitise(name), addition));
     }
   }
   if (problems.empty()) {

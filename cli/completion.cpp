@@ -83,8 +83,8 @@ Words positionals_of(const CommandHelp& command) {
   if (takes("DIR")) return {kDirectories};
   if (!takes("CASE")) return {kFiles};
   Words cases;
-  for (const auto* named_cases : {&problem::named_cases(), &problem::shipped_systems()}) {
-    for (const auto& named : *named_cases) cases.push_back(named.name);
+  for (const auto* list : {&problem::paper_cases(), &problem::example_systems()}) {
+    for (const auto& named : *list) cases.push_back(named.name);
   }
   cases.emplace_back(kFiles);
   return cases;

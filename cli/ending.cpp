@@ -14,8 +14,8 @@
 #include <mutex>
 #include <vector>
 
-#include "base/process/files_in_hand.hpp"
 #include "base/process/stop.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
@@ -63,7 +63,7 @@ void say(const std::string& line) {
 // Returns where the command has come first: it says so itself, and then waits for this thread.
 void end_the_process() {
   if (end_claimed) return;
-  base::reserve_files_for_this_thread();
+  base::reserve_writes_for_this_thread();
   if (end_claimed.exchange(true)) return;
   std::vector<const std::function<void()>*> rescues;
   std::unique_lock lock(ending().mutex);  // kept: what a rescue stands on must not go meanwhile
@@ -108,7 +108,7 @@ Rescue::~Rescue() {
 OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
     : rescue_([this] { directory_ = {}; }) {
   if (!out) return;
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   directory_ = results::make_writable(*out);
 }
 

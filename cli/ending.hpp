@@ -14,9 +14,9 @@
 /// nothing in the solvers is asked. A command that can end by itself (between two solutions, after a
 /// round of the simulation) does, and that is the usual way. Where it has not done so within a
 /// fraction of a second, the thread of a Deadline ends the process beside it: it waits for files that
-/// are half written (base/process/files_in_hand.hpp), does what the command left to be done (Rescue), and
+/// are half written (base/process/write_guard.hpp), does what the command left to be done (Rescue), and
 /// leaves without unwinding anything. Memory and threads go with the process; what is left on disk
-/// is what FilesInHand, Rescue and OutputDirectory look after.
+/// is what WriteGuard, Rescue and OutputDirectory look after.
 namespace fpkcheck::cli {
 
 /// Something to be done when the process is ended by another thread while this lives; the last made

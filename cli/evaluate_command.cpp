@@ -12,7 +12,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
@@ -149,7 +149,7 @@ int evaluate_command(const Call& call) {
   fs::path file = words[0];
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) file /= "summary.json";
-  const std::string where = base::shown(file.string());
+  const std::string where = base::sanitise(file.string());
   const auto form = form_in(text_of(file, "the summary.json of a run, or a closed form"), where,
                             words.size() == 2 ? std::optional(words[1]) : std::nullopt, case_name);
   if (!epc::is_normalised(form.form)) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/lists.hpp"
 
 namespace fpkcheck::cli {
@@ -16,10 +16,10 @@ using report::FigureWidth;
 std::vector<FigureFormat> formats_in(const std::string& list) {
   std::vector<FigureFormat> formats;
   for (const auto& item : items("--figures", list)) {
-    const auto format = base::value_named<FigureFormat>(item);
+    const auto format = base::enum_from_name<FigureFormat>(item);
     if (!format) {
       throw InputError(fmt::format("--figures {} ({} is no format) use png, svg, pdf, tex",
-                                   base::shown(list), base::in_quotes(item)));
+                                   base::sanitise(list), base::in_quotes(item)));
     }
     formats.push_back(*format);
   }
@@ -27,7 +27,7 @@ std::vector<FigureFormat> formats_in(const std::string& list) {
 }
 
 FigureWidth width_in(const std::string& text) {
-  const auto width = base::value_named<FigureWidth>(text);
+  const auto width = base::enum_from_name<FigureWidth>(text);
   if (!width || *width == FigureWidth::screen) {
     throw InputError(
         fmt::format("--figure-width {} (must be 85 or 170, in mm)", base::in_quotes(text)));

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cli/solve_and_report.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -41,14 +41,14 @@ bool meant_to_end(const std::string& line, const std::string& next) {
 std::string filled_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
   std::string result =
-      report::wrapped(remark > 0 ? line.substr(0, remark) : line, width - 2, kIndent);
+      report::wrap_text(remark > 0 ? line.substr(0, remark) : line, width - 2, kIndent);
   result.pop_back();
   for (auto end = result.find('\n'); end != std::string::npos; end = result.find('\n', end + 3)) {
     result.insert(end, " \\");
   }
   result += '\n';
   if (remark > 0) {
-    result += report::wrapped(std::string(kIndent, ' ') + line.substr(remark), width, kIndent);
+    result += report::wrap_text(std::string(kIndent, ' ') + line.substr(remark), width, kIndent);
   }
   return result;
 }
@@ -68,12 +68,12 @@ std::string filled(const std::vector<std::string>& lines, std::size_t width) {
     for (++i; i < lines.size() && !meant_to_end(lines[i - 1], lines[i]); ++i) {
       text += ' ' + lines[i];
     }
-    std::string head;  // with the gap that wrapped would close
+    std::string head;  // with the gap that wrap_text would close
     if (column > 0) {
       head = text.substr(0, column);
       text.replace(0, column, column, ' ');
     }
-    auto block = report::wrapped(text, width, indent);
+    auto block = report::wrap_text(text, width, indent);
     block.replace(0, head.size(), head);
     result += block;
   }
@@ -145,7 +145,7 @@ std::string help_text(const Help& help, std::size_t width) {
       line.clear();
     }
     line.resize(column, ' ');
-    auto block = report::wrapped(std::string(column, ' ') + option.text, width, column);
+    auto block = report::wrap_text(std::string(column, ' ') + option.text, width, column);
     block.replace(0, column, line);
     text += block;
   }

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::cli {
 
@@ -30,7 +30,7 @@ std::vector<int> integers(const std::string& option, const std::string& list) {
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc{} || end != item.data() + item.size()) {
       throw InputError(fmt::format("{} {} ({} is no number) use a list such as 2,4,6", option,
-                                   base::shown(list), base::in_quotes(item)));
+                                   base::sanitise(list), base::in_quotes(item)));
     }
     if (std::ranges::find(result, value) == result.end()) result.push_back(value);
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/mpi/ranks.hpp"
+#include "base/mpi/communicator.hpp"
 #include "base/process/stop.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -39,7 +39,7 @@ boost::program_options::options_description file_options(methods::SimulationCont
 /// The conversation of processes that share a simulation.
 class Gathering {
  public:
-  explicit Gathering(base::Ranks& ranks) : ranks_(ranks) {}
+  explicit Gathering(base::Communicator& ranks) : ranks_(ranks) {}
 
   // mcs::Team::gather
   std::vector<std::string> operator()(const std::string& own) {
@@ -70,7 +70,7 @@ class Gathering {
     return text;
   }
 
-  base::Ranks& ranks_;
+  base::Communicator& ranks_;
   std::map<int, std::deque<std::string>> waiting_;
 };
 
@@ -115,10 +115,10 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
                                                                  : OnInterruption::give_up},
                      call.command_line);
   };
-  if (!base::Ranks::started_together()) return solve();
+  if (!base::Communicator::launched_by_mpi()) return solve();
 
   require_time_alone(values);
-  const auto ranks = base::Ranks::join();
+  const auto ranks = base::Communicator::join();
   Gathering gathering(*ranks);
   control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gathering)};
   try {

@@ -9,10 +9,10 @@
 #include "cli/solve_and_report.hpp"
 #include "problem/named_cases.hpp"
 #include "workflows/paper/claims.hpp"
-#include "workflows/paper/files.hpp"
+#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/judge.hpp"
 #include "workflows/paper/supplement.hpp"
-#include "workflows/paper/table.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -49,7 +49,7 @@ Supplement claims_of(const results::Run& run, report::FigureWidth width) {
   for (const auto& one : judgements) {
     if (one.outcome != paper::Outcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
-                                              paper::cases_text(one.claim), words(one.claim),
+                                              paper::cases_text(one.claim), claim_text(one.claim),
                                               one.note));
   }
   return supplement;
@@ -71,10 +71,10 @@ int paper_command(const Call& call) {
   if (!common.cases.empty()) {
     throw InputError("paper takes no case (its cases are the paper's four)");
   }
-  for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
+  for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   if (!common.out) common.out = kDefaultPaperDirectory;
   return solve_and_report(
-      common, call.registry.select(paper::kMethods, given),
+      common, call.registry.select(paper::kRequiredMethods, given),
       {.required = Required::references,
        .threads = threads_in(given),
        .with_dual = true,

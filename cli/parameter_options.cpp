@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -44,14 +44,14 @@ void add(const Parameter& parameter, const Value* usual, Values& values,
     return;
   }
   auto* semantic = po::value<std::string>()->value_name(parameter.placeholder);
-  if (usual != nullptr && !base::is_nothing(*usual)) {
+  if (usual != nullptr && !base::is_unset(*usual)) {
     semantic->default_value(default_text(*usual));
   }
   semantic->notifier([&values, parameter, label](const std::string& text) {
-    const Value value = base::value_from(parameter, text, label);
-    if (!parameter.in_range(value)) {
+    const Value value = base::parse_value(parameter, text, label);
+    if (!parameter.is_in_range(value)) {
       throw InputError(
-          fmt::format("{} {} (must be {})", label, base::shown(text), parameter.allowed()));
+          fmt::format("{} {} (must be {})", label, base::sanitise(text), parameter.requirement()));
     }
     put(values, parameter.name, value);
   });
@@ -60,7 +60,7 @@ void add(const Parameter& parameter, const Value* usual, Values& values,
 
 }  // namespace
 
-po::options_description options_for(const base::Descriptions& description, Values& values) {
+po::options_description options_for(const base::DescriptionBase& description, Values& values) {
   po::options_description options;
   for (const auto& parameter : description.all()) {
     if (parameter.flag.empty()) continue;
@@ -70,7 +70,7 @@ po::options_description options_for(const base::Descriptions& description, Value
   return options;
 }
 
-po::options_description options_for(const base::Descriptions& description,
+po::options_description options_for(const base::DescriptionBase& description,
                                     const std::vector<std::string>& names, Values& given) {
   po::options_description options;
   for (const auto& name : names) add(*description.find(name), nullptr, given, options);

@@ -13,11 +13,11 @@ namespace fpkcheck::cli {
 /// default and its range from the description. What is given replaces the value in `values`.
 /// @param values of all parameters, in any order; kept by reference
 /// @throws InputError from parsing: the flag, the text and what is allowed
-boost::program_options::options_description options_for(const base::Descriptions& description,
+boost::program_options::options_description options_for(const base::DescriptionBase& description,
                                                         base::Values& values);
 
 /// Those of the named parameters only, without defaults: `given` gets the ones that are given.
-boost::program_options::options_description options_for(const base::Descriptions& description,
+boost::program_options::options_description options_for(const base::DescriptionBase& description,
                                                         const std::vector<std::string>& names,
                                                         base::Values& given);
 

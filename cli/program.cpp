@@ -13,7 +13,7 @@
 
 #include "base/input_error.hpp"
 #include "base/process/stop.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/commands.hpp"
 #include "cli/completion.hpp"
 #include "cli/ending.hpp"
@@ -25,8 +25,8 @@
 #include "cli/version.hpp"
 #include "methods/builtin.hpp"
 #include "methods/out_of_memory.hpp"
-#include "problem/untreated.hpp"
-#include "report/text/wrapped.hpp"
+#include "problem/unsupported_features.hpp"
+#include "report/text/wrap_text.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
@@ -95,7 +95,7 @@ commands:
   std::size_t column = 0;
   for (const auto& command : all) column = std::max(column, command.name.size() + 4);
   for (const auto& command : all) {
-    auto lines = report::wrapped(std::string(column, ' ') + command.summary, 80, column);
+    auto lines = report::wrap_text(std::string(column, ' ') + command.summary, 80, column);
     fmt::print("{}", lines.replace(2, command.name.size(), command.name));
   }
   fmt::print(R"(
@@ -108,8 +108,9 @@ Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
 
 )");
   std::vector<std::string_view> subjects;
-  for (const auto& untreated : problem::untreated()) subjects.push_back(untreated.subject);
-  fmt::print("{}", report::wrapped(fmt::format("Not treated: {}.", fmt::join(subjects, "; ")), 80));
+  for (const auto& feature : problem::unsupported_features()) subjects.push_back(feature.subject);
+  fmt::print("{}",
+             report::wrap_text(fmt::format("Not treated: {}.", fmt::join(subjects, "; ")), 80));
 }
 
 // Every command with its help, and the subjects of `study` as commands of their own.
@@ -163,7 +164,7 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   }
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
-    if (const std::string text = problem::untreated_text(name); !text.empty()) {
+    if (const std::string text = problem::unsupported_feature_text(name); !text.empty()) {
       throw InputError(fmt::format("{}: {}", base::in_quotes(name), text));
     }
     throw InputError(fmt::format("{} is no command (use one of {}; --help explains)",

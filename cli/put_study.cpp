@@ -6,7 +6,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
@@ -15,9 +15,9 @@
 namespace fpkcheck::cli {
 namespace {
 
-void write(const std::filesystem::path& directory, const study::Output& output,
+void write(const std::filesystem::path& directory, const study::StudyOutput& output,
            const report::FigureOptions& options) {
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   base::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
@@ -31,7 +31,7 @@ void write(const std::filesystem::path& directory, const study::Output& output,
   }
 }
 
-std::string files_of(const study::Output& output, const report::FigureOptions& options) {
+std::string files_of(const study::StudyOutput& output, const report::FigureOptions& options) {
   std::string files = fmt::format("{}.json", output.stem);
   if (output.figure.empty()) return files + " and .csv";
   return files +
@@ -40,7 +40,7 @@ std::string files_of(const study::Output& output, const report::FigureOptions& o
 
 }  // namespace
 
-void put_study(const CommonArguments& common, const study::Output& output,
+void put_study(const CommonArguments& common, const study::StudyOutput& output,
                std::chrono::steady_clock::time_point begin) {
   if (common.json) {
     put_out(output.json + '\n');

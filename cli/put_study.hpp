@@ -11,7 +11,7 @@ namespace fpkcheck::cli {
 
 /// Prints a study's table or its JSON, writes STEM.json, STEM.csv and figures/STEM.gp with its pictures
 /// when a directory was given, and closes with what was written where.
-void put_study(const CommonArguments& common, const study::Output& output,
+void put_study(const CommonArguments& common, const study::StudyOutput& output,
                std::chrono::steady_clock::time_point begin);
 
 /// kDone where it reached what it must, else kNotReached; of a quiet one a line says so.

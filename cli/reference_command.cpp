@@ -7,7 +7,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -75,7 +75,7 @@ int reference_command(const Call& call) {
   }
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     const std::filesystem::path place(*common.out);
     base::PendingFiles files;
     files.add(place / "reference.md", text);

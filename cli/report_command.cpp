@@ -1,5 +1,5 @@
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -7,7 +7,7 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "report/figure/curve_choice.hpp"
+#include "report/figure/curve_selection.hpp"
 #include "report/report.hpp"
 #include "report/supplement.hpp"
 #include "results/saved_run.hpp"
@@ -44,14 +44,14 @@ int report_command(const Call& call) {
   for (const auto& one : run.cases) {
     for (const auto& solution : one.solutions) there.push_back(solution.identity);
   }
-  report::require_curves(figures.curves, there);
-  const base::FilesInHand in_hand;
+  report::validate_curves(figures.curves, there);
+  const base::WriteGuard in_hand;
   const auto format = terminal_format();
-  const auto supplement = paper::is_run_of_paper(run)
+  const auto supplement = paper::is_paper_run(run)
                               ? paper::supplement(paper::judge(run), run, figures.width, format)
                               : report::Supplement{};
   const auto [text, warnings] =
-      report::report_again(directories.front(), run, format, figures, supplement);
+      report::rebuild_report(directories.front(), run, format, figures, supplement);
   note_kept("the page was written, not all pictures");
   if (!quiet) put_out(text);
   for (const auto& warning : warnings) complain(warning);

@@ -87,7 +87,7 @@ int run_command(const Call& call) {
 
   auto methods = call.registry.select(list.value_or(all_methods(call.registry)), given);
   if (common.cases.empty()) {
-    for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
+    for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   }
   if (!against.empty()) {
     if (common.cases.size() != 1) {

@@ -14,15 +14,15 @@
 #include <optional>
 #include <string_view>
 
-#include "base/process/files_in_hand.hpp"
 #include "base/process/stop.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/complete_run.hpp"
-#include "report/figure/curve_choice.hpp"
+#include "report/figure/curve_selection.hpp"
 #include "report/report.hpp"
 #include "results/run_json.hpp"
 
@@ -31,7 +31,7 @@ namespace {
 
 bool is_required(const transform::Solution& solution, const SolveControl& control) {
   const auto& identity = solution.identity;
-  if (transform::is_guest(identity)) return false;  // nothing was asked of a solver
+  if (transform::is_external(identity)) return false;  // nothing was asked of a solver
   if (solution.status == transform::Status::not_offered) {
     return control.required == Required::all &&
            (control.named.empty() || std::ranges::count(control.named, identity.id) > 0);
@@ -116,7 +116,7 @@ std::string stopped_text(const std::vector<results::Case>& cases,
 
 // Of a run that was told to stop: no more than what is there already takes time.
 void write_stopped(const std::filesystem::path& directory, const results::Run& run) {
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   report::write_report(directory, run);
   note_kept(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the pictures)",
                         run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
@@ -145,7 +145,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   const auto problems = load_cases(common);
   std::vector<transform::Identity> identities;
   for (const auto& method : methods) identities.push_back(method.identity);
-  report::require_curves(common.figures.curves, identities);
+  report::validate_curves(common.figures.curves, identities);
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
@@ -204,7 +204,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
 
   bool all_drawn = true;
   if (common.out) {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     for (const auto& warning :
          report::write_report(*common.out, run, common.figures, supplement.report)) {
       complain(warning);

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::cli {
 
@@ -26,7 +26,7 @@ void put_out(std::string_view text) {
 }
 
 void complain(std::string_view message) {
-  const std::string line = fmt::format("fpkcheck: {}\n", base::one_line(message));
+  const std::string line = fmt::format("fpkcheck: {}\n", base::to_single_line(message));
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/program.hpp"
 #include "cli/studies.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -22,7 +22,7 @@ std::string study_usage() {
   constexpr std::size_t kWidth = 100, kColumn = 18;
   std::string text = kHead;
   for (const auto& [name, summary, run] : study_subjects()) {
-    auto lines = report::wrapped(std::string(kColumn, ' ') + summary, kWidth, kColumn);
+    auto lines = report::wrap_text(std::string(kColumn, ' ') + summary, kWidth, kColumn);
     text += lines.replace(2, name.size(), name);
   }
   return text;

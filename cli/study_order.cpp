@@ -81,7 +81,7 @@ int study_order(const Call& call) {
   put_study(common,
             study::output(found, call.command_line, terminal_format(), common.figures.width),
             begin);
-  return exit_code_of_study(common, study::reached(found));
+  return exit_code_of_study(common, study::has_converged(found));
 }
 
 }  // namespace fpkcheck::cli

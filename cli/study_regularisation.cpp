@@ -47,7 +47,7 @@ int study_regularisation(const Call& call) {
   throw_if_interrupted();
   line.clear();
   put_study(common, study::output(found, call.command_line, terminal_format()), begin);
-  return exit_code_of_study(common, study::reached(found));
+  return exit_code_of_study(common, study::has_converged(found));
 }
 
 }  // namespace fpkcheck::cli

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "base/input_error.hpp"
-#include "base/mpi/ranks.hpp"
-#include "base/options/asked_name.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/mpi/communicator.hpp"
+#include "base/options/parse_enum.hpp"
 #include "base/process/stop.hpp"
-#include "base/text/shown.hpp"
+#include "base/process/write_guard.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/ending.hpp"
@@ -26,7 +26,7 @@
 #include "cli/standard_streams.hpp"
 #include "methods/side_by_side.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
-#include "workflows/sweep/execution/merged.hpp"
+#include "workflows/sweep/execution/merge_journals.hpp"
 #include "workflows/sweep/execution/solve_on_ranks.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
 #include "workflows/sweep/plan/plan_file.hpp"
@@ -137,9 +137,9 @@ sweep::Axis axis_of(const std::string& text) {
     throw InputError(
         fmt::format("--vary {} (not KEY=VALUES; write e.g. --vary "
                     "system.restitution=0.5:1:11)",
-                    base::shown(text)));
+                    base::sanitise(text)));
   }
-  return sweep::axis_from(text.substr(0, equals), text.substr(equals + 1), "--vary");
+  return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
 // What a plan says of the methods' options, where the command line says nothing.
@@ -161,8 +161,8 @@ void add_options_of_plan(const std::vector<base::IniSetting>& lines,
                                    base::in_quotes(line.path()), fmt::join(known, ", ")));
     }
     if (contains(given, line.key)) continue;
-    given.push_back({line.key, base::value_from(**option, line.text,
-                                                fmt::format("{}: {} =", line.where, line.key))});
+    given.push_back({line.key, base::parse_value(**option, line.text,
+                                                 fmt::format("{}: {} =", line.where, line.key))});
   }
 }
 
@@ -185,15 +185,15 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
   }
   plan.design = text.design.value_or(sweep::Design::product);
   if (arguments.design)
-    plan.design = base::asked_name<sweep::Design>("--design", *arguments.design);
+    plan.design = base::parse_enum<sweep::Design>("--design", *arguments.design);
   plan.closure_errors = text.closure_errors.value_or(sweep::ClosureErrors::reference);
   if (arguments.closure_errors) {
     plan.closure_errors =
-        base::asked_name<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
+        base::parse_enum<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
   }
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
-  plan.points = sweep::points_of(plan.axes, plan.design, plan.sobol_points);
+  plan.points = sweep::make_points(plan.axes, plan.design, plan.sobol_points);
 
   base::Values given = arguments.given;
   add_options_of_plan(text.options, registry, given);
@@ -207,7 +207,7 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
 void put_results(const SweepArguments& arguments, const sweep::SweepResults& results,
                  const Call& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   sweep::write_tables(directory, results, call.command_line);
   note_kept("sweep.csv and sweep.nc were written, but not the page");
   if (arguments.common.json) {
@@ -233,12 +233,12 @@ int merge(const SweepArguments& arguments, const Call& call,
   }
   std::vector<std::filesystem::path> directories(arguments.common.cases.begin(),
                                                  arguments.common.cases.end());
-  auto merged = sweep::merged(directories, call.registry);
+  auto merge_journals = sweep::merge_journals(directories, call.registry);
   const OutputDirectory directory(arguments.common.out);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  for (const auto& remark : merged.remarks) complain(remark);
-  put_results(arguments, merged.results, call, elapsed.count());
-  return merged.results.is_whole() ? kDone : kNotReached;
+  for (const auto& remark : merge_journals.remarks) complain(remark);
+  put_results(arguments, merge_journals.results, call, elapsed.count());
+  return merge_journals.results.is_complete() ? kDone : kNotReached;
 }
 
 // What a sweep of this plan has solved already tells the rest as well.
@@ -263,12 +263,12 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
 
 // Of the process that has the journal, which is the only one but under mpirun.
 int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
-               int threads, base::Ranks* ranks, const Call& call,
+               int threads, base::Communicator* ranks, const Call& call,
                std::chrono::steady_clock::time_point begin) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
   const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
-  const auto tell = [&](const sweep::Queue::Standing& at) {
+  const auto tell = [&](const sweep::PointQueue::State& at) {
     note_kept(fmt::format("{} of {} points are in {}/{} (the same command goes on)", at.done,
                           at.total, *common.out, shard.journal_name()));
     line.show({.done = at.done,
@@ -276,25 +276,27 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
                .case_name = plan.base.name,
                .method = "points",
                .fraction = 0,
-               .note = at.left ? sweep::time_text(*at.left / workers) + " left" : ""});
+               .note = at.remaining_seconds
+                           ? sweep::duration_text(*at.remaining_seconds / workers) + " left"
+                           : ""});
   };
   std::optional<OutputDirectory> directory;
-  std::optional<sweep::Progress> progress;
+  std::optional<sweep::JournaledQueue> progress;
   try {
     directory.emplace(common.out);
     progress.emplace(plan, *common.out, shard, tell);
   } catch (...) {
-    if (ranks != nullptr) sweep::dismiss(*ranks);
+    if (ranks != nullptr) sweep::release_workers(*ranks);
     throw;
   }
-  tell(progress->standing());
+  tell(progress->state());
   if (const auto resumed = progress->resumed_text(); !resumed.empty() && !common.quiet) {
     complain(resumed);
   }
   if (ranks != nullptr) {
-    sweep::lead(plan, *progress, *ranks, threads);
+    sweep::run_coordinator(plan, *progress, *ranks, threads);
   } else {
-    sweep::solve_left(plan, *progress, threads);
+    sweep::solve_remaining(plan, *progress, threads);
   }
   line.clear();
   if (base::stop_requested()) return kNotReached;  // the caller says by what
@@ -305,12 +307,13 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
       put_out(fmt::format(
           "Shard {} of {}: {} points in {}/{}, {:.1f} s. When all are there: fpkcheck sweep --merge "
           "{} --out {}\n",
-          shard.number, shard.of, progress->standing().done, *common.out, shard.journal_name(),
+          shard.number, shard.of, progress->state().done, *common.out, shard.journal_name(),
           elapsed.count(), *common.out, *common.out));
     }
     return kDone;
   }
-  put_results(arguments, sweep::sweep_results(plan, progress->points()), call, elapsed.count());
+  put_results(arguments, sweep::make_sweep_results(plan, progress->points()), call,
+              elapsed.count());
   return kDone;
 }
 
@@ -331,15 +334,15 @@ int sweep_command(const Call& call) {
   if (!common.out) common.out = kDefaultSweepDirectory;
   if (arguments.merge) return merge(arguments, call, begin);
   const int threads = methods::number_of_threads(threads_given(arguments.given));
-  const auto shard = arguments.shard ? sweep::shard_from(*arguments.shard) : sweep::Shard{};
+  const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
   const auto plan = plan_of(arguments, call.registry);
   if (arguments.dry_run) return dry_run(arguments, plan, threads);
 
-  const auto ranks =
-      base::Ranks::started_together() ? base::Ranks::join() : std::unique_ptr<base::Ranks>();
+  const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::join()
+                                                           : std::unique_ptr<base::Communicator>();
   if (ranks && !ranks->is_first()) {
     note_kept("what was finished is in the first rank's journal");
-    sweep::follow(plan, *common.out, *ranks, threads);
+    sweep::run_worker(plan, *common.out, *ranks, threads);
     return kDone;
   }
   return lead_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);

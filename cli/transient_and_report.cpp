@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
@@ -44,7 +44,7 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
     put_out(study::transient_table(run, terminal_format().width));
   }
   if (common.out) {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     for (const auto& warning : study::write_transient(*common.out, run, common.figures))
       complain(warning);
     note_kept("all was written but the picture");

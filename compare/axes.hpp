@@ -28,11 +28,11 @@ ComparisonAxes comparison_axes(const problem::Problem& problem);
 const std::vector<double>& edges(const ComparisonAxes& axes, transform::Variable variable);
 
 /// The axes with undivided bins only.
-ComparisonAxes even_axes(const ComparisonAxes& axes);
+ComparisonAxes uniform_axes(const ComparisonAxes& axes);
 
 /// Merges the divided bins of a marginal into uniform bins of the same mass. Errors of the merged
 /// parts are assumed to be independent.
-transform::Marginal on_even_bins(const ComparisonAxes& axes, transform::Variable variable,
-                                 const transform::Marginal& marginal);
+transform::Marginal merge_divided_bins(const ComparisonAxes& axes, transform::Variable variable,
+                                       const transform::Marginal& marginal);
 
 }  // namespace fpkcheck::compare

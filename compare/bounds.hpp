@@ -30,26 +30,27 @@ struct Bounds {
 const Bound* bound_of(const Bounds& bounds, double transform::Moments::*moment);
 
 /// A moment of a solution that violates its guaranteed bound.
-struct Outside {
+struct BoundViolation {
   const transform::Solution* solution;
   const Bound* bound;
-  double value;      ///< the moment
-  double by;         ///< distance from the nearer end of the bound, > 0
-  double own_error;  ///< error estimate; of a simulation kContradictionStandardErrors of them
+  double value;           ///< the moment
+  double excess;          ///< distance from the nearer end of the bound, > 0
+  double error_estimate;  ///< error estimate; of a simulation kContradictionStandardErrors of them
 
   /// True if the violation exceeds the error estimate: then status ok is wrong.
-  bool is_contradiction() const { return by > own_error; }
+  bool is_contradiction() const { return excess > error_estimate; }
 };
 
 /// Number of standard errors beyond which a difference is not attributed to sampling.
-inline constexpr double kSureErrors = 4;
+inline constexpr double kContradictionStandardErrors = 4;
 
 /// The violated bounds of every solution with a density, in the order of the solutions.
-std::vector<Outside> outside(const Bounds& bounds, std::span<const transform::Solution> solutions);
+std::vector<BoundViolation> bound_violations(const Bounds& bounds,
+                                             std::span<const transform::Solution> solutions);
 
 /// The contradictions of solutions of the full problem (compare/reference.hpp): such a solution is
 /// wrong whatever its status.
-std::vector<Outside> contradictions(const Bounds& bounds,
-                                    std::span<const transform::Solution> solutions);
+std::vector<BoundViolation> contradictions(const Bounds& bounds,
+                                           std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::compare

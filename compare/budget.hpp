@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "compare/axes.hpp"
 #include "compare/pairs.hpp"
 #include "transform/solution.hpp"
@@ -16,21 +16,21 @@ namespace fpkcheck::compare {
 
 /// The approximation in which consecutive models of the chain differ.
 enum class Link { closure, impact, truncation, white_noise, discretisation, sampling };
-inline constexpr base::Named<Link> kLinkNames[] = {
+inline constexpr base::EnumEntry<Link> kLinkNames[] = {
     {Link::closure, "closure", "the closure approximation"},
     {Link::impact, "impact", "the impact to first order in 1-r"},
     {Link::truncation, "truncation", "the truncation of the Kramers-Moyal series"},
     {Link::white_noise, "white noise", "white noise in place of impulses"},
     {Link::discretisation, "discretisation", "the discretisation of the reference"},
     {Link::sampling, "sampling", "the sampling error of the reference"}};
-constexpr std::span<const base::Named<Link>> names(Link) { return kLinkNames; }
+constexpr std::span<const base::EnumEntry<Link>> names(Link) { return kLinkNames; }
 constexpr std::string_view name(Link link) { return base::name_of(link); }
 
 /// The name of joined links: "closure", "closure + impact".
 std::string name(const std::vector<Link>& links);
 /// The links of a joined name.
 /// @throws InputError when the name contains an unknown link
-std::vector<Link> links_named(std::string_view name);
+std::vector<Link> parse_links(std::string_view name);
 
 /// A step of the chain, from one model to the next.
 struct BudgetPart {
@@ -41,13 +41,13 @@ struct BudgetPart {
   double tail;                          ///< as BudgetRow::total_tail; NaN without a bin
   std::optional<double> uncertainty{};  ///< sum of the discretisation errors of both models
   std::optional<double> expected{};     ///< expected L1 sampling error of a step to the simulation
-  std::optional<double> in_99{};        ///< 99 % quantile of this sampling error
+  std::optional<double> quantile_99{};  ///< 99 % quantile of this sampling error
   /// Standard error of l1, for a step to the smooth reference.
   std::optional<double> standard_error{};
 
   std::string name() const { return compare::name(links); }
   /// True if the part consists of errors of the reference: discretisation and sampling.
-  bool beyond_the_equations() const;
+  bool is_reference_error() const;
 };
 
 /// The budget of one closure in one variable. The total is at most the sum of the parts, also in

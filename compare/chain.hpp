@@ -14,7 +14,7 @@
 namespace fpkcheck::compare {
 
 /// Suffix of a solution's id in a chain that denotes the Richardson limit of its grids.
-inline constexpr std::string_view kLimitOfGrids = " limit";
+inline constexpr std::string_view kGridLimitSuffix = " limit";
 
 /// A model of the chain from a closure to the reference, with its marginal of one variable.
 struct ChainNode {
@@ -43,10 +43,10 @@ struct ChainNode {
 /// limit, else with the full equation.
 /// @param closure one of the solutions
 /// @return at least two nodes; empty if the chain has no end or the closure has no marginal
-std::vector<ChainNode> budget_chain(const ComparisonAxes& axes,
-                                    std::span<const transform::Solution> solutions,
-                                    std::span<const SolutionMarginal> marginals,
-                                    const transform::Solution& closure,
-                                    transform::Variable variable);
+std::vector<ChainNode> model_chain(const ComparisonAxes& axes,
+                                   std::span<const transform::Solution> solutions,
+                                   std::span<const SolutionMarginal> marginals,
+                                   const transform::Solution& closure,
+                                   transform::Variable variable);
 
 }  // namespace fpkcheck::compare

@@ -13,7 +13,7 @@ using transform::Marginal;
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kDecades = 6;
-constexpr double kWidestRelativeHalfInterval = 0.5;
+constexpr double kMaxRelativeHalfWidth = 0.5;
 
 void require_same_bins(const Marginal& a, const Marginal& b) {
   if (a.edges != b.edges) throw std::invalid_argument("the densities have different bins");
@@ -25,7 +25,7 @@ void require_same_bins(const Marginal& a, const Marginal& b) {
   }
 }
 
-bool finite(const Marginal& m) {
+bool is_finite(const Marginal& m) {
   return std::ranges::all_of(m.density, [](double p) { return std::isfinite(p); });
 }
 
@@ -39,11 +39,11 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
   TailDistance tail{from, to, 0, 0, 0};
   for (std::size_t k = 0; k < b.size(); ++k) {
     if (b.density[k] < from || b.density[k] >= to) continue;
-    if (a.density[k] > 0 && known_well(a, k) && known_well(b, k)) {
+    if (a.density[k] > 0 && has_narrow_interval(a, k) && has_narrow_interval(b, k)) {
       tail.mean_abs += std::abs(std::log10(a.density[k] / b.density[k]));
       ++tail.bins;
     } else {
-      ++tail.left_out;
+      ++tail.bins_omitted;
     }
   }
   tail.mean_abs = tail.bins > 0 ? tail.mean_abs / tail.bins : kNotANumber;
@@ -52,14 +52,14 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
 
 }  // namespace
 
-bool known_well(const Marginal& m, std::size_t bin) {
+bool has_narrow_interval(const Marginal& m, std::size_t bin) {
   if (m.lower.empty() || m.upper.empty()) return true;
-  return m.upper[bin] - m.lower[bin] <= 2 * kWidestRelativeHalfInterval * m.density[bin];
+  return m.upper[bin] - m.lower[bin] <= 2 * kMaxRelativeHalfWidth * m.density[bin];
 }
 
 Distances distances(const Marginal& a, const Marginal& b) {
   require_same_bins(a, b);
-  if (!finite(a) || !finite(b)) {
+  if (!is_finite(a) || !is_finite(b)) {
     return {kNotANumber, kNotANumber, kNotANumber, kNotANumber, kNotANumber, {}};
   }
   Distances d{};

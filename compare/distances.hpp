@@ -10,9 +10,9 @@ namespace fpkcheck::compare {
 struct TailDistance {
   double from;  ///< the decade: from <= b < to
   double to;
-  double mean_abs;  ///< mean of |log10 a - log10 b| over `bins`; NaN without a bin
-  int bins;         ///< number of bins used
-  int left_out;     ///< number of bins omitted: a not positive, or an interval too wide
+  double mean_abs;   ///< mean of |log10 a - log10 b| over `bins`; NaN without a bin
+  int bins;          ///< number of bins used
+  int bins_omitted;  ///< number of bins omitted: a not positive, or an interval too wide
 };
 
 /// Distances of a density `a` from a reference `b`. Integrals are sums over the common bins.
@@ -27,7 +27,7 @@ struct Distances {
 };
 
 /// False if the 95 % interval of a bin is wider than +-50 % of its density.
-bool known_well(const transform::Marginal& marginal, std::size_t bin);
+bool has_narrow_interval(const transform::Marginal& marginal, std::size_t bin);
 
 /// Compares two marginals bin by bin. Negative averages, which discretisations can produce, keep
 /// their values in l1, l2 and sup and count as zero in hellinger and kl. KL(b || a) is infinite if

@@ -30,11 +30,11 @@ struct PairDistances {
 };
 
 /// The distances between two solutions, in either order; null if there are none.
-const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view one,
-                               std::string_view other, transform::Variable variable);
+const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view first,
+                               std::string_view second, transform::Variable variable);
 
 /// The L1 distance between two solutions; empty if there is none or if it is not finite.
-std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view one,
-                                 std::string_view other, transform::Variable variable);
+std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view first,
+                                 std::string_view second, transform::Variable variable);
 
 }  // namespace fpkcheck::compare

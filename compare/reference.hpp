@@ -14,13 +14,13 @@ namespace fpkcheck::compare {
 
 /// Error estimate of a marginal in L1: the error estimate of the method, else the expected sampling
 /// error, else infinity.
-double own_error(const transform::Solution& solution, transform::Variable variable);
+double error_estimate(const transform::Solution& solution, transform::Variable variable);
 /// Sum of the error estimates of both marginals.
-double own_error(const transform::Solution& solution);
+double error_estimate(const transform::Solution& solution);
 
 /// True for a solution of the full problem: status ok, a density equation or a simulation with the
 /// jumps themselves (`kf`) and the exact impact.
-bool solves_the_problem(const transform::Solution& solution);
+bool is_solution_of_full_problem(const transform::Solution& solution);
 
 /// The reference of a case: the solution of the full problem with the smallest error estimate,
 /// summed over both marginals. Among equal or missing error estimates the later, more trusted
@@ -33,7 +33,7 @@ const transform::Solution* reference(std::span<const transform::Solution> soluti
 std::string reference_text(std::span<const transform::Solution> solutions);
 
 /// L1 distances of a solution from the reference.
-struct Rank {
+struct ReferenceDistance {
   const transform::Solution* solution;
   double y, ydot;
 
@@ -41,11 +41,12 @@ struct Rank {
 };
 
 /// The closures with status ok and both distances, by increasing distance.
-std::vector<Rank> closures_by_distance(std::span<const transform::Solution> solutions,
-                                       std::span<const PairDistances> pairs);
+std::vector<ReferenceDistance> closures_by_reference_distance(
+    std::span<const transform::Solution> solutions, std::span<const PairDistances> pairs);
 
 /// True if two distances differ by no more than the error estimate of the reference: then neither
 /// solution counts as the closer.
-bool indistinguishable(const Rank& one, const Rank& other, const transform::Solution& reference);
+bool is_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
+                          const transform::Solution& reference);
 
 }  // namespace fpkcheck::compare

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "control_variates/combine.hpp"
-#include "control_variates/prepared.hpp"
+#include "control_variates/control_setup.hpp"
+#include "control_variates/estimates.hpp"
 
 namespace fpkcheck::control_variates {
 
@@ -18,7 +18,7 @@ struct Hotelling {
 };
 /// @param values shape (dimensions, streams); the test takes the first dimensions only, at most
 ///        half the number of streams
-Hotelling hotelling(const Eigen::MatrixXd& values);
+Hotelling hotelling_test(const Eigen::MatrixXd& values);
 
 /// Checks of the simulated motion, impacts and impulses against the coefficients of the problem.
 struct Checks {
@@ -43,10 +43,10 @@ struct Checks {
   /// "plain". The statistical ones have a false alarm rate of 1e-4.
   std::vector<std::string> failed() const;
   /// Names of the failed checks without sampling error: flights, restitution, wall.
-  std::vector<std::string> certainly_wrong() const;
+  std::vector<std::string> deterministic_failures() const;
 };
 
-Checks checks(const Prepared& prepared, const Eigen::MatrixXd& generator,
+Checks checks(const ControlSetup& setup, const Eigen::MatrixXd& generator,
               std::span<const mcs::StreamDeposit> streams, const Estimates& estimates);
 
 }  // namespace fpkcheck::control_variates

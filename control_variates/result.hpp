@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "control_variates/checks.hpp"
-#include "control_variates/combine.hpp"
-#include "control_variates/prepared.hpp"
+#include "control_variates/control_setup.hpp"
+#include "control_variates/estimates.hpp"
 #include "mcs/solve.hpp"
 
 namespace fpkcheck::control_variates {
@@ -18,6 +18,6 @@ struct Result {
 };
 
 /// Computes estimates and checks from the deposits of a simulation on setup.deposit_layout.grid.
-Result combined(const Prepared& prepared, mcs::Result simulation);
+Result make_result(const ControlSetup& setup, mcs::Result simulation);
 
 }  // namespace fpkcheck::control_variates

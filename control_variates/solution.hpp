@@ -9,10 +9,10 @@ namespace fpkcheck::control_variates {
 
 /// The solution of a simulation with control variates: the plain solution with the controlled
 /// moments, the smooth estimates, and the checks as metrics.
-transform::Solution solution_of(Result&& result);
+transform::Solution make_solution(Result&& result);
 
 /// The plain solution with a note that it has no control variates.
 /// @param why one clause
-transform::Solution without_control(transform::Solution&& plain, const std::string& why);
+transform::Solution make_plain_solution(transform::Solution&& plain, const std::string& why);
 
 }  // namespace fpkcheck::control_variates

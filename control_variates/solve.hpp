@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "control_variates/prepared.hpp"
+#include "control_variates/control_setup.hpp"
 #include "mcs/options.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
@@ -19,7 +19,7 @@ struct Options {
   mcs::Options simulation{};
   /// Default: 80 x 176 cells, and 40 x 88 where so few samples are requested that the fit would
   /// take many times as long as the simulation.
-  std::optional<Cells> cells{};
+  std::optional<ControlCells> cells{};
 };
 
 /// Simulates, fits the control functions at the same time, and combines both: moments and smooth

@@ -13,13 +13,13 @@ using namespace base;
 
 Range order_range(Formulation formulation) {
   return even_between(2, greatest_order(formulation))
-      .because("a polynomial of odd degree rises in some direction; rounding limits the order");
+      .with_reason("a polynomial of odd degree rises in some direction; rounding limits the order");
 }
 
 void require_order(const Options& options) {
   const Range range = order_range(options.formulation);
-  if (range.holds(options.order)) return;
-  throw InputError(fmt::format("epc order = {} (must be {})", options.order, range.allowed));
+  if (range.contains(options.order)) return;
+  throw InputError(fmt::format("epc order = {} (must be {})", options.order, range.requirement));
 }
 
 void require_equation(const Options& options) {
@@ -51,7 +51,7 @@ std::string variant(const Options& options) {
   std::string text(name(options.formulation));
   if (options.formulation == Formulation::moment && options.tail == Tail::cut) text += "-cut";
   const Equation equation = equation_of(options);
-  if (equation != usual_equation(options.formulation)) {
+  if (equation != default_equation(options.formulation)) {
     text += fmt::format("-{}", name(equation));
   }
   return text;
@@ -82,20 +82,20 @@ const Description<Options>& description() {
                 "for moment: confined (default): a steep fixed term makes the exponent fall beyond "
                 "the confinement level; cut: Q_n alone, zero beyond the level"})
           .add("tolerance", &O::tolerance, {"TOL", "tolerance on the norm of the residual"},
-               positive().because("otherwise the iteration does not end"))
+               positive().with_reason("otherwise the iteration does not end"))
           .without_flag()
           .add("accuracy", &O::accuracy,
                {"L1",
                 "largest L1 error estimate of p(y) and of p(y') with status ok (in a run: 0.02 for "
                 "closures, 0.01 for fd)"},
-               positive().because("no closure is exact"))
-          .with_fallback({})
+               positive().with_reason("no closure is exact"))
+          .with_default({})
           .add("max_seconds", &O::max_seconds,
                {"S", "for moment and polar: deadline after which no new attempt at a root begins"},
                positive())
-          .with_fallback(Options{}.max_seconds)
+          .with_default(Options{}.max_seconds)
           .add("max_iterations", &O::max_iterations, {"N", "largest number of Newton steps"},
-               positive().because("Newton's method takes at least one step"))
+               positive().with_reason("Newton's method takes at least one step"))
           .without_flag();
   return description;
 }
@@ -118,12 +118,12 @@ void validate(const Options& options) {
 
 int greatest_order(Formulation formulation) { return formulation == Formulation::moment ? 16 : 12; }
 
-Equation usual_equation(Formulation formulation) {
+Equation default_equation(Formulation formulation) {
   return formulation == Formulation::gaussian ? Equation::km4 : Equation::kf;
 }
 
 Equation equation_of(const Options& options) {
-  return options.equation.value_or(usual_equation(options.formulation));
+  return options.equation.value_or(default_equation(options.formulation));
 }
 
 std::string id(const Options& options) {
@@ -142,7 +142,8 @@ std::optional<Options> options_of(std::string_view id) {
     for (const auto& tail : kTailNames) {
       for (const auto& equation : problem::kEquationNames) {
         Options options{.order = order, .formulation = formulation.value, .tail = tail.value};
-        if (equation.value != usual_equation(formulation.value)) options.equation = equation.value;
+        if (equation.value != default_equation(formulation.value))
+          options.equation = equation.value;
         if (stem == "epc-" + variant(options)) return options;
       }
     }

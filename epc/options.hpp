@@ -24,11 +24,13 @@ enum class Formulation {
   /// contact with a wall: amplitude and velocity, density divided by the energy, see epc/contact/.
   polar
 };
-inline constexpr base::Named<Formulation> kFormulationNames[] = {
+inline constexpr base::EnumEntry<Formulation> kFormulationNames[] = {
     {Formulation::gaussian, "gaussian", "the paper's projections under Gaussian weights"},
     {Formulation::moment, "moment", "exact moment equations on the half-plane"},
     {Formulation::polar, "polar", "exact moment equations in amplitude and phase, or velocity"}};
-constexpr std::span<const base::Named<Formulation>> names(Formulation) { return kFormulationNames; }
+constexpr std::span<const base::EnumEntry<Formulation>> names(Formulation) {
+  return kFormulationNames;
+}
 constexpr std::string_view name(Formulation formulation) { return base::name_of(formulation); }
 
 /// Monomials x1^p x2^q in Q_n and in the projections of the formulation gaussian.
@@ -36,9 +38,11 @@ enum class MonomialSet {
   point_symmetric,  ///< p + q = 2, 4, .. n: monomials even under (x1, x2) -> (-x1, -x2)
   general           ///< p + q = 1, 2, .. n, paper (18)
 };
-inline constexpr base::Named<MonomialSet> kMonomialSetNames[] = {
+inline constexpr base::EnumEntry<MonomialSet> kMonomialSetNames[] = {
     {MonomialSet::point_symmetric, "point_symmetric"}, {MonomialSet::general, "general"}};
-constexpr std::span<const base::Named<MonomialSet>> names(MonomialSet) { return kMonomialSetNames; }
+constexpr std::span<const base::EnumEntry<MonomialSet>> names(MonomialSet) {
+  return kMonomialSetNames;
+}
 constexpr std::string_view name(MonomialSet set) { return base::name_of(set); }
 
 /// Tail of the density beyond the energy up to which Q_n is reliable.
@@ -46,9 +50,9 @@ enum class Tail {
   confined,  ///< the exponent is Q_n + Confinement: a density on the whole half-plane
   cut        ///< the exponent is Q_n alone, and the density is 0 beyond the same energy
 };
-inline constexpr base::Named<Tail> kTailNames[] = {{Tail::confined, "confined"},
-                                                   {Tail::cut, "cut"}};
-constexpr std::span<const base::Named<Tail>> names(Tail) { return kTailNames; }
+inline constexpr base::EnumEntry<Tail> kTailNames[] = {{Tail::confined, "confined"},
+                                                       {Tail::cut, "cut"}};
+constexpr std::span<const base::EnumEntry<Tail>> names(Tail) { return kTailNames; }
 constexpr std::string_view name(Tail tail) { return base::name_of(tail); }
 
 struct Options {
@@ -81,7 +85,7 @@ void validate(const Options& options);
 int greatest_order(Formulation formulation);
 
 /// Equation without the option: km4 for gaussian; kf for moment and polar.
-Equation usual_equation(Formulation formulation);
+Equation default_equation(Formulation formulation);
 
 /// Equation of the options, the default if none was chosen.
 Equation equation_of(const Options& options);

@@ -42,13 +42,13 @@ enum class BranchEnd {
   far_away,      ///< the coefficients exceed every bound
   lost           ///< the steps became too short, or the largest number of points was reached
 };
-inline constexpr base::Named<BranchEnd> kBranchEndNames[] = {
+inline constexpr base::EnumEntry<BranchEnd> kBranchEndNames[] = {
     {BranchEnd::not_followed, "not_followed"},
     {BranchEnd::full_problem, "full_problem"},
     {BranchEnd::white_noise, "white_noise"},
     {BranchEnd::far_away, "far_away"},
     {BranchEnd::lost, "lost"}};
-constexpr std::span<const base::Named<BranchEnd>> names(BranchEnd) { return kBranchEndNames; }
+constexpr std::span<const base::EnumEntry<BranchEnd>> names(BranchEnd) { return kBranchEndNames; }
 constexpr std::string_view name(BranchEnd end) { return base::name_of(end); }
 
 struct Branch {
@@ -107,6 +107,6 @@ struct Result {
 
 /// The summary as metrics, in the order of the files.
 /// @param moments in the coordinates of Q_n: they scale the effect of a coefficient on the density
-transform::Observations observations(const Summary& summary, const transform::Moments& moments);
+transform::Metrics metrics(const Summary& summary, const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc

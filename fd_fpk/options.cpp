@@ -12,8 +12,8 @@ namespace {
 using namespace base;
 
 // An axis must have enough cells for one-sided stencils on both sides of x2 = 0.
-constexpr int kSmallestLine = 16;
-constexpr int kLargestLine = 2000;
+constexpr int kFewestAxisCells = 16;
+constexpr int kMostAxisCells = 2000;
 constexpr double kMostOriginRefinement = 1000;
 constexpr double kSmallestTolerance = 1e-10;
 
@@ -26,7 +26,7 @@ std::vector<std::string> impact_names() {
   return list;
 }
 
-Range resolvable() {
+Range tolerance_range() {
   return {[](double x) { return std::isfinite(x) && x >= kSmallestTolerance; },
           fmt::format("at least {}, the level of rounding errors", kSmallestTolerance)};
 }
@@ -50,7 +50,7 @@ Description<Options> make_description() {
             "upwind: finite volumes; characteristics: along the motion between impulses, for kf "
             "(default: characteristics for rare impulses, strong losses or mass at rest in "
             "contact)"})
-      .with_fallback(std::string(name(Transport::upwind)))
+      .with_default(std::string(name(Transport::upwind)))
       .add("order", &O::order,
            {"P",
             "order of the transport terms, 2 .. 8; odd orders are upwind-biased (default: 5; 7 "
@@ -63,9 +63,10 @@ Description<Options> make_description() {
             "0.95 and a density bounded at the origin, else 1)"},
            between(1, kMostOriginRefinement))
       .add("nx", &O::nx, {"N", "cells in y (default: from equivalent linearisation)"},
-           between(kSmallestLine, kLargestLine))
+           between(kFewestAxisCells, kMostAxisCells))
       .add("nv", &O::nv, {"N", "cells in y', even (default: likewise)"},
-           even_between(kSmallestLine, kLargestLine).because("y' = 0 lies between two cells"))
+           even_between(kFewestAxisCells, kMostAxisCells)
+               .with_reason("y' = 0 lies between two cells"))
       .add("x1_max", &O::x1_max,
            {"Y", "box 0 <= y <= Y (default: wide enough for a negligible density at its wall)"},
            positive())
@@ -77,7 +78,7 @@ Description<Options> make_description() {
           {"L",
            "step l of the fourth difference of km4 (default: l^2 = E[Y^6]/(5 E[Y^4]), longer where "
            "cells are wider than l); 0: the literal scheme"},
-          not_negative())
+          non_negative())
       .add("wall_density", &O::wall_density,
            {"D", "density on a wall, relative to the peak, above which the box is widened"},
            strictly_between(0, 1))
@@ -89,18 +90,18 @@ Description<Options> make_description() {
       .without_flag()
       .add("accuracy", &O::accuracy,
            {"A", "largest estimated error of p(y) or p(y') in L1 for status ok"}, positive())
-      .with_fallback(Options{}.accuracy)
+      .with_default(Options{}.accuracy)
       .add("max_seconds", &O::max_seconds,
            {"S",
             "time limit: finer grids are neither started nor continued after it; the most accurate "
             "solution so far is returned (in a run 20)"},
            positive())
-      .with_fallback(Options{}.max_seconds)
+      .with_default(Options{}.max_seconds)
       .add("tolerance", &O::tolerance,
            {"T",
             "choose the grid: error estimate (L1 of p(y) and p(y'), relative second moments) "
             "below T"},
-           resolvable())
+           tolerance_range())
       .add("residual_tolerance", &O::residual_tolerance,
            {"R", "threshold of the stationarity residual ||L p||_1 / ||p||_1"}, positive())
       .with_flag("residual");

@@ -18,10 +18,10 @@ enum class Stepper {
   cvode,  ///< pseudo-transient steps of CVODE, compared with the null vector
   direct  ///< the null vector of the operator alone, by a preconditioned GMRES solve
 };
-inline constexpr base::Named<Stepper> kStepperNames[] = {
+inline constexpr base::EnumEntry<Stepper> kStepperNames[] = {
     {Stepper::cvode, "cvode", "pseudo-transient steps to stationarity"},
     {Stepper::direct, "direct", "null vector of the operator alone"}};
-constexpr std::span<const base::Named<Stepper>> names(Stepper) { return kStepperNames; }
+constexpr std::span<const base::EnumEntry<Stepper>> names(Stepper) { return kStepperNames; }
 constexpr std::string_view name(Stepper stepper) { return base::name_of(stepper); }
 
 /// How the transport between two impulses is discretised.
@@ -29,10 +29,10 @@ enum class Transport {
   upwind,          ///< finite volumes of high order, upwind-biased for odd orders
   characteristics  ///< along the characteristics of the motion, for `kf` with impact `map`
 };
-inline constexpr base::Named<Transport> kTransportNames[] = {
+inline constexpr base::EnumEntry<Transport> kTransportNames[] = {
     {Transport::upwind, "upwind", "finite volumes of high order"},
     {Transport::characteristics, "characteristics", "along the characteristics of the motion"}};
-constexpr std::span<const base::Named<Transport>> names(Transport) { return kTransportNames; }
+constexpr std::span<const base::EnumEntry<Transport>> names(Transport) { return kTransportNames; }
 constexpr std::string_view name(Transport transport) { return base::name_of(transport); }
 
 struct Options {
@@ -82,8 +82,8 @@ struct Options {
   double residual_tolerance = 1e-10;
 };
 
-inline constexpr int kUsualOrder = 5;
-inline int order_of(const Options& options) { return options.order.value_or(kUsualOrder); }
+inline constexpr int kDefaultOrder = 5;
+inline int order_of(const Options& options) { return options.order.value_or(kDefaultOrder); }
 
 /// Names, help texts and ranges of the options, in files and on the command line.
 const base::Description<Options>& description();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fd_fpk/line/growth.hpp"
+#include "fd_fpk/axis/growth_rate.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {

@@ -24,9 +24,9 @@ class Deadline {
   static Deadline none() { return Deadline(std::numeric_limits<double>::infinity()); }
 
   /// True if a task of this duration would end before the deadline.
-  bool allows(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
-  bool is_over() const { return !allows(0); }
-  double in_all() const { return seconds_; }
+  bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
+  bool has_passed() const { return !has_time_for(0); }
+  double total_seconds() const { return seconds_; }
 
  private:
   Stopwatch stopwatch_;

@@ -8,21 +8,22 @@
 #include "fd_fpk/options.hpp"
 #include "transform/balance_residuals.hpp"
 #include "transform/density.hpp"
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 /// Estimate of the discretisation error, from coarser grids.
 struct ErrorEstimate {
-  double y_l1 = 0;                   ///< error of p(y), in L1
-  double ydot_l1 = 0;                ///< error of p(y'), in L1
-  transform::Moments moments = {};   ///< absolute errors: discretisation, and truncation by the box
-  transform::Moments of_walls = {};  ///< the part due to truncation by the box
-  double observed_order = 0;         ///< from the decrease of the marginals' differences
-  transform::Moments extrapolated = {};  ///< limits by Richardson extrapolation
+  double y_l1 = 0;                  ///< error of p(y), in L1
+  double ydot_l1 = 0;               ///< error of p(y'), in L1
+  transform::Moments moments = {};  ///< absolute errors: discretisation, and truncation by the box
+  transform::Moments box_truncation = {};  ///< the part due to truncation by the box
+  double observed_order = 0;               ///< from the decrease of the marginals' differences
+  transform::Moments extrapolated = {};    ///< limits by Richardson extrapolation
   double factor = 0;  ///< estimated error of the finest grid, in units of the last difference
-  std::vector<double> at_rest = {};  ///< errors of the probabilities of rest, for each atom
+  std::vector<double> rest_probabilities =
+      {};                  ///< errors of the probabilities of rest, for each atom
   double impact_rate = 0;  ///< error of Summary::impact_rate; not finite where the rate is infinite
   /// True if the observed order is consistent with the order of the scheme.
   bool has_limit = false;
@@ -58,9 +59,9 @@ struct Summary {
   WallDensity wall{0, 0};  ///< density on the walls of the box, relative to the peak
   /// A larger box that measures the truncation error of this box; empty where that error is
   /// negligible.
-  std::optional<Extent> wider = {};
-  transform::Moments beyond_box = {};       ///< estimated moments of the tails outside the box
-  std::optional<ErrorEstimate> error = {};  ///< present where the options request an estimate
+  std::optional<BoxExtension> enlarged_box = {};
+  transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
+  std::optional<ErrorEstimate> error = {};      ///< present where the options request an estimate
   /// Residuals of the balances, where there is a density.
   transform::BalanceResiduals balances = {};
   /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite where impacts end in rest in
@@ -70,7 +71,7 @@ struct Summary {
 
 /// The metrics of this solver for its solution, in the order of summary.json. The errors in
 /// transform::StatedError are not repeated.
-transform::Observations observations(const Summary& summary);
+transform::Metrics metrics(const Summary& summary);
 
 /// A solution and the numerical data of its computation.
 struct Result {

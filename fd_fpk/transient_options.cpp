@@ -49,9 +49,9 @@ Description<TransientOptions> make_transient_description() {
           {"M",
            "with --until: mean of y at t = 0, before truncation at the walls (default: about E[y]; "
            "the wall, if there is just one wall, at the equilibrium)"},
-          any_number())
+          finite_number())
       .add("start_mean_v", &T::start_mean_velocity,
-           {"M", "with --until: mean of y' at t = 0 (default: 0)"}, any_number())
+           {"M", "with --until: mean of y' at t = 0 (default: 0)"}, finite_number())
       .add("relative_tolerance", &T::relative_tolerance,
            {"R", fmt::format("with --until: local error of a time step relative to the largest "
                              "density (default {:g})",

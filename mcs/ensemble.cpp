@@ -9,10 +9,10 @@
 
 #include "base/input_error.hpp"
 #include "mcs/estimate/estimate.hpp"
-#include "mcs/motion/start.hpp"
+#include "mcs/motion/initial_state.hpp"
 #include "mcs/motion/trajectory.hpp"
+#include "mcs/simulation/parallel_for.hpp"
 #include "mcs/simulation/plan.hpp"
-#include "mcs/simulation/workers.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
@@ -61,12 +61,13 @@ std::vector<Sums> run_share(const problem::Problem& problem, const EnsembleOptio
   std::vector<Sums> sums(options.times.size(), Sums(y_bins, v_bins));
   for (std::uint32_t n = share; n < options.trajectories; n += kShares) {
     ImpulseSource source(excitation, options.seed, n);
-    const State start = folded_start(source, options.start_displacement, options.start_velocity);
+    const State start =
+        folded_initial_state(source, options.start_displacement, options.start_velocity);
     Trajectory trajectory(oscillator, source, start, kAutomaticStep);
-    NoWitness no_witness;
+    NullObserver no_observer;
     double time = 0;
     for (std::size_t k = 0; k < options.times.size(); ++k) {
-      trajectory.advance(options.times[k] - time, no_witness);
+      trajectory.advance(options.times[k] - time, no_observer);
       time = options.times[k];
       sums[k].add(trajectory.state(), y_bins, v_bins);
     }
@@ -135,8 +136,8 @@ std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
   validate(options);
   const problem::System& system = problem.system;
   require(system.left() && system.left()->position == 0 && !system.right() &&
-              system.damping_is_constant() && problem.impulses.present() &&
-              !problem.noise.present(),
+              system.damping_is_constant() && problem.impulses.is_present() &&
+              !problem.noise.is_present(),
           "unsupported ensemble: needs one left wall at y = 0, damping c y' and impulses only; "
           "simulate the stationary law");
   const auto bins = [](const std::vector<double>& edges) {
@@ -144,7 +145,7 @@ std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
   };
   const Bins y_bins = bins(options.y_edges), v_bins = bins(options.v_edges);
   std::vector<std::vector<Sums>> shares(kShares);
-  share_work(number_of_threads(options.threads), kShares, [&](std::size_t s) {
+  parallel_for(number_of_threads(options.threads), kShares, [&](std::size_t s) {
     shares[s] = run_share(problem, options, y_bins, v_bins, static_cast<std::uint32_t>(s));
   });
   std::vector<EnsembleSnapshot> snapshots;

@@ -56,18 +56,18 @@ const Description<Options>& description() {
                {"L1",
                 "tolerance for the L1 sampling errors of p(y) and p(y'), of which it limits the "
                 "99 % quantile"},
-               positive().because("no simulation is exact"))
-          .with_fallback(Options{}.accuracy)
+               positive().with_reason("no simulation is exact"))
+          .with_default(Options{}.accuracy)
           .add("seed", &Options::seed,
                {"S",
                 "seed of the random numbers; a seed gives the same result for any number of "
                 "threads"},
-               not_negative())
+               non_negative())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
                between(1, kMostThreads))
           .add("streams", &Options::streams, {"N", "number of independent streams"},
                between(kFewestStreams, kMostStreams)
-                   .because("standard errors come from the differences between streams"))
+                   .with_reason("standard errors come from the differences between streams"))
           .add("step", &Options::step,
                {"RAD", "longest Taylor step, in radians of the highest frequency (default 0.9)"},
                between(kShortestStep, kLongestStep))
@@ -82,7 +82,7 @@ const Description<Options>& description() {
                {"",
                 "reduce the variance by control variates, as `run` does: moments to about 1e-9, "
                 "densities in smooth bins to 1e-6"})
-          .with_fallback(false);
+          .with_default(false);
   return description;
 }
 

@@ -17,9 +17,9 @@
 #include "mcs/estimate/quantiles.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
-#include "mcs/go_on.hpp"
+#include "mcs/run_until.hpp"
 #include "mcs/simulation/checkpoint.hpp"
-#include "mcs/simulation/pilot.hpp"
+#include "mcs/simulation/pilot_runs.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/inelastic_collapse.hpp"
@@ -66,7 +66,7 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   const auto right = [&](const StreamRecord& r, double GeneralSums::*sum) {
     return r.general ? (*r.general).*sum / simulation.stream_time() : 0.0;
   };
-  result.summary.impacts_accumulate = general && general->rests;
+  result.summary.impacts_accumulate = general && general->has_contact_atoms;
   result.summary.impact_rate = weights.estimate(each(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
   // The residual is linear in the averages: its estimate is the weighted mean of the streams'
@@ -97,17 +97,18 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   };
   // Mean contact force of the mass at rest. The sums over impacts hold the momentum of accumulating
   // impacts already.
-  const auto held = [&](const StreamRecord& r) {
-    if (!general || !simulation.plan().general->rests) return 0.0;
+  const auto contact_force_at_rest = [&](const StreamRecord& r) {
+    if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
     const GeneralOscillator& o = simulation.plan().general->oscillator;
-    return (o.left.pressing * r.general->rest_left - o.right.pressing * r.general->rest_right) /
+    return (o.left.contact_force * r.general->rest_left -
+            o.right.contact_force * r.general->rest_right) /
            simulation.stream_samples();
   };
   // Virial of the contact force that holds the mass at rest on the right wall, y = b.
   const auto virial_at_rest = [&](const StreamRecord& r) {
-    if (!general || !simulation.plan().general->rests) return 0.0;
+    if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
     const GeneralWall& wall = simulation.plan().general->oscillator.right;
-    return wall.position * std::max(wall.pressing, 0.0) * r.general->rest_right /
+    return wall.position * std::max(wall.contact_force, 0.0) * r.general->rest_right /
            simulation.stream_samples();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
@@ -125,7 +126,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
         return problem::virial_balance(
             problem, {.mean_displacement = moment(simulation, r, 1, 0),
                       .mean_square_velocity = moment(simulation, r, 0, 2),
-                      .mean_virial = mean_of(simulation, r, virial) + virial_at_rest(r),
+                      .mean_virial = polynomial_mean(simulation, r, virial) + virial_at_rest(r),
                       .right_momentum = right_momentum(r),
                       .mean_y_cubed_velocity = moment(simulation, r, 1, 3)});
       },
@@ -133,11 +134,11 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   set(
       [&](const StreamRecord& r) {
         return problem::momentum_balance(
-            problem, {.mean_force = mean_of(simulation, r, force),
+            problem, {.mean_force = polynomial_mean(simulation, r, force),
                       .impact_momentum = r.impact_speed / simulation.stream_time(),
                       .right_momentum = right_momentum(r),
                       .mean_cubed_velocity = moment(simulation, r, 0, 3),
-                      .held_at_rest = held(r)});
+                      .contact_momentum_rate = contact_force_at_rest(r)});
       },
       &transform::BalanceResiduals::momentum);
 }
@@ -166,7 +167,7 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
 }
 
 /// Fraction of the samples beyond the bins.
-double outside(const Simulation& simulation, const StreamWeights& weights) {
+double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
   const Plan& plan = simulation.plan();
   const auto beyond = each(simulation.streams(), [&](const StreamRecord& record) {
     const auto rows = record.histogram.row_sums();
@@ -184,16 +185,16 @@ double outside(const Simulation& simulation, const StreamWeights& weights) {
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   const auto& general = simulation.plan().general;
-  if (!general || !general->rests) return;
+  if (!general || !general->has_contact_atoms) return;
   const auto add = [&](const GeneralWall& wall, double GeneralSums::*rest) {
-    if (!(wall.stands && wall.pressing > 0 && wall.restitution < 1)) return;
+    if (!(wall.exists && wall.contact_force > 0 && wall.restitution < 1)) return;
     const Estimate p = weights.estimate(each(simulation.streams(), [&](const StreamRecord& r) {
       return (*r.general).*rest / simulation.stream_samples();
     }));
     solution.atoms.push_back({.y = wall.position,
                               .probability = p.mean,
                               .standard_error = p.standard_error,
-                              .stated_error = {}});
+                              .error_estimate = {}});
   };
   add(general->oscillator.left, &GeneralSums::rest_left);
   add(general->oscillator.right, &GeneralSums::rest_right);
@@ -210,14 +211,14 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   };
   const SamplingL1 y = marginal(Variable::y), ydot = marginal(Variable::ydot);
   solution.sampling = transform::SamplingError{
-      .y = y.expected, .ydot = ydot.expected, .y_99 = y.in_99, .ydot_99 = ydot.in_99};
+      .y = y.expected, .ydot = ydot.expected, .y_99 = y.quantile_99, .ydot_99 = ydot.quantile_99};
   auto joint = estimate_joint_density(simulation, weights);
   estimate_atoms(simulation, weights, solution);
   solution.mass = transform::mass(joint.density);
   for (const auto& atom : solution.atoms) solution.mass += atom.probability;
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
-  summary.outside = outside(simulation, weights);
+  summary.outside_fraction = outside_fraction(simulation, weights);
   if (solution.atoms.empty()) {  // an atom is a jump of the distribution function
     summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
     summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
@@ -226,13 +227,13 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   // White noise causes infinitely many maxima. In a mirrored frame the counted maxima are minima of
   // y.
   const Plan& plan = simulation.plan();
-  const bool noisy = plan.general && plan.general->kicks.present();
+  const bool noisy = plan.general && plan.general->kicks.is_present();
   if (!noisy && !plan.frame.mirrored) {
     summary.peaks = estimate_peaks(simulation, weights);
   }
 }
 
-void describe(const Simulation& simulation, Summary& summary) {
+void fill_summary(const Simulation& simulation, Summary& summary) {
   const Plan& plan = simulation.plan();
   summary.time = simulation.stream_time() * plan.streams;
   summary.samples =
@@ -245,8 +246,8 @@ void describe(const Simulation& simulation, Summary& summary) {
   if (plan.excitation.arrivals == Excitation::Arrivals::even) {
     summary.kick_interval = plan.excitation.interval;
   }
-  if (plan.general && plan.general->kicks.present()) {
-    summary.kick_interval = plan.general->kicks.longest;
+  if (plan.general && plan.general->kicks.is_present()) {
+    summary.kick_interval = plan.general->kicks.longest_interval;
   }
   summary.burn_in = plan.burn_in;
   summary.rounds = simulation.rounds();
@@ -294,14 +295,15 @@ std::string burn_in_reason(const Plan& plan, const Options& options) {
   return "";
 }
 
-/// @param unreached why the simulation did not reach its goal; empty where it did
-void judge(const Plan& plan, const Options& options, const Summary& summary,
-           transform::Solution& solution, const std::string& unreached) {
+/// @param unreached_reason why the simulation did not reach its goal; empty where it did
+void set_status(const Plan& plan, const Options& options, const Summary& summary,
+                transform::Solution& solution, const std::string& unreached_reason) {
   constexpr std::uint64_t kFewestImpulses = 10;  // per stream
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
-  solution.status = unreached.empty() ? transform::Status::ok : transform::Status::not_converged;
-  solution.reason = unreached;
+  solution.status =
+      unreached_reason.empty() ? transform::Status::ok : transform::Status::not_converged;
+  solution.reason = unreached_reason;
   const auto streams = static_cast<std::uint64_t>(summary.streams);
   if (plan.burn_in_limit != BurnInLimit::none) {
     solution.status = transform::Status::not_converged;
@@ -332,10 +334,10 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
   estimate_excess_power(simulation, result.summary);
   estimate_efficiency(simulation, result);
   estimate_densities(simulation, weights, result);
-  describe(simulation, result.summary);
+  fill_summary(simulation, result.summary);
 }
 
-void require_shareable(const Options& options) {
+void require_valid_team_options(const Options& options) {
   if (options.team.parts == 1) return;
   const auto refuse = [](bool given, const char* option) {
     if (!given) return;
@@ -366,7 +368,7 @@ bool gather(const Team& team, Simulation& simulation) {
 }  // namespace
 
 void require_accuracy(const Options& options, transform::Solution& solution) {
-  const auto& sampling = transform::best_sampling(solution);
+  const auto& sampling = transform::best_sampling_error(solution);
   if (!solution.is_ok() || !sampling) return;
   const double y = sampling->y_99.value_or(0), ydot = sampling->ydot_99.value_or(0);
   if (y <= options.accuracy && ydot <= options.accuracy) return;
@@ -379,9 +381,10 @@ void require_accuracy(const Options& options, transform::Solution& solution) {
 
 void require_solvable(const problem::Problem& problem, const Options& options) {
   const Plan plan = make_plan(problem, options);
-  require_shareable(options);
+  require_valid_team_options(options);
   if (plan.general) return;
-  if (!problem::collapse_objection(problem, options.equation).empty()) return;  // status failed
+  if (!problem::collapse_unsupported_reason(problem, options.equation).empty())
+    return;  // status failed
   [[maybe_unused]] const Oscillator oscillator(problem.system);
 }
 
@@ -392,10 +395,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& summary = result.summary;
   solution.identity = identity(options);
   const Plan plan = make_plan(problem, options);
-  require_shareable(options);
+  require_valid_team_options(options);
   // Kicks at even times would lift the particle off the wall after each interval. The result would
   // depend on the interval and converge to no defined motion.
-  solution.reason = problem::collapse_objection(problem, options.equation);
+  solution.reason = problem::collapse_unsupported_reason(problem, options.equation);
   if (!solution.reason.empty()) return result;  // status failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
@@ -412,7 +415,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   } else {
     read_checkpoint(options.resume, fingerprint, simulation);
   }
-  auto [unreached, interrupted] = go_on(simulation, options, checkpoints, fingerprint);
+  auto [unreached_reason, interrupted] = run_until(simulation, options, checkpoints, fingerprint);
 
   if (!gather(options.team, simulation)) {
     solution.reason = "the first process has the result";
@@ -424,15 +427,15 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (plan.deposit) summary.deposits = deposits(simulation);
   if (splitting) {
     summary.thresholds = splitting->thresholds();
-    if (summary.thresholds.empty() && unreached.empty()) {
-      unreached =
+    if (summary.thresholds.empty() && unreached_reason.empty()) {
+      unreached_reason =
           "no splitting thresholds: too few impulses in the pilot runs; omit --tails, or "
           "increase --streams";
     }
   }
-  judge(plan, options, summary, solution, unreached);
+  set_status(plan, options, summary, solution, unreached_reason);
   if (!options.controlled) require_accuracy(options, solution);
-  solution.observations = observations(summary);
+  solution.metrics = metrics(summary);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -10,7 +10,7 @@
 #include "mcs/estimate/estimate.hpp"
 #include "mcs/streams/stream.hpp"
 #include "transform/balance_residuals.hpp"
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -40,7 +40,7 @@ struct Summary {
   /// errors indicates impulses that do not follow their law.
   double excess_power = 0;
   double excess_power_error = 0;
-  double outside = 0;  ///< fraction of the samples beyond the histogram
+  double outside_fraction = 0;  ///< fraction of the samples beyond the histogram
   std::uint64_t seed = 0;
   int threads = 0;
   int streams = 0;
@@ -70,6 +70,6 @@ struct Summary {
 
 /// The metrics of a summary, for files and pages: everything except the standard errors of the
 /// joint histogram, the deposits and the warnings.
-transform::Observations observations(const Summary& summary);
+transform::Metrics metrics(const Summary& summary);
 
 }  // namespace fpkcheck::mcs

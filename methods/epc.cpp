@@ -1,4 +1,4 @@
-#include "epc/offered.hpp"
+#include "epc/applicability.hpp"
 #include "epc/options.hpp"
 #include "epc/solve.hpp"
 #include "methods/builtin.hpp"
@@ -93,7 +93,7 @@ Solver epc_solver() {
              }
              return solution;
            },
-       .objection = epc::objection});
+       .unsupported_reason = epc::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

@@ -37,10 +37,10 @@ struct Distance {
 
 void state_distance(const Solution& reference, const Distance& distance, Solution& solution) {
   const auto with_its_own = [&](const std::optional<double>& l1, Variable variable) {
-    return l1 ? *l1 + compare::own_error(reference, variable) : kUnknown;
+    return l1 ? *l1 + compare::error_estimate(reference, variable) : kUnknown;
   };
-  transform::StatedError error{.y_l1 = with_its_own(distance.y, Variable::y),
-                               .ydot_l1 = with_its_own(distance.ydot, Variable::ydot)};
+  transform::ErrorEstimate error{.y_l1 = with_its_own(distance.y, Variable::y),
+                                 .ydot_l1 = with_its_own(distance.ydot, Variable::ydot)};
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     error.moments.*moment = std::abs(solution.moments.*moment - reference.moments.*moment);
     if (reference.error) error.moments.*moment += reference.error->moments.*moment;
@@ -73,7 +73,7 @@ void complete_errors(const std::vector<Method>& methods, const compare::Comparis
           solution.reason.clear();
         }
         state_distance(*reference, found, solution);
-        transform::hold_to(
+        transform::require_accuracy(
             *accuracy,
             fmt::format(
                 "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} "
@@ -83,14 +83,15 @@ void complete_errors(const std::vector<Method>& methods, const compare::Comparis
       } else if (solution.is_ok()) {
         state_measured_error(residuals, *accuracy, solution);
       }
-    } else if (solution.is_ok() && &solution != reference && !transform::states_error(solution)) {
+    } else if (solution.is_ok() && &solution != reference &&
+               !transform::has_error_estimate(solution)) {
       if (const Distance found = distance(solution)) {
         state_distance(*reference, found, solution);
       } else if (methods[m].identity.role == transform::Role::closure) {
         state_measured_error(residuals, HUGE_VAL, solution);
       }
     }
-    transform::require_stated_error(solution);
+    transform::require_error_estimate(solution);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "fd_fpk/offered.hpp"
+#include "fd_fpk/applicability.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
@@ -43,7 +43,7 @@ Solver fd_solver() {
                     .role = transform::Role::equation,
                     .meaning = "Finite differences for the density equation that the id names.",
                     .usual = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
-                    .look = equation_look}},
+                    .plot_style = equation_look}},
       .set_by_a_run = {"max_seconds"},
       .parameters = nullptr,
       .usual_options = {},
@@ -57,7 +57,7 @@ Solver fd_solver() {
        .options_of = fd_fpk::options_of,
        .solve = [](const problem::Problem& problem, const fd_fpk::Options& options,
                    const Setting&) { return fd_fpk::solve(problem, options).solution; },
-       .objection = fd_fpk::objection});
+       .unsupported_reason = fd_fpk::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

@@ -8,7 +8,7 @@ namespace {
 using problem::Equation;
 using problem::Impact;
 using transform::Identity;
-using transform::Look;
+using transform::PlotStyle;
 
 constexpr const char* kBlack = "#000000";
 constexpr const char* kSkyBlue = "#56B4E9";
@@ -28,7 +28,7 @@ std::size_t place_of_order(int order) {
 
 }  // namespace
 
-Look closure_look(const Ramp& ramp, const Identity& identity, const std::string& symbol) {
+PlotStyle closure_look(const Ramp& ramp, const Identity& identity, const std::string& symbol) {
   const auto shade = place_of_order(identity.order.value_or(2));
   return {.colour = ramp[shade],
           .dash = kDashes[shade],
@@ -38,30 +38,30 @@ Look closure_look(const Ramp& ramp, const Identity& identity, const std::string&
           .symbol = symbol};
 }
 
-Look equation_look(const Identity& identity) {
-  Look look{.colour = kBlack,
-            .dash = "solid",
-            .width = 1.5,
-            .as_points = false,
-            .layer = 1,
-            .symbol = kOfEquations};
+PlotStyle equation_look(const Identity& identity) {
+  PlotStyle plot_style{.colour = kBlack,
+                       .dash = "solid",
+                       .width = 1.5,
+                       .as_points = false,
+                       .layer = 1,
+                       .symbol = kOfEquations};
   if (identity.impact == Impact::delta) {
-    look.dash = "(6,2)";
+    plot_style.dash = "(6,2)";
   } else if (identity.equation == Equation::kf) {
-    look.colour = kSkyBlue;
-    look.width = 5;
-    look.layer = 0;
+    plot_style.colour = kSkyBlue;
+    plot_style.width = 5;
+    plot_style.layer = 0;
   } else if (identity.equation == Equation::km4) {
-    look.colour = kBlue;
+    plot_style.colour = kBlue;
   } else if (identity.equation == Equation::white) {
-    look.colour = kGreen;
-    look.dash = "(1,2)";
-    look.width = 2;
+    plot_style.colour = kGreen;
+    plot_style.dash = "(1,2)";
+    plot_style.width = 2;
   }
-  return look;
+  return plot_style;
 }
 
-Look scheme_look(std::size_t place) {
+PlotStyle scheme_look(std::size_t place) {
   constexpr std::array kBlues{"#9ECAE1", "#4292C6", "#08519C", "#08306B"};
   const auto shade = std::min(place, kBlues.size() - 1);
   return {.colour = kBlues[shade],
@@ -72,7 +72,7 @@ Look scheme_look(std::size_t place) {
           .symbol = kOfEquations};
 }
 
-Look simulation_look(const Identity&) {
+PlotStyle simulation_look(const Identity&) {
   return {.colour = kBlack,
           .dash = "solid",
           .width = 1,
@@ -81,7 +81,7 @@ Look simulation_look(const Identity&) {
           .symbol = "circle"};
 }
 
-Look given_look(std::size_t place) {
+PlotStyle given_look(std::size_t place) {
   constexpr std::array kColours{"#DC050C", "#882E72", "#777777"};
   constexpr std::array kOfFiles{"(4,3)", "(8,3)", "(4,3,1,3)"};
   return {.colour = kColours[place % kColours.size()],
@@ -92,10 +92,10 @@ Look given_look(std::size_t place) {
           .symbol = "pentagon"};
 }
 
-Look given_family_look(std::size_t place, int order) {
-  Look look = given_look(place);
-  look.dash = kDashes[place_of_order(order)];
-  return look;
+PlotStyle given_family_look(std::size_t place, int order) {
+  PlotStyle plot_style = given_look(place);
+  plot_style.dash = kDashes[place_of_order(order)];
+  return plot_style;
 }
 
 }  // namespace fpkcheck::methods

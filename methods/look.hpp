@@ -21,24 +21,24 @@ inline constexpr Ramp kOlive{"#C9C46A", "#A8A23A", "#87811F", "#66610F", "#4A460
 /// A closure: one hue and mark a formulation; the higher the order, the darker the shade and the
 /// more ink in its dashes. Drawn above the equations.
 /// @param symbol a marker of plotly.js
-transform::Look closure_look(const Ramp& ramp, const transform::Identity& identity,
-                             const std::string& symbol);
+transform::PlotStyle closure_look(const Ramp& ramp, const transform::Identity& identity,
+                                  const std::string& symbol);
 
 /// A density equation: a line, that of the full jump integral broad, solid and beneath all others.
-transform::Look equation_look(const transform::Identity& identity);
+transform::PlotStyle equation_look(const transform::Identity& identity);
 
 /// Finite differences by the order of their scheme, where that is what differs.
 /// @param place among the orders, from the lowest
-transform::Look scheme_look(std::size_t place);
+transform::PlotStyle scheme_look(std::size_t place);
 
 /// A simulation: points above the lines.
-transform::Look simulation_look(const transform::Identity& identity);
+transform::PlotStyle simulation_look(const transform::Identity& identity);
 
 /// What a file gave: dashed and on top.
 /// @param place among several files
-transform::Look given_look(std::size_t place);
+transform::PlotStyle given_look(std::size_t place);
 /// A member of a family of these, by its order.
 /// @param place of the family
-transform::Look given_family_look(std::size_t place, int order);
+transform::PlotStyle given_family_look(std::size_t place, int order);
 
 }  // namespace fpkcheck::methods

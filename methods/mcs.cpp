@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "control_variates/solve.hpp"
-#include "mcs/offered.hpp"
+#include "mcs/applicability.hpp"
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
@@ -78,7 +78,7 @@ Method under_control(Method simulation, const SimulationControl& control) {
                                                     const Setting& setting) {
     return solve_in_frame(
         problem, setting,
-        [&](const problem::Problem& seen) { return mcs::objection(seen, options); },
+        [&](const problem::Problem& seen) { return mcs::unsupported_reason(seen, options); },
         [&](const problem::Problem& seen, const Setting& there) {
           return solve(seen, options, there);
         });
@@ -95,20 +95,21 @@ Solver mcs_solver() {
                              .meaning = "Simulation of the impact system itself; bands are 95 % "
                                         "intervals.",
                              .usual = {"mcs"},
-                             .look = simulation_look}},
+                             .plot_style = simulation_look}},
                .parallel = true,
                .set_by_a_run = {"time", "seed", "threads"},
                .parameters = nullptr,
                .usual_options = {},
                .options_of = {},
                .method = {}};
-  return with_front<mcs::Options>(std::move(entry), {.description = mcs::description(),
-                                                     .validate = mcs::validate,
-                                                     .identity = mcs::identity,
-                                                     .options_of = without_noise,
-                                                     .solve = solve,
-                                                     .check = mcs::require_solvable,
-                                                     .objection = mcs::objection});
+  return with_front<mcs::Options>(std::move(entry),
+                                  {.description = mcs::description(),
+                                   .validate = mcs::validate,
+                                   .identity = mcs::identity,
+                                   .options_of = without_noise,
+                                   .solve = solve,
+                                   .check = mcs::require_solvable,
+                                   .unsupported_reason = mcs::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

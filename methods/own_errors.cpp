@@ -29,8 +29,8 @@ results::ErrorSource source(const backward::DensityResiduals& residuals,
                             const Eigen::MatrixXd& contributions,
                             const transform::GridDensity& cells) {
   Eigen::MatrixXd values =
-      residuals.spread(contributions, transform::x_edges_of(frame, cells.y_edges),
-                       transform::v_edges_of(frame, cells.v_edges));
+      residuals.spread_contributions(contributions, transform::to_x_edges(frame, cells.y_edges),
+                                     transform::transform_v_edges(frame, cells.v_edges));
   if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
@@ -46,7 +46,8 @@ results::ErrorSource source(const backward::DensityResiduals& residuals,
 std::optional<Found> own_error(const backward::DensityResiduals& residuals,
                                const problem::Frame& frame, const transform::Solution& solution,
                                const transform::GridDensity* cells) try {
-  const auto weighted = residuals.of(transform::in_coordinates_of(frame, *solution.density));
+  const auto weighted =
+      residuals.estimate_errors(transform::to_wall_coordinates(frame, *solution.density));
   Found found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
   for (std::size_t k = 0; k < backward::kMomentCount; ++k) {
     const auto& named = transform::kMoments[k];

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "backward/generator/normal_equations.hpp"
+#include "backward/residual/applicability.hpp"
 #include "backward/residual/density_residuals.hpp"
-#include "backward/residual/offered.hpp"
 #include "base/input_error.hpp"
 #include "transform/change_of_frame.hpp"
 
@@ -18,8 +18,8 @@ using transform::Status;
 
 struct ProblemResiduals::Fit {
   explicit Fit(const problem::Problem& of)
-      : problem(problem::seen_from(problem::frame_of(of.system), of)),
-        refused(backward::residuals_refused(problem)) {}
+      : problem(problem::to_wall_coordinates(problem::wall_frame(of.system), of)),
+        refused(backward::residuals_unsupported_reason(problem)) {}
 
   problem::Problem problem;
   std::string refused;
@@ -37,7 +37,7 @@ const backward::DensityResiduals* ProblemResiduals::get() const {
     if (!fit_->refused.empty()) return;
     try {
       fit_->residuals.emplace(fit_->problem);
-    } catch (const backward::FitBrokeDown&) {
+    } catch (const backward::FitFailure&) {
     }
   });
   return fit_->residuals ? &*fit_->residuals : nullptr;
@@ -52,20 +52,20 @@ std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& 
 
 namespace {
 
-std::optional<backward::WeightedResiduals> measured(const ProblemResiduals& residuals,
-                                                    const transform::Density& density,
-                                                    const problem::Frame& coordinates) try {
+std::optional<backward::DensityErrors> measured(const ProblemResiduals& residuals,
+                                                const transform::Density& density,
+                                                const problem::Frame& coordinates) try {
   const auto* known = residuals.get();
   if (known == nullptr) return std::nullopt;
-  if (coordinates == residuals.frame()) return known->of(density);
-  return known->of(transform::in_coordinates_of(residuals.frame(), density));
+  if (coordinates == residuals.frame()) return known->estimate_errors(density);
+  return known->estimate_errors(transform::to_wall_coordinates(residuals.frame(), density));
 } catch (const InputError&) {
   return std::nullopt;  // nothing that has a mean
 }
 
 // Why there is no estimate of the error.
 std::string no_estimate(const ProblemResiduals& residuals,
-                        const std::optional<backward::WeightedResiduals>& weighted) {
+                        const std::optional<backward::DensityErrors>& weighted) {
   if (weighted) {
     return "its error is unknown: the solution of the backward equation is too coarse for this "
            "problem; compare with fd or mcs";
@@ -76,11 +76,11 @@ std::string no_estimate(const ProblemResiduals& residuals,
                          : residuals.refused());
 }
 
-// What is wrong with a stated error that is too large: the density, or only the estimate.
-std::string too_large(const backward::WeightedResiduals& weighted,
-                      const transform::StatedError& error, double accuracy) {
-  const double found =
-      backward::WeightedResiduals::kNotSeen * std::max(weighted.y_l1.found, weighted.ydot_l1.found);
+// What is wrong with a error_estimate error that is too large: the density, or only the estimate.
+std::string too_large(const backward::DensityErrors& weighted,
+                      const transform::ErrorEstimate& error, double accuracy) {
+  const double found = backward::DensityErrors::kSubBinFactor *
+                       std::max(weighted.y_l1.found, weighted.ydot_l1.found);
   if (found <= accuracy) {
     return fmt::format(
         "its residuals bound its error by L1 {:.2g} in p(y) and {:.2g} in p(y') only: the solution "
@@ -100,16 +100,16 @@ void state_measured_error(const ProblemResiduals& residuals, double accuracy,
                           std::string_view opening) {
   if (!solution.density) return;
   const auto weighted = measured(residuals, *solution.density, coordinates);
-  solution.error = weighted ? weighted->stated() : std::nullopt;
+  solution.error = weighted ? weighted->error_estimate() : std::nullopt;
   if (!solution.is_ok()) return;
   if (!solution.error) {
     solution.status = Status::inaccurate;
     solution.reason = no_estimate(residuals, weighted);
     return;
   }
-  transform::hold_to(accuracy,
-                     fmt::format("{}{}", opening, too_large(*weighted, *solution.error, accuracy)),
-                     solution);
+  transform::require_accuracy(
+      accuracy, fmt::format("{}{}", opening, too_large(*weighted, *solution.error, accuracy)),
+      solution);
 }
 
 }  // namespace fpkcheck::methods

@@ -24,7 +24,7 @@ class ProblemResiduals {
   ~ProblemResiduals();
 
   /// Of densities in the problem's frame. Null where the fit breaks down, or none is offered
-  /// (backward::residuals_refused). May be called from several threads.
+  /// (backward::residuals_unsupported_reason). May be called from several threads.
   const backward::DensityResiduals* get() const;
   /// Of the problem.
   const problem::Frame& frame() const;

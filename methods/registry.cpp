@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -88,7 +88,7 @@ void Registry::present(Identity& identity) const {
   const auto place = std::ranges::find(family.usual, identity.id) - family.usual.begin();
   identity.trust = static_cast<int>(own - all.begin()) * kMembers +
                    identity.order.value_or(static_cast<int>(place));
-  identity.look = family.look(identity);
+  identity.plot_style = family.plot_style(identity);
 }
 
 Method Registry::presented(Method method) const {
@@ -134,13 +134,13 @@ std::vector<Method> Registry::select(const std::string& list, const Values& give
 
 std::optional<Method> Registry::that_made(const Solution& solution, const Values& given) const {
   const auto& identity = solution.identity;
-  if (transform::is_guest(identity)) return std::nullopt;
+  if (transform::is_external(identity)) return std::nullopt;
   const Solver* solver = find(identity.method);
   if (solver == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : solvers_) names.push_back(known.name);
     throw InputError(fmt::format("method {} (must be {} or {})", base::in_quotes(identity.method),
-                                 fmt::join(names, ", "), transform::kGivenInFile));
+                                 fmt::join(names, ", "), transform::kExternalFile));
   }
   Method made = method(*solver, replaced(solution.options, given));
   if (made.id() != identity.id) {

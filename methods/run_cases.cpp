@@ -108,7 +108,7 @@ Solution solve_by(const Method& method, const problem::Problem& problem, const S
   // Of others, what is there beside them may measure it (complete_errors).
   const auto role = method.identity.role;
   if (role == transform::Role::equation || role == transform::Role::simulation) {
-    transform::require_stated_error(solution);
+    transform::require_error_estimate(solution);
   }
   return solution;
 }

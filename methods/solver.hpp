@@ -20,7 +20,7 @@ struct Family {
   transform::Role role;
   std::string meaning;             ///< one sentence, for glossaries
   std::vector<std::string> usual;  ///< ids that the name stands for in a list, by increasing trust
-  std::function<transform::Look(const transform::Identity&)> look;
+  std::function<transform::PlotStyle(const transform::Identity&)> plot_style;
 };
 
 /// A solver as the program knows it: an entry of the registry. What the program does with methods
@@ -33,8 +33,8 @@ struct Solver {
   bool parallel = false;                       ///< Method::parallel
   std::vector<std::string> set_by_a_run = {};  ///< names of options that `run` offers too
 
-  const base::Descriptions* parameters;  ///< of its options
-  base::Values usual_options;            ///< where nobody asks for anything else
+  const base::DescriptionBase* parameters;  ///< of its options
+  base::Values usual_options;               ///< where nobody asks for anything else
   /// The options that belong to an id; nothing where the id is of no solution of this solver.
   std::function<std::optional<base::Values>(std::string_view id)> options_of;
   /// The method with these options.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -38,9 +38,9 @@ std::optional<double> number_of(std::string_view text) {
 }
 
 /// Builds a table row by row and checks each row, so that a message names its line.
-class Rows {
+class TableBuilder {
  public:
-  explicit Rows(Kind kind) { table_.kind = kind; }
+  explicit TableBuilder(Kind kind) { table_.kind = kind; }
 
   /// @throws InputError AT: ..
   void add(std::string_view row, char separator, const std::string& at) {
@@ -61,8 +61,8 @@ class Rows {
       fail(at, fmt::format("{} = {} (must be {})", name_of(table_.kind), *weight,
                            table_.kind == Kind::density ? "0 or above" : "above 0"));
     }
-    if (table_.amplitude.size() == kMostTableRows) {
-      fail(at, fmt::format("more than {} rows: that is the limit of a table", kMostTableRows));
+    if (table_.amplitude.size() == kMaxTableRows) {
+      fail(at, fmt::format("more than {} rows: that is the limit of a table", kMaxTableRows));
     }
     table_.amplitude.push_back(*amplitude);
     table_.weight.push_back(*weight);
@@ -80,10 +80,10 @@ class Rows {
                (table_.weight[k] + table_.weight[k - 1]) / 2;
       }
     }
-    if (!(std::abs(sum - 1) <= kTableTolerance)) {
+    if (!(std::abs(sum - 1) <= kTableSumTolerance)) {
       fail(at, fmt::format("the table's {} {} {:.6g} (must be 1 within {})", name_of(table_.kind),
                            table_.kind == Kind::probability ? "sums to" : "integrates to", sum,
-                           kTableTolerance));
+                           kTableSumTolerance));
     }
     // The deviation must exceed rounding errors, and powers of standardised amplitudes must be
     // finite.
@@ -150,10 +150,10 @@ AmplitudeTable AmplitudeTable::mirrored() const {
   return table;
 }
 
-AmplitudeTable amplitude_table_of_csv(std::string_view csv, const std::string& where) {
+AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
-  std::optional<Rows> rows;
+  std::optional<TableBuilder> rows;
   int number = 0;
   std::string at = fmt::format("{}:1:", where);
   while (!csv.empty()) {
@@ -186,7 +186,7 @@ AmplitudeTable amplitude_table_of_csv(std::string_view csv, const std::string& w
   return std::move(*rows).table(at);
 }
 
-std::string text_of(const AmplitudeTable& table) {
+std::string table_literal(const AmplitudeTable& table) {
   std::string text = fmt::format("{}(", name_of(table.kind));
   for (std::size_t k = 0; k < table.amplitude.size(); ++k) {
     text += fmt::format("{}{}:{}", k == 0 ? "" : ",", table.amplitude[k], table.weight[k]);
@@ -194,17 +194,17 @@ std::string text_of(const AmplitudeTable& table) {
   return text + ')';
 }
 
-bool is_amplitude_table(std::string_view text) {
+bool is_table_literal(std::string_view text) {
   return text.starts_with("probability(") || text.starts_with("density(");
 }
 
-AmplitudeTable amplitude_table_of_text(std::string_view text) {
+AmplitudeTable parse_table_literal(std::string_view text) {
   const std::string at = fmt::format("impulse.table = {}:", in_quotes(text));
-  if (!is_amplitude_table(text) || text.back() != ')') {
+  if (!is_table_literal(text) || text.back() != ')') {
     throw InputError(
         fmt::format("{} not a table; name a CSV file, or write probability(-1:0.5,1:0.5)", at));
   }
-  Rows rows(text.front() == 'p' ? Kind::probability : Kind::density);
+  TableBuilder rows(text.front() == 'p' ? Kind::probability : Kind::density);
   const auto open = text.find('(');
   std::string_view list = text.substr(open + 1, text.size() - open - 2);
   while (!list.empty()) {
@@ -215,8 +215,8 @@ AmplitudeTable amplitude_table_of_text(std::string_view text) {
   return std::move(rows).table(at);
 }
 
-std::string summary_of(std::string_view text) {
-  const AmplitudeTable table = amplitude_table_of_text(text);
+std::string table_summary(std::string_view text) {
+  const AmplitudeTable table = parse_table_literal(text);
   return fmt::format("{} {} from {:g} to {:g}", table.amplitude.size(),
                      table.kind == Kind::probability ? "probabilities" : "densities",
                      table.amplitude.front(), table.amplitude.back());

@@ -23,24 +23,24 @@ struct AmplitudeTable {
   AmplitudeTable mirrored() const;
 };
 
-inline constexpr std::size_t kMostTableRows = 1000;
+inline constexpr std::size_t kMaxTableRows = 1000;
 /// Largest deviation of a table's sum (or integral) from 1; the table is then divided by the sum.
-inline constexpr double kTableTolerance = 1e-3;
+inline constexpr double kTableSumTolerance = 1e-3;
 
 /// Parses a CSV text with the columns amplitude,probability or amplitude,density.
 /// @param where name of the file in messages
 /// @throws InputError "WHERE:LINE: .." on one line: the error and what is allowed
-AmplitudeTable amplitude_table_of_csv(std::string_view csv, const std::string& where);
+AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where);
 
 /// The table as one word of a case file, "probability(-1:0.25,3:0.75)"; complete and exact.
-std::string text_of(const AmplitudeTable& table);
+std::string table_literal(const AmplitudeTable& table);
 /// Whether a text begins like such a word.
-bool is_amplitude_table(std::string_view text);
+bool is_table_literal(std::string_view text);
 /// Parses such a word.
 /// @throws InputError "impulse.table = .."
-AmplitudeTable amplitude_table_of_text(std::string_view text);
+AmplitudeTable parse_table_literal(std::string_view text);
 
 /// A short description for people: "37 probabilities from -1 to 3".
-std::string summary_of(std::string_view table_text);
+std::string table_summary(std::string_view table_text);
 
 }  // namespace fpkcheck::problem

@@ -8,15 +8,15 @@
 
 namespace fpkcheck::problem {
 
-void require_stationary(const Problem& problem) {
-  if (!problem.impulses.present() && !problem.noise.present()) {
+void require_stationary_density(const Problem& problem) {
+  if (!problem.impulses.is_present() && !problem.noise.is_present()) {
     throw InputError(
         "nothing excites the oscillator: add [impulse] with rate, law and intensity, or [noise] "
         "with intensity");
   }
   const UndampedOrbits orbits(problem);
-  for (const auto& [held, side] : {std::pair{orbits.held_on_the_left(), "left"},
-                                   std::pair{orbits.held_on_the_right(), "right"}}) {
+  for (const auto& [held, side] : {std::pair{orbits.is_confining_on_left(), "left"},
+                                   std::pair{orbits.is_confining_on_right(), "right"}}) {
     if (held) continue;
     throw InputError(fmt::format(
         "there is no stationary density: the restoring force does not confine the mass on the {0}; "
@@ -25,9 +25,9 @@ void require_stationary(const Problem& problem) {
   }
   // The base class needs no calculation: none of its terms supplies energy, and damping dissipates
   // it.
-  if (of_the_paper(problem)) return;
+  if (is_paper_oscillator(problem)) return;
   const EnergyAveraging averaging(problem);
-  if (const auto& why = averaging.unconfined()) {
+  if (const auto& why = averaging.unconfined_reason()) {
     throw InputError(fmt::format(
         "there is no stationary density: {}; raise system.damping, system.van_der_pol or "
         "system.rayleigh, or give a wall a restitution below 1",

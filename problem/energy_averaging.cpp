@@ -9,17 +9,18 @@ namespace fpkcheck::problem {
 namespace {
 
 constexpr double kDepth = 60;  // exp(-60) of the largest density is negligible
-constexpr int kBands = 300;
-constexpr const char* kGivesEnergy = "damping and impacts dissipate no energy at large amplitudes";
+constexpr int kBandCount = 300;
+constexpr const char* kNoDissipation =
+    "damping and impacts dissipate no energy at large amplitudes";
 // The largest number of wells of a potential of degree 6 between walls.
-constexpr std::size_t kMostBranches = 4;
+constexpr std::size_t kMaxBranches = 4;
 
 }  // namespace
 
 EnergyAveraging::EnergyAveraging(const Problem& problem)
     : orbits_(problem), diffusion_(total_intensity(problem) / 2) {
   double low = 0, high = 0;
-  if (find_range(low, high)) fill(low, high);
+  if (find_range(low, high)) fill_bands(low, high);
 }
 
 double EnergyAveraging::slope(const Orbit& orbit) const {
@@ -37,8 +38,8 @@ bool EnergyAveraging::find_range(double& low, double& high) {
   // dPhi/dh over all orbits of an energy; nothing when there is no orbit.
   const auto slope_at = [&](double above) -> std::optional<double> {
     double loss = 0, action = 0;
-    for (const Swing& swing : orbits_.swings(bottom + above)) {
-      const Orbit orbit = orbits_.orbit(swing, bottom + above);
+    for (const HalfCycle& half_cycle : orbits_.half_cycles(bottom + above)) {
+      const Orbit orbit = orbits_.orbit(half_cycle, bottom + above);
       loss += orbit.loss;
       action += orbit.action;
     }
@@ -59,7 +60,7 @@ bool EnergyAveraging::find_range(double& low, double& high) {
       // A damping term that supplies energy may prevail at still larger energies.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
         if (slope_at(farther).value_or(0) >= 0) continue;
-        unconfined_ = kGivesEnergy;
+        unconfined_reason_ = kNoDissipation;
         return false;
       }
       const auto within = [&](const Level& level) { return level.phi <= least + kDepth; };
@@ -73,29 +74,29 @@ bool EnergyAveraging::find_range(double& low, double& high) {
       return true;
     }
   }
-  unconfined_ = levels.back().phi > least
-                    ? "the damping at large energies is too weak to confine the motion"
-                    : kGivesEnergy;
+  unconfined_reason_ = levels.back().phi > least
+                           ? "the damping at large energies is too weak to confine the motion"
+                           : kNoDissipation;
   return false;
 }
 
-void EnergyAveraging::fill(double low, double high) {
-  step_ = (high - low) / kBands;
+void EnergyAveraging::fill_bands(double low, double high) {
+  step_ = (high - low) / kBandCount;
   // From the top downwards, so that each band finds the band above in the tree.
   std::vector<Band> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
-  for (int n = kBands - 1; n >= 0; --n) {
+  for (int n = kBandCount - 1; n >= 0; --n) {
     const double energy = low + (n + 0.5) * step_;
     const std::size_t begin = from_top.size();
-    for (const Swing& swing : orbits_.swings(energy)) {
+    for (const HalfCycle& half_cycle : orbits_.half_cycles(energy)) {
       Band band{.energy = energy,
-                .orbit = orbits_.orbit(swing, energy),
+                .orbit = orbits_.orbit(half_cycle, energy),
                 .potential = 0,
                 .above = from_top.size()};
       if (!(band.orbit.period > 0)) continue;
-      const double middle = (swing.left + swing.right) / 2;
+      const double middle = (half_cycle.left + half_cycle.right) / 2;
       for (std::size_t u = upper_begin; u < upper_end; ++u) {
-        const Swing& upper = from_top[u].orbit.swing;
+        const HalfCycle& upper = from_top[u].orbit.half_cycle;
         if (middle < upper.left || middle > upper.right) continue;
         band.above = u;
         band.potential =
@@ -124,7 +125,7 @@ void EnergyAveraging::fill(double low, double high) {
 // conductances between each band and the band above it. Without flux at the ends the kernel of K is
 // the constants, which the iteration projects out. K is solved by elimination from the leaves,
 // which creates no new nonzeros.
-double EnergyAveraging::relaxation() const {
+double EnergyAveraging::relaxation_rate() const {
   const std::size_t n = bands_.size();
   // Conductances are divided by the same total as the masses. Bands of a weight below exp(-60) are
   // excluded: they would only add rounding errors.
@@ -142,7 +143,7 @@ double EnergyAveraging::relaxation() const {
                      std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) / unit;
   }
   std::vector<double> u(n);
-  for (std::size_t b = 0; b < n; ++b) u[b] = bands_[b].orbit.swing.left + bands_[b].energy;
+  for (std::size_t b = 0; b < n; ++b) u[b] = bands_[b].orbit.half_cycle.left + bands_[b].energy;
   const auto centre_and_scale = [&] {
     double mean = 0, square = 0;
     for (std::size_t b = 0; b < n; ++b) mean += bands_[b].mass * u[b];
@@ -170,10 +171,10 @@ double EnergyAveraging::relaxation() const {
       const std::size_t above = bands_[b].above;
       if (above == b) continue;
       double beside = 0;  // other branches that merge at the same band
-      for (std::size_t other = b; other-- > 0 && b - other < kMostBranches;) {
+      for (std::size_t other = b; other-- > 0 && b - other < kMaxBranches;) {
         if (bands_[other].above == above) beside += below[other];
       }
-      for (std::size_t other = b + 1; other < n && other - b < kMostBranches; ++other) {
+      for (std::size_t other = b + 1; other < n && other - b < kMaxBranches; ++other) {
         if (other != above && bands_[other].above == above) beside += below[other];
       }
       elsewhere[b] = elsewhere[above] + bands_[above].mass * u[above] + beside;

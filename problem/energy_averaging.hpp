@@ -27,7 +27,7 @@ class EnergyAveraging {
 
   /// Empty when Phi grows at the largest energies; otherwise the reason in one phrase why the
   /// motion is not confined.
-  const std::optional<std::string>& unconfined() const { return unconfined_; }
+  const std::optional<std::string>& unconfined_reason() const { return unconfined_reason_; }
 
   /// The orbits of one well in a band of energies, and the fraction of time spent there.
   struct Band {
@@ -43,17 +43,17 @@ class EnergyAveraging {
   /// The smallest positive eigenvalue of the averaged diffusion, per unit time: the decay rate of
   /// the slowest deviation of the energy, or of the probabilities of the wells.
   /// @pre the motion is confined
-  double relaxation() const;
+  double relaxation_rate() const;
 
  private:
   double slope(const Orbit& orbit) const;
   /// Finds the energies between which Phi is within kDepth of its minimum.
   bool find_range(double& low, double& high);
-  void fill(double low, double high);
+  void fill_bands(double low, double high);
 
   UndampedOrbits orbits_;
   double diffusion_;  // D_eff
-  std::optional<std::string> unconfined_;
+  std::optional<std::string> unconfined_reason_;
   std::vector<Band> bands_;
   double step_ = 0;
 };

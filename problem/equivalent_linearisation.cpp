@@ -57,7 +57,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   return {damping(k_eq), k_eq, s1, s1 * std::sqrt(k_eq)};
 }
 
-double slowest_decay(const EquivalentLinearisation& linear) {
+double slowest_decay_rate(const EquivalentLinearisation& linear) {
   const double discriminant = linear.damping * linear.damping - 4 * linear.stiffness;
   if (discriminant <= 0) return linear.damping / 2;
   // Avoids the cancellation of c - sqrt(c^2 - 4k).
@@ -65,7 +65,7 @@ double slowest_decay(const EquivalentLinearisation& linear) {
 }
 
 double impulses_per_decay_time(const Problem& problem) {
-  return problem.impulses.arrival_rate() / slowest_decay(equivalent_linearisation(problem));
+  return problem.impulses.arrival_rate() / slowest_decay_rate(equivalent_linearisation(problem));
 }
 
 double static_deflection(const Problem& problem) {

@@ -25,7 +25,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 ///     Re (c_eq - sqrt(c_eq^2 - 4 k_eq)) / 2,
 ///
 /// c_eq/2 below critical damping, about k_eq/c_eq far above it.
-double slowest_decay(const EquivalentLinearisation& linear);
+double slowest_decay_rate(const EquivalentLinearisation& linear);
 
 /// Mean number of impulses, lambda/kappa, in the time in which the slowest mode of equivalent
 /// linearisation decays by a factor e. Between impulses an amplitude a decays like exp(-kappa t).

@@ -6,7 +6,7 @@ namespace fpkcheck::problem {
 
 /// Properties of a problem that decide which solvers are applicable.
 struct Features {
-  bool original = false;  ///< is_paper_oscillator(problem)
+  bool is_paper_oscillator = false;  ///< is_paper_oscillator(problem)
 
   bool no_wall = false, two_walls = false;
   /// The restoring force is not 0 at a wall: there is a gap, or the mass is pressed against the
@@ -29,6 +29,6 @@ Features features(const Problem& problem);
 /// Whether the problem is in the paper's class: one wall, at y = 0 on the left; f = c y' with
 /// c > 0; g = k y + mu y^3 with k, mu >= 0; impulses without noise. (In the coordinates of
 /// wall_frame.) Decided from the coefficients alone, without the search for minima in features().
-bool of_the_paper(const Problem& problem);
+bool is_paper_oscillator(const Problem& problem);
 
 }  // namespace fpkcheck::problem

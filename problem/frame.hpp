@@ -27,11 +27,11 @@ struct Frame {
 
 /// The wall coordinates of a system: from the left wall, or from the right wall when it is the only
 /// one.
-Frame frame_of(const System& system);
+Frame wall_frame(const System& system);
 
 /// The problem in wall coordinates, with Problem::frame set. For the identity the problem is
 /// returned unchanged, with the frame that it has. Its name and its parameters as in the case file
 /// are kept.
-Problem seen_from(const Frame& frame, const Problem& problem);
+Problem to_wall_coordinates(const Frame& frame, const Problem& problem);
 
 }  // namespace fpkcheck::problem

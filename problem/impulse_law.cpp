@@ -25,7 +25,7 @@ void validate(const Law& law) {
 
 // E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n]
 template <class Law>
-double moment_of(const Law& law, int j) {
+double raw_moment(const Law& law, int j) {
   const double variance = law.standard_deviation() * law.standard_deviation();
   double sum = 0;
   for (int n = 0; n <= j; ++n) {
@@ -44,13 +44,13 @@ concept Asymmetric = requires(Law law) {
 };
 template <class Law>
 concept Shaped = requires(LawShape shape) {
-  Law::with(0, 1, shape);
+  Law::from_moments(0, 1, shape);
 };
 
 template <class Law>
-Law law_with(double mean, double deviation, const LawShape& shape) {
+Law make_law(double mean, double deviation, const LawShape& shape) {
   if constexpr (Shaped<Law>) {
-    return Law::with(mean, deviation, shape);
+    return Law::from_moments(mean, deviation, shape);
   } else {
     if (shape.skewness.value_or(0) != 0) {
       throw InputError(
@@ -58,7 +58,7 @@ Law law_with(double mean, double deviation, const LawShape& shape) {
                       "exponential or gamma",
                       *shape.skewness, Law::kName));
     }
-    return Law::with(mean, deviation);
+    return Law::from_moments(mean, deviation);
   }
 }
 
@@ -74,14 +74,14 @@ ImpulseLaw::ImpulseLaw(const Kind& kind) : kind_(kind) {
   for (int j = 0; j < kMomentCount; ++j) moments_[j] = moment(j);
 }
 
-std::vector<std::string> ImpulseLaw::known() {
+std::vector<std::string> ImpulseLaw::known_names() {
   std::vector<std::string> list;
   for_each_law([&](const auto& law) { list.emplace_back(law.kName); });
   return list;
 }
 
-ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviation,
-                             const LawShape& shape) {
+ImpulseLaw ImpulseLaw::from_name(std::string_view name, double mean, double deviation,
+                                 const LawShape& shape) {
   if (!shape.table.empty() && name != TabulatedLaw::kName) {
     throw InputError(fmt::format(
         "impulse.table beside impulse.law = {}: this law takes no table; omit it, or set "
@@ -90,11 +90,11 @@ ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviatio
   }
   std::optional<Kind> kind;
   for_each_law([&]<class Law>(const Law&) {
-    if (Law::kName == name) kind = law_with<Law>(mean, deviation, shape);
+    if (Law::kName == name) kind = make_law<Law>(mean, deviation, shape);
   });
   if (kind) return ImpulseLaw(*kind);
   throw InputError(
-      fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(known(), ", ")));
+      fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(known_names(), ", ")));
 }
 
 ImpulseLaw ImpulseLaw::mirrored() const {
@@ -115,7 +115,7 @@ std::string_view ImpulseLaw::name() const {
 }
 
 double ImpulseLaw::moment(int order) const {
-  return std::visit([&](const auto& law) { return moment_of(law, order); }, kind_);
+  return std::visit([&](const auto& law) { return raw_moment(law, order); }, kind_);
 }
 
 double ImpulseLaw::mean() const {
@@ -146,8 +146,8 @@ std::vector<Atom> ImpulseLaw::atoms() const {
   return std::visit([](const auto& law) { return law.atoms(); }, kind_);
 }
 
-std::vector<double> ImpulseLaw::smooth_pieces() const {
-  return std::visit([](const auto& law) { return law.smooth_pieces(); }, kind_);
+std::vector<double> ImpulseLaw::density_breakpoints() const {
+  return std::visit([](const auto& law) { return law.density_breakpoints(); }, kind_);
 }
 
 std::complex<double> ImpulseLaw::characteristic_function(double u) const {

@@ -32,12 +32,12 @@ class ImpulseLaw {
   explicit ImpulseLaw(const Kind& kind);
 
   /// Names of all laws in case files.
-  static std::vector<std::string> known();
+  static std::vector<std::string> known_names();
   /// The law of this name, mean and standard deviation.
   /// @throws InputError as above; where the law has no such shape parameter; or, for an unknown
   /// name, listing all names
-  static ImpulseLaw named(std::string_view name, double mean, double deviation,
-                          const LawShape& shape = {});
+  static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
+                              const LawShape& shape = {});
   /// The law of -Y.
   ImpulseLaw mirrored() const;
 
@@ -67,7 +67,7 @@ class ImpulseLaw {
   std::vector<Atom> atoms() const;
   /// Increasing break points between which the density is smooth. Less than 1e-18 of the
   /// probability is outside. None for a law without a density.
-  std::vector<double> smooth_pieces() const;
+  std::vector<double> density_breakpoints() const;
 
   /// E[exp(i u Y)].
   std::complex<double> characteristic_function(double u) const;

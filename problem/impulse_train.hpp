@@ -11,7 +11,7 @@ namespace fpkcheck::problem {
 /// Parameters of the Poisson impulse train, as read from a case file.
 struct ImpulseParameters {
   double arrival_rate;  ///< lambda > 0
-  std::string law;      ///< name of the law of Y, one of ImpulseLaw::known()
+  std::string law;      ///< name of the law of Y, one of ImpulseLaw::known_names()
   double intensity;     ///< lambda E[Y^2] > 0
   double mean;          ///< E[Y], with E[Y]^2 < intensity / arrival_rate
   /// Skewness of Y, for laws that are not symmetric; the default of the law where absent.
@@ -33,7 +33,7 @@ class ImpulseTrain {
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
   const ImpulseParameters& parameters() const { return parameters_; }
-  bool present() const { return arrival_rate() > 0; }
+  bool is_present() const { return arrival_rate() > 0; }
   double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& law() const { return law_; }
 

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::problem {
 
-std::string collapse_objection(const Problem& problem, Equation equation) {
-  const bool noise = problem.noise.present();
+std::string collapse_unsupported_reason(const Problem& problem, Equation equation) {
+  const bool noise = problem.noise.is_present();
   if (!noise && equation != Equation::white) return "";
   for (const auto& wall : {problem.system.left(), problem.system.right()}) {
     if (!wall || wall->restitution > kCollapseRestitution) continue;

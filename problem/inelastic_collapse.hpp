@@ -17,6 +17,6 @@ inline constexpr double kCollapseRestitution = 0.16303353482158048;
 /// walls, and how to avoid it; empty where they do. Discrete impulses separate the particle from
 /// the wall. Collapse therefore occurs under the problem's own noise, for every equation, and under
 /// `white`, which replaces the impulses by noise.
-std::string collapse_objection(const Problem& problem, Equation equation);
+std::string collapse_unsupported_reason(const Problem& problem, Equation equation);
 
 }  // namespace fpkcheck::problem

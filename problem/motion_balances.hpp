@@ -51,10 +51,10 @@ struct MomentumTerms {
   double mean_cubed_velocity = 0;  ///< E[v^3]; used where c_vv is not 0
   /// Contact force of the mass at rest and momentum of its rebounds:
   /// g(0) P0 + (1 + r) lambda P0 E[Y^-] at the left wall.
-  double held_at_rest = 0;
+  double contact_momentum_rate = 0;
   /// E[|g(y)|], for forces of both signs: in wells far from a wall both the mean force and the
   /// momentum from the wall are nearly 0, and only this magnitude sets a scale.
-  double size_of_force = 0;
+  double mean_absolute_force = 0;
 };
 
 /// The momentum balance

@@ -10,7 +10,7 @@ struct Noise {
 
   /// D, the coefficient of p'' in the density equation.
   double diffusion() const { return intensity / 2; }
-  bool present() const { return intensity > 0; }
+  bool is_present() const { return intensity > 0; }
 };
 
 /// The description of the parameter.

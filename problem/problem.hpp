@@ -30,7 +30,7 @@ struct Section {
 };
 
 /// The descriptions of the sections of case files, in their order.
-const std::vector<const base::Descriptions*>& case_descriptions();
+const std::vector<const base::DescriptionBase*>& case_descriptions();
 
 /// The sections of a case file that define the problem: [system], and those that apply.
 std::vector<Section> sections(const Problem& problem);
@@ -38,21 +38,21 @@ std::vector<Section> sections(const Problem& problem);
 /// Builds the problem that such sections define.
 /// @throws InputError naming the key that is missing, unknown, of the wrong type or out of range;
 /// or stating why there is no stationary density (problem/confinement.hpp)
-Problem problem_from(const std::string& name, const std::vector<Section>& sections);
+Problem problem_from_sections(const std::string& name, const std::vector<Section>& sections);
 
 /// A parameter as tables, titles and files display it.
-struct ShownParameter {
+struct DisplayedParameter {
   std::string section, name;    ///< "system", "damping"
   std::string symbol, typeset;  ///< "mu", "μ"; empty for a word
   std::string meaning;          ///< "cubic stiffness"
   base::Value value;
-  bool usual;  ///< whether the value is the default, which displays omit
+  bool is_default;  ///< whether the value is the default, which displays omit
 };
 
 /// All parameters of a problem, in the order of case files.
-std::vector<ShownParameter> shown_parameters(const Problem& problem);
+std::vector<DisplayedParameter> displayed_parameters(const Problem& problem);
 /// The value as displayed: a long word is replaced by its display text.
-base::Value value_shown(const base::Parameter& parameter, const base::Value& value);
+base::Value display_value(const base::Parameter& parameter, const base::Value& value);
 
 /// The parameters of a problem in one line: "c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses,
 /// lambda = 1, ..".

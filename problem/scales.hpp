@@ -16,7 +16,7 @@ struct Scales {
   double v_high = 0;     ///< likewise for the speed
   double frequency = 0;  ///< mean angular frequency of the undamped motion
   /// Decay rate of the slowest deviation from the stationary density, per unit time.
-  double slowest_decay = 0;
+  double slowest_decay_rate = 0;
 };
 
 /// Scales by equivalent linearisation in the paper's class (problem/equivalent_linearisation.hpp),

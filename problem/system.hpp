@@ -74,7 +74,7 @@ class System {
   /// The same oscillator in wall coordinates x, y = origin + sign x: the force on x is
   /// sign g(origin + sign x), the damping c(origin + sign x). Mirroring exchanges left and right
   /// walls.
-  System seen_from(const Frame& frame) const;
+  System to_wall_coordinates(const Frame& frame) const;
 
  private:
   SystemCoefficients c_;

@@ -10,6 +10,6 @@ namespace fpkcheck::problem {
 /// returned unchanged; any other value is the name of a CSV file.
 /// @param folder directory of relative names; the working directory where it is empty
 /// @throws InputError on one line when the file cannot be read, is too large or has an invalid line
-std::string table_setting(const std::string& said, const std::filesystem::path& folder);
+std::string resolve_table_setting(const std::string& setting, const std::filesystem::path& folder);
 
 }  // namespace fpkcheck::problem

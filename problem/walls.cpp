@@ -16,22 +16,22 @@ const Description<WallParameters>& wall_description() {
   using W = WallParameters;
   static const auto description =
       Description<W>("wall.")
-          .add("left", &W::left, {"A", "position of the wall on the left"}, any_number())
+          .add("left", &W::left, {"A", "position of the wall on the left"}, finite_number())
           .with_symbol("a", "a")
-          .without_naming(Value())
+          .with_omitted_default(Value())
           .add("left_restitution", &W::left_restitution, {"R", "its coefficient of restitution"},
                restitution_range())
           .with_symbol("r_a", "r_a")
-          .without_naming(Value())
-          .add("right", &W::right, {"B", "position of the wall on the right"}, any_number())
+          .with_omitted_default(Value())
+          .add("right", &W::right, {"B", "position of the wall on the right"}, finite_number())
           .with_symbol("b", "b")
-          .without_naming(Value())
+          .with_omitted_default(Value())
           .add("right_restitution", &W::right_restitution, {"R", "its coefficient of restitution"},
                restitution_range())
           .with_symbol("r_b", "r_b")
-          .without_naming(Value())
+          .with_omitted_default(Value())
           .add("none", &W::none, {"", "there is no wall"})
-          .without_naming(false);
+          .with_omitted_default(false);
   return description;
 }
 
@@ -51,7 +51,7 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
 
 }  // namespace
 
-Walls walls_of(const WallParameters& parameters, const std::optional<double>& restitution) {
+Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution) {
   wall_description().validate(parameters);
   require_magnitudes(wall_description(), parameters);
   if (parameters.empty()) {

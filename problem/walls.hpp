@@ -36,6 +36,6 @@ struct Walls {
 /// of [system] (the form of case files without [wall]).
 /// @throws InputError where both or neither are given; where a position lacks its restitution or a
 /// restitution its position; where left is not less than right
-Walls walls_of(const WallParameters& parameters, const std::optional<double>& restitution);
+Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution);
 
 }  // namespace fpkcheck::problem

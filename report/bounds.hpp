@@ -15,7 +15,7 @@ namespace fpkcheck::report {
 ///     the stated error: this solution is wrong.
 ///   - Then the bounds of E[y^2] and E[y'^2], and the approximations with a moment outside a bound.
 ///   - Without bounds, the reason.
-std::vector<std::string> bounds_findings(const results::Case& one);
+std::vector<std::string> bounds_findings(const results::Case& case_result);
 
 /// A table with a row for each functional: lower and upper bound, absolute and relative half-width.
 std::string bounds_table(const problem::Problem& problem, const compare::Bounds& bounds,

@@ -35,8 +35,8 @@ bool any_cell(const std::vector<Column>& columns, std::string_view header, Condi
 
 // The names of an enum that occur in the cells, with their meanings.
 template <class Enum>
-std::string explained(const std::vector<Column>& results, const std::string& before,
-                      const std::string& after) {
+std::string enum_legend(const std::vector<Column>& results, const std::string& before,
+                        const std::string& after) {
   std::vector<std::string> terms;
   for (const auto& [value, name, meaning] : names(Enum{})) {
     const std::string part = fmt::format("{}{}{}", before, name, after);
@@ -50,8 +50,8 @@ std::string explained(const std::vector<Column>& results, const std::string& bef
 }
 
 std::string solves_legend(const std::vector<Column>& results) {
-  const auto equations = explained<problem::Equation>(results, "", "/");
-  const auto impacts = explained<problem::Impact>(results, "/", "");
+  const auto equations = enum_legend<problem::Equation>(results, "", "/");
+  const auto impacts = enum_legend<problem::Impact>(results, "/", "");
   std::vector<std::string> terms;
   if (!equations.empty()) terms.push_back(fmt::format("the excitation term ({})", equations));
   if (!impacts.empty()) terms.push_back(fmt::format("the impact ({})", impacts));
@@ -71,7 +71,7 @@ std::string results_legend(const std::vector<Column>& results, const results::Ru
     sentences.emplace_back(
         "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones.");
     const bool smooth = std::ranges::any_of(
-        run.cases, [](const results::Case& one) { return !one.smooth.empty(); });
+        run.cases, [](const results::Case& case_result) { return !case_result.smooth.empty(); });
     if (smooth) {
       sentences.emplace_back(
           "Distances to a simulation with control variates are over smooth bins, which do not "

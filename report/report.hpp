@@ -28,7 +28,7 @@ std::string terminal_text(const results::Run& run, const Supplement& supplement,
                           const TextFormat& format = {});
 
 /// A report rebuilt from the files of a saved run.
-struct ReportAgain {
+struct RebuiltReport {
   std::string text;                   ///< terminal_text
   std::vector<std::string> warnings;  ///< about pictures, one line each
 };
@@ -39,8 +39,8 @@ struct ReportAgain {
 /// @param run       the run that results::load_run read from this directory
 /// @param format    of the text
 /// @throws std::runtime_error if a file cannot be written
-ReportAgain report_again(const std::filesystem::path& directory, const results::Run& run,
-                         const TextFormat& format = {}, const FigureOptions& figures = {},
-                         const Supplement& supplement = {});
+RebuiltReport rebuild_report(const std::filesystem::path& directory, const results::Run& run,
+                             const TextFormat& format = {}, const FigureOptions& figures = {},
+                             const Supplement& supplement = {});
 
 }  // namespace fpkcheck::report

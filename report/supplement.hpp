@@ -8,7 +8,7 @@
 namespace fpkcheck::report {
 
 /// A file that a command adds to the files of a run.
-struct FileBeside {
+struct ExtraFile {
   std::string name, text;
 };
 
@@ -32,7 +32,7 @@ struct Supplement {
   std::vector<std::string> summary;
   std::string text;  ///< printed after the tables
   std::vector<PageSection> sections;
-  std::vector<FileBeside> files;
+  std::vector<ExtraFile> files;
   std::vector<Picture> pictures;  ///< drawn into figures/
 };
 

@@ -6,8 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include "base/files/atomic_file.hpp"
 #include "base/files/journal.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/input_error.hpp"
 
 namespace fpkcheck::results {
@@ -27,15 +27,15 @@ std::vector<fs::path> missing_parts(const fs::path& directory) {
 }
 
 void tidy(const fs::path& directory) {
-  base::finish_interrupted(directory);
-  base::remove_abandoned(directory);
+  base::complete_interrupted_commit(directory);
+  base::remove_abandoned_partials(directory);
 }
 
 // Proves that files can be written. An earlier process may have had our number.
 fs::path written_into(const fs::path& directory) {
-  fs::path file = base::partial_beside(directory / "run");
+  fs::path file = base::partial_path(directory / "run");
   fs::remove(file);
-  base::write_new(file, "");
+  base::write_new_file(file, "");
   return file;
 }
 

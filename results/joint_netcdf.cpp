@@ -11,7 +11,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/directory.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
@@ -189,7 +189,7 @@ JointFile read_joint_netcdf(const fs::path& path,
     return found;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
-                                 base::shown(path.string()), base::shown(error.what())));
+                                 base::sanitise(path.string()), base::sanitise(error.what())));
   }
 }
 

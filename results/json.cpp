@@ -10,14 +10,14 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::results {
 namespace {
 
 using transform::Kind;
-using transform::Observation;
-using transform::Observations;
+using transform::Metric;
+using transform::Metrics;
 
 // Deeper than any file of ours, and far from what would exhaust a stack.
 constexpr int kDeepest = 32;
@@ -55,21 +55,21 @@ void require_name(const std::string& key) {
                                base::in_quotes(key)));
 }
 
-void collect(const std::string& path, const Json& json, Observations& observations) {
+void collect(const std::string& path, const Json& json, Metrics& metrics) {
   if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
       require_name(key);
-      collect(path.empty() ? key : path + '.' + key, value, observations);
+      collect(path.empty() ? key : path + '.' + key, value, metrics);
     }
   } else if (json.is_array()) {
-    if (json.empty()) observations.push_back({.path = path + "[]", .value = {}});
+    if (json.empty()) metrics.push_back({.path = path + "[]", .value = {}});
     for (std::size_t k = 0; k < json.size(); ++k) {
-      collect(fmt::format("{}[{}]", path, k), json[k], observations);
+      collect(fmt::format("{}[{}]", path, k), json[k], metrics);
     }
   } else {
-    observations.push_back({.path = path,
-                            .value = value_in(json),
-                            .kind = json.is_string() ? Kind::text : Kind::result});
+    metrics.push_back({.path = path,
+                       .value = value_in(json),
+                       .kind = json.is_string() ? Kind::text : Kind::result});
   }
 }
 
@@ -84,7 +84,7 @@ Json problem_json(const problem::Problem& problem) {
   for (const auto& section : problem::sections(problem)) {
     json[section.name] = values_json(section.values);
   }
-  if (problem.impulses.present()) {
+  if (problem.impulses.is_present()) {
     json["impulse"]["moments"] = problem.impulses.law().moments();
   }
   return json;
@@ -114,8 +114,8 @@ Json moments_json(const transform::Moments& m) {
   return json;
 }
 
-void add_observations(const Observations& observations, Json& object) {
-  for (const auto& observation : observations) {
+void add_observations(const Metrics& metrics, Json& object) {
+  for (const auto& observation : metrics) {
     const std::string_view path = observation.path;
     if (path.ends_with("[]")) {
       place(object, path.substr(0, path.size() - 2)) = Json::array();
@@ -127,10 +127,10 @@ void add_observations(const Observations& observations, Json& object) {
   }
 }
 
-Observations observations_in(const Json& object) {
-  Observations observations;
-  collect("", object, observations);
-  return observations;
+Metrics observations_in(const Json& object) {
+  Metrics metrics;
+  collect("", object, metrics);
+  return metrics;
 }
 
 base::Value value_in(const Json& json) {
@@ -138,7 +138,7 @@ base::Value value_in(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_unsigned() && !std::in_range<std::int64_t>(json.get<std::uint64_t>())) {
     throw InputError(
-        fmt::format("{} is beyond all integers (run again)", base::shown(json.dump())));
+        fmt::format("{} is beyond all integers (run again)", base::sanitise(json.dump())));
   }
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
@@ -159,7 +159,7 @@ problem::Problem problem_in(const Json& object) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object()) sections.push_back({key, values_in(value)});
   }
-  return problem::problem_from(object.at("name").get<std::string>(), sections);
+  return problem::problem_from_sections(object.at("name").get<std::string>(), sections);
 }
 
 double number_in(const Json& object, const char* key) {
@@ -223,7 +223,7 @@ Json parsed(std::istream& in, const std::string& where) {
         throw InputError(fmt::format("{} has a text of {} bytes (not a file of this program)",
                                      where, said.size()));
       }
-      said = base::without_controls(said);
+      said = base::escape_controls(said);
     }
     return true;
   };
@@ -239,7 +239,7 @@ Json parsed(std::istream& in, const std::string& where) {
 std::string said_by(const std::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
-  return base::shown(end == std::string::npos ? text : text.substr(end + 2));
+  return base::sanitise(end == std::string::npos ? text : text.substr(end + 2));
 }
 
 }  // namespace fpkcheck::results

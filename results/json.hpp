@@ -11,7 +11,7 @@
 #include "base/options/value.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 
 /// The parts that every JSON file of results is made of, for its writer and its reader alone.
 namespace fpkcheck::results {
@@ -28,13 +28,13 @@ Json value_json(const base::Value& value);
 Json values_json(const base::Values& values);
 Json moments_json(const transform::Moments& moments);
 
-/// Adds observations to an object: a path such as "quantiles.y[2].value" makes the objects and
+/// Adds metrics to an object: a path such as "quantiles.y[2].value" makes the objects and
 /// lists on its way, "splitting_thresholds[]" without a value an empty list.
 /// @throws std::logic_error when a path leads through a value
-void add_observations(const transform::Observations& observations, Json& object);
-/// The observations that add_observations made of an object: each leaf, with the kind that its form
+void add_observations(const transform::Metrics& metrics, Json& object);
+/// The metrics that add_observations made of an object: each leaf, with the kind that its form
 /// tells (a number or a flag: result; else text).
-transform::Observations observations_in(const Json& object);
+transform::Metrics observations_in(const Json& object);
 
 /// @throws nlohmann::json::exception, InputError
 base::Value value_in(const Json& json);

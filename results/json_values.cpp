@@ -16,7 +16,7 @@ bool is_summary(const std::string& text, const std::string& where) {
   return json.is_object() && json.contains("schema");
 }
 
-transform::Observations values_in_json(const std::string& text, const std::string& where) {
+transform::Metrics values_in_json(const std::string& text, const std::string& where) {
   std::istringstream in(text);
   const Json json = parsed(in, where);
   if (!json.is_object()) throw InputError(fmt::format("{} holds no JSON object", where));

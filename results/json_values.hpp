@@ -3,7 +3,7 @@
 #include <string>
 
 #include "problem/problem.hpp"
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::results {
 
@@ -14,6 +14,6 @@ bool is_summary(const std::string& text, const std::string& where);
 
 /// An object of somebody else's: its values by their paths, "coefficients[2].a".
 /// @throws InputError on one line: not JSON, no object
-transform::Observations values_in_json(const std::string& text, const std::string& where);
+transform::Metrics values_in_json(const std::string& text, const std::string& where);
 
 }  // namespace fpkcheck::results

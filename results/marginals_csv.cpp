@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/csv_field.hpp"
 
 namespace fpkcheck::results {
@@ -65,7 +65,7 @@ class RowReader {
     if (fields.size() != kFields) {
       fail(fmt::format("{} fields (must be {})", fields.size(), kFields));
     }
-    const auto variable = base::value_named<transform::Variable>(fields[2]);
+    const auto variable = base::enum_from_name<transform::Variable>(fields[2]);
     if (!variable) fail(fmt::format("variable {} (must be y or ydot)", base::in_quotes(fields[2])));
     const bool continues = !curves.empty() && curves.back().case_name == fields[0] &&
                            curves.back().curve.solution == fields[1] &&
@@ -88,7 +88,7 @@ class RowReader {
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(fmt::format("{}:{}: {}", base::shown(source_), line_number_, problem));
+    throw InputError(fmt::format("{}:{}: {}", base::sanitise(source_), line_number_, problem));
   }
 
  private:

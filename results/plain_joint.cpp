@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/netcdf/reader.hpp"
 
 namespace fpkcheck::results {
@@ -51,7 +51,7 @@ PlainJoint read_plain_joint(std::string bytes, const std::string& where) {
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format(
         "{}: {} (must be netCDF-4 with p(y, v) and its coordinates y and v, or a joint.nc)", where,
-        base::shown(error.what())));
+        base::sanitise(error.what())));
   }
 }
 

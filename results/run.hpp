@@ -63,7 +63,7 @@ struct Case {
   std::string limits;  ///< one sentence; empty without a budget
   std::vector<Curve> curves;
   std::vector<JointDensity> joints;  ///< of the solutions that have one, all on the same cells
-  /// Of all solutions in smooth bins, where one of them knows itself so (compare/smooth.hpp).
+  /// Of all solutions in smooth bins, where one of them knows itself so (compare/smooth_reference.hpp).
   std::vector<Curve> smooth = {};
   std::vector<OwnError> own_errors = {};  ///< of those that have one, in their order
   std::vector<ErrorSource> error_sources = {};

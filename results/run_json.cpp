@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "compare/reference.hpp"
 #include "results/json.hpp"
 #include "results/solution_json.hpp"
@@ -32,7 +32,7 @@ Json pair_json(const PairDistances& pair) {
                     {"to", part.to},
                     {"mean_abs", part.mean_abs},
                     {"bins", part.bins},
-                    {"left_out", part.left_out}});
+                    {"left_out", part.bins_omitted}});
   }
   Json json{{"a", pair.a},       {"b", pair.b},  {"variable", name(pair.variable)}, {"l1", d.l1},
             {"l2", d.l2},        {"sup", d.sup}, {"hellinger", d.hellinger},        {"kl", d.kl},
@@ -51,7 +51,7 @@ Json part_json(const BudgetPart& part) {
             {"tail", part.tail}};
   if (part.expected) {
     json["expected"] = *part.expected;
-    json["in_99"] = or_null(part.in_99);
+    json["in_99"] = or_null(part.quantile_99);
   } else {
     json["uncertainty"] = or_null(part.uncertainty);
   }
@@ -109,7 +109,7 @@ Json case_json(const Case& one) {
 
 Variable variable_in(const Json& object) {
   const auto text = object.at("variable").get<std::string>();
-  const auto variable = base::value_named<Variable>(text);
+  const auto variable = base::enum_from_name<Variable>(text);
   if (!variable)
     throw InputError(fmt::format("variable {} (must be y or ydot)", base::in_quotes(text)));
   return *variable;
@@ -135,7 +135,7 @@ PairDistances pair_in(const Json& json) {
                             .to = tail.at("to"),
                             .mean_abs = number_or(kNotANumber, tail.at("mean_abs")),
                             .bins = integer_in(tail, "bins"),
-                            .left_out = integer_in(tail, "left_out")});
+                            .bins_omitted = integer_in(tail, "left_out")});
   }
   return pair;
 }
@@ -152,14 +152,14 @@ BudgetRow budget_row_in(const Json& json) {
                 .tail_bins = integer_in(tail, "bins"),
                 .parts = {}};
   for (const auto& part : json.at("parts")) {
-    row.parts.push_back({.links = compare::links_named(part.at("name").get<std::string>()),
+    row.parts.push_back({.links = compare::parse_links(part.at("name").get<std::string>()),
                          .from = part.at("from"),
                          .to = part.at("to"),
                          .l1 = number_or(kNotANumber, part.at("l1")),
                          .tail = number_or(kNotANumber, part.at("tail")),
                          .uncertainty = number_if_any(part, "uncertainty"),
                          .expected = number_if_any(part, "expected"),
-                         .in_99 = number_if_any(part, "in_99"),
+                         .quantile_99 = number_if_any(part, "in_99"),
                          .standard_error = number_if_any(part, "standard_error")});
   }
   if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts (run again)");
@@ -187,7 +187,7 @@ Case case_in(const Json& json) {
   for (const auto& solution : json.at("solutions")) {
     one.solutions.push_back(solution_in(solution));
     if (!ids.insert(one.solutions.back().id()).second) {
-      throw InputError(base::shown(one.solutions.back().id()) + " is there twice (run again)");
+      throw InputError(base::sanitise(one.solutions.back().id()) + " is there twice (run again)");
     }
   }
   for (const auto& pair : json.at("comparisons")) one.pairs.push_back(pair_in(pair));
@@ -210,7 +210,7 @@ void require_summary(const Json& json, const std::string& where) {
   }
   if (json.at("schema") != kSummarySchema) {
     throw InputError(fmt::format("{} has schema {} (this program reads schema {}; run again)",
-                                 where, base::shown(json.at("schema").dump()), kSummarySchema));
+                                 where, base::sanitise(json.at("schema").dump()), kSummarySchema));
   }
 }
 
@@ -236,12 +236,12 @@ Run read_summary(std::istream& in, const std::string& where) {
     for (const auto& one : json.at("cases")) {
       const auto name = one.at("name").get<std::string>();
       if (!names.insert(name).second) {
-        throw InputError(base::shown(name) + " is there twice (run again)");
+        throw InputError(base::sanitise(name) + " is there twice (run again)");
       }
       try {
         run.cases.push_back(case_in(one));
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", base::shown(name), error.what()));
+        throw InputError(fmt::format("{}: {}", base::sanitise(name), error.what()));
       }
     }
     if (json.contains("files")) {

@@ -11,7 +11,7 @@
 #include "base/files/input_file.hpp"
 #include "base/files/journal.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/crc32.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::in_quotes;
-using base::shown;
+using base::sanitise;
 
 // Of hundreds of cases.
 constexpr std::size_t kMostBytesOfText = 64 << 20;
@@ -33,11 +33,11 @@ std::istringstream open_saved(const fs::path& file) {
     if (!file.has_parent_path()) {
       throw InputError(fmt::format(
           "{} is not a readable file (give the summary.json of a run, or its directory)",
-          shown(file.string())));
+          sanitise(file.string())));
     }
     throw InputError(
         fmt::format("no run in {} ({} is not a readable file; give the --out of a run)",
-                    in_quotes(file.parent_path().string()), shown(file.filename().string())));
+                    in_quotes(file.parent_path().string()), sanitise(file.filename().string())));
   }
   return std::istringstream(*std::move(text));
 }
@@ -45,7 +45,7 @@ std::istringstream open_saved(const fs::path& file) {
 [[noreturn]] void refuse_other_run(const fs::path& file) {
   throw InputError(fmt::format(
       "{} and {} in {} are not of the same run, or changed since (run again)", kSummaryFile,
-      shown(file.filename().string()), in_quotes(file.parent_path().string())));
+      sanitise(file.filename().string()), in_quotes(file.parent_path().string())));
 }
 
 Case* find_case(Run& run, const std::string& name) {
@@ -168,9 +168,9 @@ void add_run(base::PendingFiles& files, const fs::path& directory, const Run& ru
 }
 
 Run load_summary(const fs::path& file) {
-  base::finish_interrupted(file.parent_path());
+  base::complete_interrupted_commit(file.parent_path());
   auto in = open_saved(file);
-  return read_summary(in, shown(file.string()));
+  return read_summary(in, sanitise(file.string()));
 }
 
 void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case::smooth); }

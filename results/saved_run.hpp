@@ -26,7 +26,7 @@ void add_summary_and_curves(base::PendingFiles& files, const std::filesystem::pa
 
 /// Reads a summary.json, whatever the file's name. Where a run was killed as it put its files into
 /// that directory, they are put there first.
-/// @throws InputError on one line: no such file, and as read_summary and base::finish_interrupted
+/// @throws InputError on one line: no such file, and as read_summary and base::complete_interrupted_commit
 Run load_summary(const std::filesystem::path& file);
 
 /// Reads the curves of a marginals.csv into the cases of a run.

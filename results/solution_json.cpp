@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -52,7 +52,7 @@ bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key
 }
 
 Json identity_json(const Identity& identity) {
-  const auto& look = identity.look;
+  const auto& plot_style = identity.plot_style;
   return {{"role", name(identity.role)},
           {"family", identity.family},
           {"formulation", identity.formulation},
@@ -60,32 +60,32 @@ Json identity_json(const Identity& identity) {
           {"meaning", identity.meaning},
           {"trust", identity.trust},
           {"look",
-           {{"colour", look.colour},
-            {"dash", look.dash},
-            {"width", look.width},
-            {"as_points", look.as_points},
-            {"layer", look.layer},
-            {"symbol", look.symbol}}}};
+           {{"colour", plot_style.colour},
+            {"dash", plot_style.dash},
+            {"width", plot_style.width},
+            {"as_points", plot_style.as_points},
+            {"layer", plot_style.layer},
+            {"symbol", plot_style.symbol}}}};
 }
 
 void read_identity(const Json& json, Identity& identity) {
-  const auto role = base::value_named<transform::Role>(json.at("role").get<std::string>());
+  const auto role = base::enum_from_name<transform::Role>(json.at("role").get<std::string>());
   if (!role)
     throw InputError(
-        fmt::format("role {} is unknown (run again)", base::shown(json.at("role").dump())));
+        fmt::format("role {} is unknown (run again)", base::sanitise(json.at("role").dump())));
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
   if (!json.at("order").is_null()) identity.order = integer_in(json, "order");
   identity.meaning = json.at("meaning");
   identity.trust = integer_in(json, "trust");
-  const Json& look = json.at("look");
-  identity.look = {.colour = look.at("colour"),
-                   .dash = look.at("dash"),
-                   .width = look.at("width"),
-                   .as_points = look.at("as_points"),
-                   .layer = integer_in(look, "layer"),
-                   .symbol = look.at("symbol")};
+  const Json& plot_style = json.at("look");
+  identity.plot_style = {.colour = plot_style.at("colour"),
+                         .dash = plot_style.at("dash"),
+                         .width = plot_style.at("width"),
+                         .as_points = plot_style.at("as_points"),
+                         .layer = integer_in(plot_style, "layer"),
+                         .symbol = plot_style.at("symbol")};
 }
 
 Json atoms_json(const std::vector<transform::RestAtom>& atoms) {
@@ -93,7 +93,7 @@ Json atoms_json(const std::vector<transform::RestAtom>& atoms) {
   for (const auto& atom : atoms) {
     json.push_back({{"y", atom.y}, {"probability", atom.probability}});
     if (atom.standard_error) json.back()["standard_error"] = *atom.standard_error;
-    if (atom.stated_error) json.back()["stated_error"] = *atom.stated_error;
+    if (atom.error_estimate) json.back()["stated_error"] = *atom.error_estimate;
   }
   return json;
 }
@@ -104,7 +104,7 @@ std::vector<transform::RestAtom> atoms_in(const Json& json) {
     atoms.push_back({.y = number_in(atom, "y"),
                      .probability = number_in(atom, "probability"),
                      .standard_error = number_if_any(atom, "standard_error"),
-                     .stated_error = number_if_any(atom, "stated_error")});
+                     .error_estimate = number_if_any(atom, "stated_error")});
   }
   return atoms;
 }
@@ -134,7 +134,7 @@ template <class Enum>
 std::optional<Enum> choice_in(const Json& json, const char* key, std::string_view unknown) {
   const auto text = json.at(key).get<std::string>();
   if (text == unknown) return std::nullopt;
-  const auto value = base::value_named<Enum>(text);
+  const auto value = base::enum_from_name<Enum>(text);
   if (!value)
     throw InputError(fmt::format("{} {} is unknown (run again)", key, base::in_quotes(text)));
   return value;
@@ -211,13 +211,13 @@ Json solution_json(const Solution& s) {
                      {"ydot_l1", s.error->ydot_l1},
                      {"moments", moments_json(s.error->moments)}};
   }
-  for (const auto& observation : s.observations) {
+  for (const auto& observation : s.metrics) {
     const std::string_view path = observation.path;
     if (is_one_of(kCommon, path.substr(0, path.find_first_of(".[")))) {
       throw std::logic_error("an observation of " + s.id() + " claims " + observation.path);
     }
   }
-  add_observations(s.observations, json);
+  add_observations(s.metrics, json);
   return json;
 }
 
@@ -236,7 +236,7 @@ Solution solution_in(const Json& json) {
   s.reason = json.at("reason");
   s.seconds = number_in(json, "seconds");
   read_numbers(json, s);
-  s.observations = observations_in(observed_part(json));
+  s.metrics = observations_in(observed_part(json));
   return s;
 }
 

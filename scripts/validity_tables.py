@@ -50,7 +50,7 @@ class Point:
         return self.impulses / 2 * (1 + (1 - self.restitution) / (math.pi * self.damping_ratio))
 
     def distance(self, other):
-        """As workflows/sweep/map/place.hpp has it."""
+        """As workflows/sweep/map/map_coordinates.hpp has it."""
         if self.law != other.law:
             return math.inf
         return math.hypot(

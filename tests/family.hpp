@@ -21,8 +21,8 @@ inline problem::Problem with_impulses(const problem::System& system,
 }
 
 /// The problem as solvers get it.
-inline problem::Problem in_frame(const problem::Problem& problem) {
-  return problem::seen_from(problem::frame_of(problem.system), problem);
+inline problem::Problem in_wall_coordinates(const problem::Problem& problem) {
+  return problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
 }
 
 }  // namespace fpkcheck::tests

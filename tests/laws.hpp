@@ -9,7 +9,7 @@ namespace fpkcheck::tests {
 
 /// The laws that need no more than a name, a mean and a deviation.
 inline std::vector<std::string> laws_by_name() {
-  std::vector<std::string> names = problem::ImpulseLaw::known();
+  std::vector<std::string> names = problem::ImpulseLaw::known_names();
   std::erase(names, problem::TabulatedLaw::kName);
   return names;
 }

@@ -37,12 +37,12 @@ inline transform::Identity identity(const std::string& id, const std::string& me
   who.role = method == "epc" ? Role::closure : method == "fd" ? Role::equation : Role::simulation;
   who.family = method;
   who.meaning = "What " + method + " makes.";
-  who.look = {.colour = method == "fd" ? "#56B4E9" : "#000000",
-              .dash = "solid",
-              .width = method == "fd" ? 5.0 : 1.0,
-              .as_points = method == "mcs",
-              .layer = static_cast<int>(who.role),
-              .symbol = "circle"};
+  who.plot_style = {.colour = method == "fd" ? "#56B4E9" : "#000000",
+                    .dash = "solid",
+                    .width = method == "fd" ? 5.0 : 1.0,
+                    .as_points = method == "mcs",
+                    .layer = static_cast<int>(who.role),
+                    .symbol = "circle"};
   return who;
 }
 
@@ -52,9 +52,9 @@ inline transform::Identity closure_identity(const std::string& formulation, int 
   who.formulation = formulation;
   who.order = order;
   who.family = "epc-" + formulation;
-  who.look.colour = formulation == "gaussian" ? "#D55E00" : "#CC79A7";
-  who.look.dash = "(10,4)";
-  who.look.width = 2;
+  who.plot_style.colour = formulation == "gaussian" ? "#D55E00" : "#CC79A7";
+  who.plot_style.dash = "(10,4)";
+  who.plot_style.width = 2;
   return who;
 }
 
@@ -90,8 +90,8 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   }
   s.sampling = {.y = 0.0011, .ydot = 0.0015};
   s.standard_errors = {.moments = {.y2 = 1e-4, .v2 = 1e-4}};
-  s.observations =
-      transform::Observer().work("samples", samples).work("streams", std::int64_t{128}).take();
+  s.metrics =
+      transform::MetricBuilder().work("samples", samples).work("streams", std::int64_t{128}).take();
   return s;
 }
 

@@ -105,7 +105,7 @@ inline problem::Problem random_member(std::uint64_t number) {
                                .system = problem::System(system, walls),
                                .impulses = impulses,
                                .noise = noise};
-      problem::require_stationary(problem);
+      problem::require_stationary_density(problem);
       return problem;
     } catch (const InputError&) {  // no stationary density: another one
     }

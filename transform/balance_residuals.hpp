@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::transform {
 
@@ -17,7 +17,7 @@ struct BalanceResiduals {
 /// Adds the metrics "balances.virial" and "balances.momentum" (null if absent) and the standard
 /// errors that are present, as "balances.virial_error" and "balances.momentum_error". All are
 /// diagnostics: a repeated run need not reproduce them, since it must reproduce the moments.
-void observe(Observer& observer, const BalanceResiduals& residuals,
-             const BalanceResiduals& standard_errors = {});
+void add_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
+                 const BalanceResiduals& standard_errors = {});
 
 }  // namespace fpkcheck::transform

@@ -58,14 +58,14 @@ double impact_flux(const SmoothDensity& density, int power);
 
 /// Averages of a pointwise density over cells, by three Gauss-Legendre points in each direction.
 /// @param y_edges increasing, from 0; v_edges increasing, with 0 among them (p may jump there)
-GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edges,
-                     std::span<const double> v_edges);
+GridDensity average_over_cells(const SmoothDensity& density, std::span<const double> y_edges,
+                               std::span<const double> v_edges);
 
 /// Averages of a density on cells over other cells: exact where the edges coincide, by
 /// ConservativeRemap along both axes elsewhere. The edges of a histogram should include the new
 /// edges, since polynomials do not interpolate its noise.
-GridDensity on_cells(const GridDensity& density, std::span<const double> y_edges,
-                     std::span<const double> v_edges);
+GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
+                               std::span<const double> v_edges);
 
 /// Sum of the cell masses: 1 for a normalised density.
 double mass(const GridDensity& density);

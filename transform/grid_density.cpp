@@ -1,11 +1,11 @@
+#include "transform/conservative_remap.hpp"
 #include "transform/density.hpp"
-#include "transform/mass_transfer.hpp"
 
 namespace fpkcheck::transform {
 
-GridDensity on_cells(const GridDensity& density, std::span<const double> y_edges,
-                     std::span<const double> v_edges) {
-  const MassTransfer along_y(density.y_edges, y_edges), along_v(density.v_edges, v_edges);
+GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
+                               std::span<const double> v_edges) {
+  const ConservativeRemap along_y(density.y_edges, y_edges), along_v(density.v_edges, v_edges);
   GridDensity grid{{y_edges.begin(), y_edges.end()}, {v_edges.begin(), v_edges.end()}, {}};
 
   // Masses over (new v cell, old y cell), one column of the new grid after the other.

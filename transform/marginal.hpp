@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::transform {
@@ -12,9 +12,9 @@ namespace fpkcheck::transform {
 enum class Variable { y, ydot };
 inline constexpr Variable kVariables[] = {Variable::y, Variable::ydot};
 /// Names in tables and files.
-inline constexpr base::Named<Variable> kVariableNames[] = {{Variable::y, "y", "displacement"},
-                                                           {Variable::ydot, "ydot", "velocity"}};
-constexpr std::span<const base::Named<Variable>> names(Variable) { return kVariableNames; }
+inline constexpr base::EnumEntry<Variable> kVariableNames[] = {
+    {Variable::y, "y", "displacement"}, {Variable::ydot, "ydot", "velocity"}};
+constexpr std::span<const base::EnumEntry<Variable>> names(Variable) { return kVariableNames; }
 constexpr std::string_view name(Variable variable) { return base::name_of(variable); }
 
 /// A marginal density as averages over bins: the common form in which densities on cells,

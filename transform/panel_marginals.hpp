@@ -8,12 +8,12 @@
 namespace fpkcheck::transform {
 
 /// Widths of the panels of the quadrature rule.
-enum class Panels {
-  even,
+enum class PanelSpacing {
+  uniform,
   graded,  ///< narrower towards 0, where strong losses and rare impulses leave a spike
   /// Graded, with the first panel subdivided geometrically: for densities that are self-similar
   /// about the origin.
-  shrinking
+  geometric
 };
 
 /// Marginals of a density at the points of a composite Gauss-Legendre rule on
@@ -30,10 +30,10 @@ struct PanelMarginals {
 /// Marginals of a density on a box, which may be the box of another density to compare with.
 /// `panels` applies to a wall at y = 0; for another y_min the panels of y are of equal width.
 PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
-                               Panels panels = Panels::even);
+                               PanelSpacing panels = PanelSpacing::uniform);
 
 /// E[g(y)] for a polynomial g.
-double mean_of(const PanelMarginals& marginals, const numerics::Polynomial& g);
+double displacement_mean(const PanelMarginals& marginals, const numerics::Polynomial& g);
 
 /// L1 distance of p(y) plus L1 distance of p(y').
 /// @pre both have the same points

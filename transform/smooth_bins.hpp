@@ -28,7 +28,7 @@ double bin_weight(const SmoothBins& bins, int bin);
 /// Converts averages over smooth bins to a marginal. The width of bin b is its weight, so that sums
 /// over the bins are integrals; bins far from `from` keep their centres.
 /// @param averages shape (count)
-Marginal marginal_of(const SmoothBins& bins, std::vector<double> averages);
+Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> averages);
 
 /// Averages int M p dx / weight of a density on sharp bins: ConservativeRemap interpolates the
 /// cumulative distribution between the edges, and Boole's rule integrates it against -M'. The

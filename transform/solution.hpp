@@ -11,7 +11,7 @@
 #include "transform/density.hpp"
 #include "transform/identity.hpp"
 #include "transform/marginal.hpp"
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 #include "transform/smooth_bins.hpp"
 
 namespace fpkcheck::transform {
@@ -27,7 +27,7 @@ enum class Status {
   not_offered     ///< the solver does not support the problem
 };
 /// As written in summary.json.
-inline constexpr base::Named<Status> kStatusNames[] = {
+inline constexpr base::EnumEntry<Status> kStatusNames[] = {
     {Status::ok, "ok"},
     {Status::not_converged, "not_converged", "the equations are not satisfied"},
     {Status::ill_posed, "ill_posed", "the discrete problem grows without bound"},
@@ -36,7 +36,7 @@ inline constexpr base::Named<Status> kStatusNames[] = {
      "the equations are satisfied, but the solution is no probability density"},
     {Status::failed, "failed", "the solver failed"},
     {Status::not_offered, "not_offered", "the solver does not support the problem"}};
-constexpr std::span<const base::Named<Status>> names(Status) { return kStatusNames; }
+constexpr std::span<const base::EnumEntry<Status>> names(Status) { return kStatusNames; }
 constexpr std::string_view name(Status status) { return base::name_of(status); }
 
 /// Richardson extrapolation from the last two grids: limit = fine + factor (fine - coarser), where
@@ -67,10 +67,10 @@ struct SmoothEstimate {
 
 /// Factor of safety on error estimates by extrapolation, for three or more grids (Roache, J. Fluids
 /// Eng. 116 (1994) 405).
-inline constexpr double kErrorBand = 1.25;
+inline constexpr double kErrorSafetyFactor = 1.25;
 
 /// Error estimate of a solution by its method, sampling errors excluded.
-struct StatedError {
+struct ErrorEstimate {
   double y_l1 = 0;       ///< of p(y), in L1
   double ydot_l1 = 0;    ///< of p(y')
   Moments moments = {};  ///< absolute
@@ -82,7 +82,7 @@ struct RestAtom {
   double y = 0;  ///< position of the wall
   double probability = 0;
   std::optional<double> standard_error = {};  ///< of a simulation
-  std::optional<double> stated_error = {};    ///< error estimate by the method
+  std::optional<double> error_estimate = {};  ///< error estimate by the method
 };
 
 /// The result of every solver, also as read back from a saved run.
@@ -113,8 +113,8 @@ struct Solution {
   std::optional<StandardErrors> standard_errors = {};
   std::optional<SamplingError> sampling = {};
   std::optional<SamplingError> smooth_sampling = {};  ///< of the smooth estimates
-  std::optional<StatedError> error = {};
-  Observations observations = {};  ///< solver-specific quantities
+  std::optional<ErrorEstimate> error = {};
+  Metrics metrics = {};  ///< solver-specific quantities
 
   /// In a run that was read back: whether the saved solution had a density.
   bool had_density = false;
@@ -126,16 +126,16 @@ struct Solution {
 };
 
 /// True if a solution has an error estimate, or a sampling error, of each of its marginals.
-bool states_error(const Solution& solution);
+bool has_error_estimate(const Solution& solution);
 
 /// Sets the status of an ok solution without an error estimate to `inaccurate`: status ok requires
 /// an error estimate.
-void require_stated_error(Solution& solution);
+void require_error_estimate(Solution& solution);
 
 /// Calls require_error_estimate(), and sets the status of an ok solution to `inaccurate` if its
 /// error estimate of p(y) or p(y') in L1 exceeds `accuracy`.
 /// @param reason the error found; the function appends the requested accuracy
-void hold_to(double accuracy, const std::string& reason, Solution& solution);
+void require_accuracy(double accuracy, const std::string& reason, Solution& solution);
 
 /// The solution with this id, or null.
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id);
@@ -152,13 +152,13 @@ Marginal limit_marginal(const Solution& solution, Variable variable, std::span<c
 
 /// Sampling error of the most accurate marginals: over smooth bins if there are any, else over
 /// sharp bins.
-const std::optional<SamplingError>& best_sampling(const Solution& solution);
+const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
 /// The estimate over smooth bins, or null.
 const SmoothEstimate* smooth_estimate(const Solution& solution, Variable variable);
 
 /// Values for one variable.
 std::optional<double> expected(const SamplingError& sampling, Variable variable);
-std::optional<double> in_99(const SamplingError& sampling, Variable variable);
-double l1(const StatedError& error, Variable variable);
+std::optional<double> quantile_99(const SamplingError& sampling, Variable variable);
+double l1(const ErrorEstimate& error, Variable variable);
 
 }  // namespace fpkcheck::transform

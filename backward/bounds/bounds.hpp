@@ -6,7 +6,7 @@
 #include "backward/bounds/functional.hpp"
 #include "backward/bounds/grid.hpp"
 #include "backward/bounds/options.hpp"
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "numerics/interval/enclosure.hpp"
 
 namespace fpkcheck::backward {
@@ -17,12 +17,12 @@ enum class BoundsStatus {
   failed,         ///< no finite bounds: see the reason
   not_offered     ///< the problem is not supported: see the reason
 };
-inline constexpr base::Named<BoundsStatus> kBoundsStatusNames[] = {
+inline constexpr base::EnumEntry<BoundsStatus> kBoundsStatusNames[] = {
     {BoundsStatus::ok, "ok", "guaranteed"},
     {BoundsStatus::width_not_met, "width_not_met", "guaranteed, but wider than requested"},
     {BoundsStatus::failed, "failed", "not bounded"},
     {BoundsStatus::not_offered, "not_offered", "not supported"}};
-constexpr std::span<const base::Named<BoundsStatus>> names(BoundsStatus) {
+constexpr std::span<const base::EnumEntry<BoundsStatus>> names(BoundsStatus) {
   return kBoundsStatusNames;
 }
 constexpr std::string_view name(BoundsStatus status) { return base::name_of(status); }
@@ -35,7 +35,7 @@ struct Bound {
 
 /// Cost and results of a grid.
 struct GridRecord {
-  Grid grid;
+  SplineGrid grid;
   int unknowns;
   double seconds;                           ///< wall-clock time
   std::vector<std::size_t> each;            ///< indices of the functionals bounded on this grid

@@ -12,7 +12,7 @@ namespace fpkcheck::backward {
 enum class Axis { displacement, velocity };
 
 /// E[y^n] or E[y'^n], 1 <= n <= 4.
-struct PowerMean {
+struct PowerMoment {
   Axis axis;
   int power;
 };
@@ -33,7 +33,7 @@ struct SmoothBin {
 struct ImpactMomentum {};
 
 /// A functional of the stationary density, for which bounds can be computed.
-using Functional = std::variant<PowerMean, SmoothBin, ImpactMomentum>;
+using Functional = std::variant<PowerMoment, SmoothBin, ImpactMomentum>;
 
 /// E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and w1.
 std::vector<Functional> standard_functionals();

@@ -9,12 +9,12 @@ const Description<Options>& description() {
       Description<Options>("bounds ")
           .add("width", &Options::relative_half_width,
                {"W", "refine until every half-width is below W times the value, or the time limit"},
-               not_negative())
+               non_negative())
           .add("absolute_width", &Options::half_width,
-               {"W", "refine until every half-width is below W, or the time limit"}, not_negative())
+               {"W", "refine until every half-width is below W, or the time limit"}, non_negative())
           .add("seconds", &Options::seconds,
                {"S", "time limit: start no grid that would end later, except the first"},
-               not_negative())
+               non_negative())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
                between(1, 4096));
   return options;

@@ -69,11 +69,11 @@ double Weight::operator()(double y, double v) const {
   return 1 + std::pow(energy(y, v) / scale, power);
 }
 
-std::string weight_refused(const problem::Problem& problem) {
+std::string bounds_unsupported_reason(const problem::Problem& problem) {
   const problem::System& system = problem.system;
   const auto& g = system.force().coefficients();
   const auto &left = system.left(), &right = system.right();
-  if (problem.noise.present() || !problem.impulses.present()) {
+  if (problem.noise.is_present() || !problem.impulses.is_present()) {
     return "white noise is not supported: bounds are for impulses alone";
   }
   if (const auto& law = problem.impulses.law(); !has_enclosures(law)) {
@@ -92,7 +92,7 @@ std::string weight_refused(const problem::Problem& problem) {
     return "losses at two walls are not supported: the splines fit the impacts of one wall";
   }
   const double c = problem.system.damping(), k = problem.system.stiffness();
-  const bool under_damped = numerics::rounded_upward(
+  const bool under_damped = numerics::with_upward_rounding(
       [&] { return (4.0 * numerics::Interval(k) - square(numerics::Interval(c))).lower() > 0; });
   if (under_damped) return {};
   return fmt::format("c^2 >= 4k (c = {:.6g}, k = {:.6g}): the weight needs underdamped motion", c,
@@ -100,7 +100,7 @@ std::string weight_refused(const problem::Problem& problem) {
 }
 
 std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power) {
-  return numerics::rounded_upward([&] {
+  return numerics::with_upward_rounding([&] {
     std::vector<double> upper;
     for (const numerics::Interval& bound : moment_bounds(problem, power))
       upper.push_back(bound.upper());
@@ -112,7 +112,7 @@ Weight weight(const problem::Problem& problem, int power) {
   const double moment = energy_moment_bounds(problem, power).back();
   const problem::SystemCoefficients& c = problem.system.coefficients();
   Weight weight{c.damping, c.stiffness, c.cubic, power, std::pow(4 * moment, 1.0 / power), 0};
-  weight.mean_bound = numerics::rounded_upward([&] {
+  weight.mean_bound = numerics::with_upward_rounding([&] {
     return (1.0 +
             numerics::Interval(moment) / numerics::power(numerics::Interval(weight.scale), power))
         .upper();

@@ -25,7 +25,7 @@ struct Weight {
 };
 
 /// Why bounds do not support a problem, in one line; empty if they do.
-std::string weight_refused(const problem::Problem& problem);
+std::string bounds_unsupported_reason(const problem::Problem& problem);
 
 /// Upper bounds M_0 .. M_power of E[G^j].
 /// @pre bounds_unsupported_reason(problem) is empty

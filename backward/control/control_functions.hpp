@@ -4,21 +4,21 @@
 #include <functional>
 #include <vector>
 
-#include "numerics/splines/knot_splines.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {
 
 /// f(y, v) = y_factor(y) v_factor(v).
 struct SeparableFunction {
-  std::function<double(double)> of_y, of_v;
+  std::function<double(double)> y_factor, v_factor;
 };
 
 /// Splines and weights of the least-squares fit of the control functions.
-struct ControlProblem {
+struct ControlFit {
   const problem::Problem& problem;
-  const numerics::KnotSplines& y;  ///< from wall to wall, or over the range of the motion
-  const numerics::KnotSplines& v;
+  const numerics::QuinticBSplines& y;  ///< from wall to wall, or over the range of the motion
+  const numerics::QuinticBSplines& v;
   /// w(y, v) = weight_y weight_v, slightly wider than the density.
   std::function<double(double)> weight_y, weight_v;
   /// Weight of the squared jump at a wall, integrated with the flux u w(wall, u) of impacts. The
@@ -39,8 +39,8 @@ struct ControlFunctions {
 /// generator is a sum of products (GeneratorFactors) and the weight is a product. For three
 /// products the normal matrix is therefore a sum of products of nine Gram matrices of v and of y;
 /// it is block banded. The residuals e_f of f and e_1 of 1 give U = <e_1, e_f> / <e_1, e_1>.
-/// @throws FitBrokeDown (backward/generator/normal_equations.hpp)
-ControlFunctions control_functions(const ControlProblem& problem,
-                                   const std::vector<SeparableFunction>& functions);
+/// @throws FitFailure (backward/generator/normal_equations.hpp)
+ControlFunctions fit_control_functions(const ControlFit& problem,
+                                       const std::vector<SeparableFunction>& functions);
 
 }  // namespace fpkcheck::backward

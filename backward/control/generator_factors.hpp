@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/splines/knot_splines.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {
@@ -13,24 +13,27 @@ namespace fpkcheck::backward {
 struct SplineValues {
   Eigen::MatrixXd value, slope;
 };
-SplineValues values_at(const numerics::KnotSplines& splines, std::span<const double> points);
+SplineValues spline_values(const numerics::QuinticBSplines& splines,
+                           std::span<const double> points);
 
 /// A wall in the generator: an impact of speed u arrives with velocity -rebound_sign u and leaves
 /// with rebound_sign r u.
 struct ImpactWall {
   double position;
   double restitution;
-  double away;  ///< sign of the velocity after an impact: 1 at a left wall, -1 at a right wall
+  double
+      rebound_sign;  ///< sign of the velocity after an impact: 1 at a left wall, -1 at a right wall
 };
 /// The walls from left to right.
 std::vector<ImpactWall> impact_walls(const problem::System& system);
 
 /// Jumps of the splines at impacts, B_j(s r u) - B_j(-s u) with s = rebound_sign, shape (speeds u,
 /// functions).
-Eigen::MatrixXd jumps_at(const numerics::KnotSplines& splines, const ImpactWall& wall,
-                         std::span<const double> speeds);
+Eigen::MatrixXd impact_jumps(const numerics::QuinticBSplines& splines, const ImpactWall& wall,
+                             std::span<const double> speeds);
 /// Breaks of these jumps in u: increasing from 0, within the range of the splines.
-std::vector<double> breaks_of_jumps(const numerics::KnotSplines& splines, const ImpactWall& wall);
+std::vector<double> impact_jump_breaks(const numerics::QuinticBSplines& splines,
+                                       const ImpactWall& wall);
 
 /// The factors in one variable of the terms of the generator,
 ///
@@ -42,11 +45,13 @@ std::vector<double> breaks_of_jumps(const numerics::KnotSplines& splines, const 
 using GeneratorFactors = std::vector<Eigen::MatrixXd>;
 
 /// The factors in y: A', A, g A, (c(y) - c) A.
-GeneratorFactors factors_of_y(const problem::System& system, const numerics::KnotSplines& splines,
-                              std::span<const double> points);
+GeneratorFactors displacement_factors(const problem::System& system,
+                                      const numerics::QuinticBSplines& splines,
+                                      std::span<const double> points);
 /// The factors in v: v B, lambda (K B - B) - (c + c_vv v^2) v B' + D B'', -B', -v B'.
 /// @param means K B at the points (impulse_means); ignored without impulses
-GeneratorFactors factors_of_v(const problem::Problem& problem, const numerics::KnotSplines& splines,
-                              std::span<const double> points, const Eigen::MatrixXd& means);
+GeneratorFactors velocity_factors(const problem::Problem& problem,
+                                  const numerics::QuinticBSplines& splines,
+                                  std::span<const double> points, const Eigen::MatrixXd& means);
 
 }  // namespace fpkcheck::backward

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "numerics/splines/knot_splines.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/impulse_train.hpp"
 
 namespace fpkcheck::backward {
@@ -12,10 +12,10 @@ namespace fpkcheck::backward {
 /// divided at the breaks of the splines and into parts no longer than the deviation, and integrated
 /// by the Gauss rule of 8 points with an error of 1e-15. Atoms are summed exactly.
 /// @return shape (points, functions)
-Eigen::MatrixXd impulse_means(const numerics::KnotSplines& splines, const problem::ImpulseLaw& law,
-                              std::span<const double> v);
+Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
+                              const problem::ImpulseLaw& law, std::span<const double> v);
 /// The same for an impulse train; empty (shape (0, 0)) without impulses.
-Eigen::MatrixXd impulse_means(const numerics::KnotSplines& splines,
+Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
                               const problem::ImpulseTrain& impulses, std::span<const double> v);
 
 }  // namespace fpkcheck::backward

@@ -15,11 +15,11 @@ struct ImpulseTable {
   /// |K V - sum_b c_b (polynomial of b)| <= remainder max_b |c_b| for all v.
   double remainder = 0;
 
-  std::span<numerics::Interval> of(int piece, int function) {
+  std::span<numerics::Interval> coefficients_of(int piece, int function) {
     return {&coefficients[(static_cast<std::size_t>(piece) * functions + function) * order],
             static_cast<std::size_t>(order)};
   }
-  std::span<const numerics::Interval> of(int piece, int function) const {
+  std::span<const numerics::Interval> coefficients_of(int piece, int function) const {
     return {&coefficients[(static_cast<std::size_t>(piece) * functions + function) * order],
             static_cast<std::size_t>(order)};
   }
@@ -43,16 +43,16 @@ ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityP
 numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n);
 
 // The table of each law (formulas in the sources). A law without a table has no bounds.
-ImpulseTable table_of(const problem::ExponentialLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces);
-ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces);
-ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces);
-ImpulseTable table_of(const problem::TwoPointLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces);
-ImpulseTable table_of(const problem::UniformLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces);
+ImpulseTable law_table(const problem::ExponentialLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces);
+ImpulseTable law_table(const problem::GaussianLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces);
+ImpulseTable law_table(const problem::LaplaceLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces);
+ImpulseTable law_table(const problem::TwoPointLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces);
+ImpulseTable law_table(const problem::UniformLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces);
 
 /// A table of zeros.
 ImpulseTable empty_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,

@@ -16,7 +16,7 @@ struct BackwardSolutions {
   std::vector<Eigen::MatrixXd> coefficients;
   std::vector<double> means;  ///< U, an estimate of E[f]
   /// Least and largest value of (f + L V - U) residual_weight at the points.
-  std::vector<std::pair<double, double>> extremes;
+  std::vector<std::pair<double, double>> residual_extremes;
 };
 
 struct LeastSquaresProblem {
@@ -26,9 +26,9 @@ struct LeastSquaresProblem {
   const DisplacementSamples& y;
   const VelocitySamples& v;
   /// Weight of the rows of the fit, and of the residuals in `residual_extremes`.
-  std::function<double(double y, double v)> row_weight, judging_weight;
+  std::function<double(double y, double v)> row_weight, residual_weight;
   /// True for the ends of y at which V satisfies the impact condition of `velocity`.
-  bool tied_at_begin = true, tied_at_end = false;
+  bool has_impact_condition_at_begin = true, has_impact_condition_at_end = false;
 };
 
 /// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once, by
@@ -36,7 +36,7 @@ struct LeastSquaresProblem {
 /// equations with a small ridge. The fit is for f and for 1; their residuals e_f and e_1 give
 /// U = <e_1, e_f> / <e_1, e_1>.
 /// @param functions f(y, v)
-/// @throws FitBrokeDown (backward/generator/normal_equations.hpp)
+/// @throws FitFailure (backward/generator/normal_equations.hpp)
 BackwardSolutions solve_backward(
     const LeastSquaresProblem& problem,
     const std::vector<std::function<double(double, double)>>& functions);

@@ -9,7 +9,7 @@
 namespace fpkcheck::backward {
 
 /// Thrown if the normal equations have no Cholesky factor.
-struct FitBrokeDown : std::runtime_error {
+struct FitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -17,9 +17,9 @@ struct FitBrokeDown : std::runtime_error {
 /// Cholesky factor.
 class NormalEquations {
  public:
-  /// @param of_what name of the fit in the message: "the fit"
+  /// @param fit_name name of the fit in the message: "the fit"
   /// @throws FitFailure "the normal equations of `fit_name` are not positive definite"
-  NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& of_what);
+  NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name);
 
   /// @param right shape (unknowns, right-hand sides)
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;

@@ -28,7 +28,7 @@ struct VelocityOperators {
 };
 
 /// @param cuts additional ends of pieces, increasing
-/// @pre inside rounded_upward
+/// @pre inside with_upward_rounding
 VelocityOperators velocity_operators(const problem::Problem& problem, const ImpactBasis& basis,
                                      std::span<const double> cuts);
 

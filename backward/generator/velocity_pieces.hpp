@@ -9,7 +9,7 @@
 namespace fpkcheck::backward {
 
 /// Part of the velocity axis.
-enum class Side {
+enum class VelocitySide {
   below,     ///< v < -u_max: the first function is 1
   incoming,  ///< v = -u
   outgoing,  ///< v = r u
@@ -18,7 +18,7 @@ enum class Side {
 
 /// A segment of the velocity axis within one span of an ImpactBasis, or beyond all spans.
 struct VelocityPiece {
-  Side side;
+  VelocitySide side;
   int span;                     ///< span of the speeds; 0 beyond all spans
   numerics::Interval from, to;  ///< ends of the segment in v, increasing
   /// Bound of the length by which the segment exceeds its span, due to the rounding of its ends.
@@ -37,9 +37,9 @@ struct PieceFunctions {
 };
 
 /// Assigns a segment to the span that contains its midpoint.
-VelocityPiece located(const ImpactBasis& basis, const numerics::Interval& from,
-                      const numerics::Interval& to);
-PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece);
+VelocityPiece locate_piece(const ImpactBasis& basis, const numerics::Interval& from,
+                           const numerics::Interval& to);
+PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& piece);
 
 /// Enclosures of dS_l/dv, l = 1 .. degree, where S_l = B_l + B_{l+1} + .. over the functions of a
 /// piece in the order of piece_functions(). Each derivative is p B_{p-1} / (a knot distance), a
@@ -49,8 +49,8 @@ std::vector<numerics::BernsteinCoefficients> difference_slopes(const ImpactBasis
 
 /// Divides the range of the basis at the ends of all spans, at `cuts`, and into pieces no longer
 /// than `longest`.
-std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,
-                                     double longest);
+std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
+                                           double longest);
 /// The ends of all spans on the velocity axis, where the basis is not smooth; increasing.
 std::vector<double> velocity_breaks(const ImpactBasis& basis);
 

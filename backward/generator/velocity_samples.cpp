@@ -46,7 +46,7 @@ VelocitySamples velocity_samples(const VelocityOperators& operators, const Impac
     const auto [at, t] = places[i];
     const std::vector<double> bernstein = bernstein_basis(operators.order() - 1, t);
     for (int b = 0; b < basis.size(); ++b) {
-      samples.jump(i, b) = sum(operators.jump.of(static_cast<int>(at), b), bernstein);
+      samples.jump(i, b) = sum(operators.jump.coefficients_of(static_cast<int>(at), b), bernstein);
     }
     for (std::size_t l = 0; l < operators.index[at].size(); ++l) {
       drift.emplace_back(i, operators.index[at][l], sum(operators.drift[at][l], bernstein));

@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "backward/residual/judged_functions.hpp"
-#include "backward/residual/unresolved.hpp"
+#include "backward/residual/goal_functions.hpp"
+#include "backward/residual/unresolved_residual.hpp"
 #include "backward/residual/weak_residuals.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
@@ -17,7 +17,7 @@ namespace fpkcheck::backward {
 inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
 
 /// The components of an error estimate.
-struct JudgedError {
+struct ErrorComponents {
   double found = 0;       ///< from dual-weighted residuals
   double unresolved = 0;  ///< UnresolvedResidual of the functions that weight the residuals
   /// Half the sum of UnresolvedResidual::contrasts(): 0 if the residuals determine the
@@ -26,7 +26,7 @@ struct JudgedError {
 };
 
 /// Errors of a density, computed from the density and the problem alone.
-struct WeightedResiduals {
+struct DensityErrors {
   double mass;                   ///< mass of the density; all other values are per unit mass
   transform::Moments corrected;  ///< estimates of E[f]
   transform::Moments error;      ///< E_p[f] - corrected
@@ -37,16 +37,16 @@ struct WeightedResiduals {
   std::array<double, kMomentCount> unresolved;  ///< unresolved residuals of the moments
   std::array<double, kMomentCount> contrasts;   ///< UnresolvedResidual::contrasts() of the moments
   /// Errors of p(y) and p(y') in L1, over the bins of goal_functions().
-  JudgedError y_l1, ydot_l1;
+  ErrorComponents y_l1, ydot_l1;
 
   /// The error estimate. L1 errors are multiplied by kSubBinFactor for features narrower than bins.
   /// The unresolved part is proportional to the error itself, since (E_p - E)[e] is small for a
   /// nearly exact p. Empty if the result is 2 or more, the L1 distance of disjoint densities.
-  std::optional<transform::StatedError> stated() const;
+  std::optional<transform::ErrorEstimate> error_estimate() const;
 
   /// Of 1389 errors of closures in random problems, one in twenty exceeded the estimate without
   /// this factor by a factor of 1.3, and one in a hundred by 1.5 (docs/limits.md).
-  static constexpr double kNotSeen = 1.6;
+  static constexpr double kSubBinFactor = 1.6;
 };
 
 /// Dual-weighted residuals. Let h = sum h_ij A_i(y) B_j(v) solve L h = E[f] - f with h(0, r u) =
@@ -69,10 +69,10 @@ class DensityResiduals {
   static constexpr ControlCells kCells{.y = 40, .v = 88};
   /// For wells under noise, which are narrower than the range of y: with kCells the bins resolve
   /// less than half of an error within a well. The cost is that of kCells (docs/residuals.md).
-  static constexpr ControlCells kCellsOfWells{.y = 80, .v = 64};
+  static constexpr ControlCells kWellCells{.y = 80, .v = 64};
   /// For several wells without noise: solutions of the backward equation have a sharp bend along
   /// the orbits that end on top of a barrier.
-  static constexpr ControlCells kCellsOfSharpWells{.y = 56, .v = 112};
+  static constexpr ControlCells kSharpWellCells{.y = 56, .v = 112};
 
   /// Fits h, which is most of the computational cost.
   /// @param problem in wall coordinates, like the densities passed later
@@ -83,7 +83,7 @@ class DensityResiduals {
 
   /// The errors of a density.
   /// @throws InputError when the mass is not positive, or the cells or the range are invalid
-  WeightedResiduals of(const transform::Density& density) const;
+  DensityErrors estimate_errors(const transform::Density& density) const;
 
   /// Distributes contributions over rectilinear cells:
   ///
@@ -93,20 +93,21 @@ class DensityResiduals {
   /// @param y_edges, v_edges increasing
   /// @return shape (cells of y, cells of v)
   /// @throws InputError when edges do not increase
-  Eigen::MatrixXd spread(const Eigen::MatrixXd& contributions, std::span<const double> y_edges,
-                         std::span<const double> v_edges) const;
+  Eigen::MatrixXd spread_contributions(const Eigen::MatrixXd& contributions,
+                                       std::span<const double> y_edges,
+                                       std::span<const double> v_edges) const;
 
-  const numerics::KnotSplines& y() const { return residuals_.y(); }
-  const numerics::KnotSplines& v() const { return residuals_.v(); }
+  const numerics::QuinticBSplines& y() const { return residuals_.y(); }
+  const numerics::QuinticBSplines& v() const { return residuals_.v(); }
 
  private:
   /// The coefficients h_ij for a goal function.
   Eigen::MatrixXd coefficients(Eigen::Index function) const;
 
   WeakResiduals residuals_;
-  JudgedFunctions functions_;
+  GoalFunctions functions_;
   ControlFunctions h_;
-  Unresolved unresolved_;
+  UnresolvedResidual unresolved_;
 };
 
 }  // namespace fpkcheck::backward

@@ -14,6 +14,6 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// the cell after it, on the last edge to the last cell. Values beyond the ends are 0.
 /// @param edges n + 1, increasing
 /// @return shape (points, n)
-SparseRows reconstruction(std::span<const double> edges, std::span<const double> points);
+SparseRows reconstruction_matrix(std::span<const double> edges, std::span<const double> points);
 
 }  // namespace fpkcheck::backward

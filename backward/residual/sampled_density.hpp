@@ -41,7 +41,7 @@ struct SampledDensity {
 /// Impact speeds at which integrands over impacts at a wall are not smooth.
 struct ImpactBreaks {
   double position;             ///< position of the wall
-  double away;                 ///< ImpactWall::rebound_sign: 1 at a left wall, -1 at a right wall
+  double rebound_sign;         ///< ImpactWall::rebound_sign: 1 at a left wall, -1 at a right wall
   std::vector<double> speeds;  ///< increasing from 0
 };
 
@@ -57,6 +57,6 @@ struct IntegrandBreaks {
 /// range. A density that ends before a wall has no impacts there.
 /// @throws InputError when the edges do not increase, extend past a wall, do not begin at a left
 /// wall or do not match the averages, and when the range of a function is not positive
-SampledDensity sampled(const transform::Density& density, const IntegrandBreaks& breaks);
+SampledDensity sample_density(const transform::Density& density, const IntegrandBreaks& breaks);
 
 }  // namespace fpkcheck::backward

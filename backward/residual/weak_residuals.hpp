@@ -5,7 +5,7 @@
 
 #include "backward/control/generator_factors.hpp"
 #include "backward/residual/sampled_density.hpp"
-#include "numerics/splines/knot_splines.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
 #include "transform/density.hpp"
 
@@ -38,20 +38,21 @@ class WeakResiduals {
   /// @param problem in wall coordinates; the moments are in physical coordinates
   /// @param y splines from wall to wall, or over the range of the motion
   /// @param v splines with 0 among the breaks
-  WeakResiduals(const problem::Problem& problem, numerics::KnotSplines y, numerics::KnotSplines v);
+  WeakResiduals(const problem::Problem& problem, numerics::QuinticBSplines y,
+                numerics::QuinticBSplines v);
 
   /// @throws InputError as sample_density() does, and when the mass is not positive
   WeakForm operator()(const transform::Density& density) const;
 
-  const numerics::KnotSplines& y() const { return y_; }
-  const numerics::KnotSplines& v() const { return v_; }
+  const numerics::QuinticBSplines& y() const { return y_; }
+  const numerics::QuinticBSplines& v() const { return v_; }
 
  private:
-  Eigen::MatrixXd means_after_impulse(std::span<const double> v) const;
+  Eigen::MatrixXd interpolated_impulse_means(std::span<const double> v) const;
   Eigen::RowVectorXd impacts(const ImpactWall& wall, const SampledImpacts& impacts) const;
 
   problem::Problem problem_;
-  numerics::KnotSplines y_, v_;
+  numerics::QuinticBSplines y_, v_;
   std::vector<ImpactWall> walls_;
   std::vector<ImpactBreaks> wall_breaks_;
   std::vector<double> v_breaks_;  // breaks of B_j and K B_j

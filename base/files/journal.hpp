@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files/whole_file.hpp"
+#include "base/files/atomic_file.hpp"
 
 namespace fpkcheck::base {
 
@@ -18,23 +18,23 @@ struct Journal {
     std::string from, to;
   };
 
-  Writer writer = Writer::this_one();
+  WriterProcess writer = WriterProcess::current_process();
   std::vector<Rename> renames{};
   std::vector<std::string> removals{};  ///< names of files to remove; they may be absent
 
-  static constexpr const char* kFile = ".fpkcheck-commit";
+  static constexpr const char* kFileName = ".fpkcheck-commit";
 
   /// Writes the journal into the directory. From then on the change will be completed.
   /// @throws std::system_error, leaving no journal; file_exists when the directory has one already
-  void announce(const std::filesystem::path& directory) const;
+  void publish(const std::filesystem::path& directory) const;
   /// Applies the remaining steps and removes the journal.
   /// @throws std::system_error; the journal stays
-  void carry_out(const std::filesystem::path& directory) const;
+  void apply(const std::filesystem::path& directory) const;
 };
 
 /// Completes the change of a process that was killed; does nothing without a journal.
 /// @throws InputError on one line when another process may be working on the change, when the
 /// journal belongs to another user or is damaged, or when the directory is not writable
-void finish_interrupted(const std::filesystem::path& directory);
+void complete_interrupted_commit(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::base

@@ -11,17 +11,17 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
 
-constexpr int kFileOfEverybody = 0666;  // reduced by the umask
+constexpr int kFileMode = 0666;  // reduced by the umask
 
 }  // namespace
 
 void LineLog::fail(const char* what) const {
-  throw std::runtime_error(fmt::format("{} cannot be {}: {}", base::shown(file_.string()), what,
+  throw std::runtime_error(fmt::format("{} cannot be {}: {}", base::sanitise(file_.string()), what,
                                        std::generic_category().message(errno)));
 }
 
@@ -30,7 +30,7 @@ LineLog::LineLog(const std::filesystem::path& file)
       // O_NOFOLLOW: a planted link must not redirect the file. O_NONBLOCK: a pipe must not block.
       descriptor_(open(file.c_str(),
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
-                       kFileOfEverybody)) {
+                       kFileMode)) {
   const bool a_file = descriptor_ >= 0 || (errno != ELOOP && errno != EISDIR && errno != ENXIO);
   if (descriptor_ < 0 && a_file) fail("opened");
   struct stat status = {};
@@ -41,17 +41,17 @@ LineLog::LineLog(const std::filesystem::path& file)
   throw InputError(
       regular ? fmt::format("{} is locked: another process writes it; wait, or use another "
                             "directory",
-                            base::shown(file_.string()))
+                            base::sanitise(file_.string()))
               : fmt::format("{} is not a regular file; remove it, or use another directory",
-                            base::shown(file_.string())));
+                            base::sanitise(file_.string())));
 }
 
 LineLog::~LineLog() { close(descriptor_); }
 
 std::vector<std::string> LineLog::read() {
-  constexpr std::size_t kAtOnce = 1 << 20;
+  constexpr std::size_t kChunkBytes = 1 << 20;
   std::string text;
-  std::string buffer(kAtOnce, '\0');
+  std::string buffer(kChunkBytes, '\0');
   for (;;) {
     const ssize_t count =
         pread(descriptor_, buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
@@ -66,9 +66,9 @@ std::vector<std::string> LineLog::read() {
     lines.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
-  cut_off_ = begin < text.size();
+  removed_partial_line_ = begin < text.size();
   length_ = static_cast<long long>(begin);
-  if (cut_off_ && ftruncate(descriptor_, length_) != 0) fail("written");
+  if (removed_partial_line_ && ftruncate(descriptor_, length_) != 0) fail("written");
   return lines;
 }
 

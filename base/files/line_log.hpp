@@ -23,7 +23,7 @@ class LineLog {
   /// @throws std::runtime_error on one line
   std::vector<std::string> read();
   /// Whether read() removed an incomplete last line.
-  bool cut_off() const { return cut_off_; }
+  bool removed_partial_line() const { return removed_partial_line_; }
 
   /// Appends a line, completely or not at all. Once this returns, a killed process does not lose
   /// it.
@@ -39,7 +39,7 @@ class LineLog {
   std::filesystem::path file_;
   int descriptor_;
   long long length_ = 0;
-  bool cut_off_ = false;
+  bool removed_partial_line_ = false;
 };
 
 }  // namespace fpkcheck::base

@@ -13,7 +13,7 @@ namespace fpkcheck::base {
 class PendingFiles {
  public:
   /// Writes a file under a temporary name in the target's directory.
-  using Produce = std::function<void(const std::filesystem::path& temporary)>;
+  using FileProducer = std::function<void(const std::filesystem::path& temporary)>;
 
   PendingFiles() = default;
   PendingFiles(const PendingFiles&) = delete;
@@ -23,7 +23,7 @@ class PendingFiles {
   /// Writes a partial file for the target.
   /// @param target in the same directory as all previous targets
   /// @throws whatever `produce` throws
-  void add(const std::filesystem::path& target, const Produce& produce);
+  void add(const std::filesystem::path& target, const FileProducer& produce);
   /// Writes a partial file with these bytes.
   /// @throws std::runtime_error on one line
   void add(const std::filesystem::path& target, std::string_view bytes);
@@ -40,16 +40,16 @@ class PendingFiles {
     std::filesystem::path temporary, target;
   };
   void require_one_directory(const std::filesystem::path& target) const;
-  void put_in_place(const std::filesystem::path& directory);
+  void install_files(const std::filesystem::path& directory);
 
   std::vector<Pending> pending_;
-  std::vector<std::filesystem::path> unwanted_;
+  std::vector<std::filesystem::path> removals_;
 };
 
 /// Lets `produce` write a temporary file in the target's directory, then renames it to the target.
 /// On failure the target is unchanged and the temporary file is removed.
 /// @throws whatever `produce` throws; std::runtime_error on one line when it wrote no file
-void replace_file(const std::filesystem::path& target, const PendingFiles::Produce& produce);
+void replace_file(const std::filesystem::path& target, const PendingFiles::FileProducer& produce);
 
 /// Replaces a file by one with these bytes.
 /// @throws std::runtime_error on one line

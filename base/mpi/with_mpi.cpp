@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "base/mpi/ranks.hpp"
+#include "base/mpi/communicator.hpp"
 
 namespace fpkcheck::base {
 namespace {
@@ -19,9 +19,9 @@ void check_mpi(int code, const char* what) {
   throw std::runtime_error(fmt::format("MPI {}: {}", what, text.data()));
 }
 
-class MpiRanks : public Ranks {
+class MpiCommunicator : public Communicator {
  public:
-  MpiRanks() {
+  MpiCommunicator() {
     // FUNNELED suffices: the threads that solve make no MPI calls.
     int provided = 0;
     check_mpi(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided),
@@ -30,9 +30,9 @@ class MpiRanks : public Ranks {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
   }
-  MpiRanks(const MpiRanks&) = delete;
-  MpiRanks& operator=(const MpiRanks&) = delete;
-  ~MpiRanks() override { MPI_Finalize(); }
+  MpiCommunicator(const MpiCommunicator&) = delete;
+  MpiCommunicator& operator=(const MpiCommunicator&) = delete;
+  ~MpiCommunicator() override { MPI_Finalize(); }
 
   int rank() const override { return rank_; }
   int size() const override { return size_; }
@@ -65,6 +65,6 @@ class MpiRanks : public Ranks {
 
 }  // namespace
 
-std::unique_ptr<Ranks> Ranks::join() { return std::make_unique<MpiRanks>(); }
+std::unique_ptr<Communicator> Communicator::join() { return std::make_unique<MpiCommunicator>(); }
 
 }  // namespace fpkcheck::base

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "base/options/parameter.hpp"
 #include "base/options/value.hpp"
 
@@ -57,7 +57,7 @@ struct Conversion<Enum> {
   static constexpr Type kType = Type::word;
   static Value get(Enum member) { return std::string(name_of(member)); }
   static void set(Enum& member, const Value& value) {
-    member = *value_named<Enum>(std::get<std::string>(value));
+    member = *enum_from_name<Enum>(std::get<std::string>(value));
   }
   static std::vector<std::string> choices() {
     std::vector<std::string> list;
@@ -77,7 +77,7 @@ struct Conversion<std::optional<Member>> {
     return member ? Conversion<Member>::get(*member) : Value();
   }
   static void set(std::optional<Member>& member, const Value& value) {
-    if (is_nothing(value)) {
+    if (is_unset(value)) {
       member.reset();
     } else {
       Conversion<Member>::set(member.emplace(), value);
@@ -95,10 +95,10 @@ concept Resettable = requires(Member member) {
 
 /// The parameters of one struct, in the order in which help texts and tables list them. This base
 /// class does not depend on the type of the struct; use Description<Owner>.
-class Descriptions {
+class DescriptionBase {
  public:
   /// @param prefix of names in messages, e.g. "system." or "epc "
-  explicit Descriptions(std::string prefix) : prefix_(std::move(prefix)) {}
+  explicit DescriptionBase(std::string prefix) : prefix_(std::move(prefix)) {}
 
   const std::vector<Parameter>& all() const { return all_; }
   const std::string& prefix() const { return prefix_; }
@@ -107,9 +107,9 @@ class Descriptions {
 
  protected:
   Values values_of(const void* owner) const;
-  Values named_values_of(const void* owner) const;
+  Values stored_values_of(const void* owner) const;
   /// @throws InputError "WHAT.NAME is missing", "is unknown", or of the wrong type
-  void read_into(void* owner, const Values& values, const std::string& what) const;
+  void read_into(void* owner, const Values& values, const std::string& group) const;
   /// @throws InputError "PREFIXname = value (must be ..)" for the first value outside its range
   void require_ranges(const void* owner) const;
   /// @throws InputError "LABEL value (must be ..)"
@@ -128,9 +128,9 @@ class Descriptions {
 ///     const auto description = Description<Options>("epc ")
 ///                                  .add("order", &Options::order, {"N", "degree n"}, positive());
 template <class Owner>
-class Description : public Descriptions {
+class Description : public DescriptionBase {
  public:
-  using Descriptions::Descriptions;
+  using DescriptionBase::DescriptionBase;
 
   struct Text {
     std::string placeholder;  ///< "N" in `--order N`
@@ -147,7 +147,7 @@ class Description : public Descriptions {
                         .placeholder = std::move(text.placeholder),
                         .flag = dashed(name),
                         .type = Held::kType,
-                        .may_be_automatic = Resettable<Member>,
+                        .can_be_automatic = Resettable<Member>,
                         .range = std::move(range)};
     parameter.get = [member](const void* owner) {
       return Held::get(static_cast<const Owner*>(owner)->*member);
@@ -176,32 +176,33 @@ class Description : public Descriptions {
     return std::move(*this);
   }
   /// Sets a function that returns a short display text for a long word (the parameter added last).
-  Description&& shown_as(std::function<std::string(const std::string& word)> shown) && {
-    all_.back().shown = std::move(shown);
+  Description&& with_display_text(
+      std::function<std::string(const std::string& word)> display_text) && {
+    all_.back().display_text = std::move(display_text);
     return std::move(*this);
   }
   /// Sets the value that the parameter added last has in a file without its key.
-  Description&& with_fallback(Value value) && {
-    all_.back().fallback = std::move(value);
+  Description&& with_default(Value value) && {
+    all_.back().default_value = std::move(value);
     return std::move(*this);
   }
   /// Like with_default(), and files and tables omit the parameter while it has its default value.
-  Description&& without_naming(Value fallback) && {
-    all_.back().silent = true;
-    return std::move(*this).with_fallback(std::move(fallback));
+  Description&& with_omitted_default(Value default_value) && {
+    all_.back().omit_default = true;
+    return std::move(*this).with_default(std::move(default_value));
   }
 
   /// The values of all parameters, in order.
   Values values(const Owner& owner) const { return values_of(&owner); }
   /// The values that files store: all except parameters with omit_default at their default.
-  Values named_values(const Owner& owner) const { return named_values_of(&owner); }
+  Values stored_values(const Owner& owner) const { return stored_values_of(&owner); }
 
   /// Builds an Owner from values. Ranges are not checked; see validate().
-  /// @param what name of the group of values in messages, e.g. "options"
+  /// @param group name of the group of values in messages, e.g. "options"
   /// @throws InputError naming the parameter that is missing, unknown or of the wrong type
-  Owner read(const Values& values, const std::string& what) const {
+  Owner read(const Values& values, const std::string& group) const {
     Owner owner{};
-    read_into(&owner, values, what);
+    read_into(&owner, values, group);
     return owner;
   }
 

@@ -7,17 +7,19 @@ namespace fpkcheck::base {
 
 /// The admissible values of a number.
 struct Range {
-  std::function<bool(double)> holds;
-  std::string allowed;  ///< text after "must be": "a positive number"
+  std::function<bool(double)> contains;
+  std::string requirement;  ///< text after "must be": "a positive number"
 
   /// The same range with a reason added to its text: "a positive number: without damping ..."
-  Range because(const std::string& reason) const { return {holds, allowed + ": " + reason}; }
+  Range with_reason(const std::string& reason) const {
+    return {contains, requirement + ": " + reason};
+  }
 };
 
 /// All finite numbers.
-Range any_number();
+Range finite_number();
 Range positive();
-Range not_negative();
+Range non_negative();
 Range between(double least, double greatest);           ///< both ends included
 Range strictly_between(double least, double greatest);  ///< both ends excluded
 Range even_between(int least, int greatest);            ///< even integers, both ends included

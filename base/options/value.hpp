@@ -24,7 +24,7 @@ inline bool contains(const Values& values, std::string_view name) {
   return std::ranges::find(values, name, &NamedValue::name) != values.end();
 }
 
-inline bool is_nothing(const Value& value) { return std::holds_alternative<std::monostate>(value); }
+inline bool is_unset(const Value& value) { return std::holds_alternative<std::monostate>(value); }
 
 /// The value as text for messages and tables: numbers with the digits that restore them exactly,
 /// words in quotes, "automatic" for an unset value.

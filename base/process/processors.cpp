@@ -13,7 +13,7 @@ namespace fpkcheck::base {
 namespace {
 
 // cpu_set_t has a fixed size of 1024 processors, and sched_getaffinity fails on larger machines.
-int processors_by_affinity() {
+int affinity_processor_count() {
   constexpr int kMostProcessors = 1 << 16;
   for (int size = CPU_SETSIZE; size <= kMostProcessors; size *= 2) {
     const std::unique_ptr<cpu_set_t, void (*)(cpu_set_t*)> set(
@@ -26,7 +26,7 @@ int processors_by_affinity() {
 }
 
 // OMP_NUM_THREADS may be a list with a number for each nesting level; the first is used.
-int at_most(const char* variable, int otherwise) {
+int limit_from_environment(const char* variable, int otherwise) {
   const char* const text = std::getenv(variable);
   if (text == nullptr) return otherwise;
   int number = 0;
@@ -38,8 +38,9 @@ int at_most(const char* variable, int otherwise) {
 }  // namespace
 
 int processors() {
-  const int own = std::max(1, processors_by_affinity());
-  return at_most("SLURM_CPUS_PER_TASK", at_most("OMP_NUM_THREADS", own));
+  const int affinity_count = std::max(1, affinity_processor_count());
+  return limit_from_environment("SLURM_CPUS_PER_TASK",
+                                limit_from_environment("OMP_NUM_THREADS", affinity_count));
 }
 
 }  // namespace fpkcheck::base

@@ -15,9 +15,9 @@ constexpr double kNegligible = 1e-18;  // probability
 }  // namespace
 
 GradedImpulseRule::GradedImpulseRule(const problem::ImpulseLaw& law)
-    : law_(law), pieces_(law.smooth_pieces()), atoms_(law.atoms()) {}
+    : law_(law), pieces_(law.density_breakpoints()), atoms_(law.atoms()) {}
 
-const AfterImpulse& GradedImpulseRule::operator()(double v, double width) {
+const PostImpulseVelocities& GradedImpulseRule::operator()(double v, double width) {
   after_.v.clear();
   after_.probability.clear();
   for (const auto& [amplitude, probability] : atoms_) {

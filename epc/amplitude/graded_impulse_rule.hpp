@@ -7,7 +7,7 @@
 namespace fpkcheck::epc::amplitude {
 
 /// Velocities after an impulse and their probabilities.
-struct AfterImpulse {
+struct PostImpulseVelocities {
   std::vector<double> v, probability;
 };
 
@@ -21,7 +21,7 @@ class GradedImpulseRule {
 
   /// The result is valid until the next call.
   /// @param width 0 for f that is smooth up to velocity 0 on either side
-  const AfterImpulse& operator()(double v, double width);
+  const PostImpulseVelocities& operator()(double v, double width);
 
  private:
   void add_panel(double from, double to, double v);
@@ -30,7 +30,7 @@ class GradedImpulseRule {
   std::vector<double> pieces_;
   std::vector<problem::Atom> atoms_;
   std::vector<double> breaks_;
-  AfterImpulse after_;
+  PostImpulseVelocities after_;
 };
 
 }  // namespace fpkcheck::epc::amplitude

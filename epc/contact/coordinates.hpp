@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "epc/half_plane/points.hpp"
+#include "epc/half_plane/quadrature_points.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::problem {
@@ -14,7 +14,7 @@ namespace fpkcheck::epc::contact {
 
 /// Whether the mass can rest in contact with one wall on the left, towards which the force acts
 /// everywhere. rho(y, v) is then increasing in y.
-bool applies(const problem::Problem& problem);
+bool is_pressed_on_one_wall(const problem::Problem& problem);
 
 /// Amplitude and velocity on the half-plane y >= 0 with the corner (0, 0), where the mass rests,
 ///
@@ -36,7 +36,7 @@ bool applies(const problem::Problem& problem);
 /// y and v lack the odd powers of rho, among them the time until rest.
 class Coordinates {
  public:
-  /// @pre applies(problem); the wall at 0
+  /// @pre is_pressed_on_one_wall(problem); the wall at 0
   explicit Coordinates(const problem::Problem& problem);
 
   double w(double y) const { return std::sqrt(2 * potential_(y)); }
@@ -59,7 +59,7 @@ class Coordinates {
 /// points are rho and v. The weights include the factor 1/e of the density. The last point is the
 /// atom.
 /// @param size s: number of points in rho; t: in theta
-half_plane::Points rule(const Coordinates& coordinates, double rho_max,
-                        const half_plane::QuadratureSize& size);
+half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
+                                               const half_plane::QuadratureSize& size);
 
 }  // namespace fpkcheck::epc::contact

@@ -16,6 +16,6 @@ transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coor
 
 /// Averages of the density over cells graded towards the corner. Unlike panels and equal bins, they
 /// resolve its mass and the singularities p(y) ~ y^(-1/2) and p(y') ~ -ln|y'|.
-transform::GridDensity on_graded_cells(const transform::SmoothDensity& density);
+transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density);
 
 }  // namespace fpkcheck::epc::contact

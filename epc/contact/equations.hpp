@@ -21,7 +21,7 @@ namespace fpkcheck::epc::contact {
 /// @param wall_points number of quadrature points on the wall
 half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
                                 double rho_max, const half_plane::Confinement& confinement,
-                                half_plane::Basis basis, half_plane::Points points,
+                                half_plane::Basis basis, half_plane::QuadraturePoints points,
                                 int wall_points);
 
 }  // namespace fpkcheck::epc::contact

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 #include "epc/contact/coordinates.hpp"
 #include "epc/half_plane/root.hpp"
 #include "epc/options.hpp"
@@ -14,7 +14,7 @@ half_plane::Root find_root(const problem::Problem& problem, const Coordinates& c
                            const Options& options);
 
 /// Q_n, a polynomial of rho and v, as a function of amplitude and phase. The result refers to q.
-inline amplitude::Exponent on_circle(const Polynomial& q) {
+inline amplitude::Exponent polar_exponent(const Polynomial& q) {
   return [&q](double rho, double theta) { return q(rho, rho * std::sin(theta)); };
 }
 

@@ -5,11 +5,11 @@
 #include <span>
 #include <string_view>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "epc/form/polynomial.hpp"
 #include "epc/form/rays.hpp"
 #include "problem/frame.hpp"
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::epc {
 
@@ -21,12 +21,12 @@ enum class Variables {
   /// amplitude and velocity, contact::Coordinates: p(y, v) = C exp Q(rho, v) / (rho^2/2); an atom
   contact
 };
-inline constexpr base::Named<Variables> kVariablesNames[] = {
+inline constexpr base::EnumEntry<Variables> kVariablesNames[] = {
     {Variables::plane, "x1,x2"},
     {Variables::physical, "y,v"},
     {Variables::polar, "amplitude,phase"},
     {Variables::contact, "amplitude,velocity"}};
-constexpr std::span<const base::Named<Variables>> names(Variables) { return kVariablesNames; }
+constexpr std::span<const base::EnumEntry<Variables>> names(Variables) { return kVariablesNames; }
 constexpr std::string_view name(Variables variables) { return base::name_of(variables); }
 
 /// Box outside of which the density is 0.
@@ -59,13 +59,13 @@ struct ClosedForm {
 };
 
 /// Whether metrics, from epc/summary.hpp or a file written by hand, contain a closed form.
-bool has_closed_form(const transform::Observations& observations);
+bool has_closed_form(const transform::Metrics& metrics);
 
 /// Reads a closed form. Keys: `coordinates`, `coefficients[k].{x1,x2,a}`, `log_C` or `C`, and
 ///  - for the support: `support.{sigma1,sigma2}`, `support.energy` with `tail.{kind,level}`, or
 ///    `support.{y_max,v_max}` with `support.y_min` if that is not 0;
 ///  - `frame.{origin,mirrored}` if the coordinates are not the physical ones.
 /// @throws InputError on one line: the missing or invalid key, without the file's name
-ClosedForm closed_form_in(const transform::Observations& observations);
+ClosedForm read_closed_form(const transform::Metrics& metrics);
 
 }  // namespace fpkcheck::epc

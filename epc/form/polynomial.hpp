@@ -23,7 +23,7 @@ class Polynomial {
   double operator()(double x1, double x2) const;
 
   /// Coefficients of rho -> Q_n(rho e1, rho e2): entry m multiplies rho^m, m = 0 .. degree.
-  std::vector<double> along(double e1, double e2) const;
+  std::vector<double> restriction_to_ray(double e1, double e2) const;
 
  private:
   std::vector<Term> terms_;

@@ -24,7 +24,7 @@ using Ray = std::vector<double>;
 
 /// Step and upper limit of radial scans, in deviations.
 inline constexpr double kRadialStep = 0.1;
-inline constexpr double kFarthest = 15;
+inline constexpr double kLargestRadius = 15;
 
 /// Directions at equal angles over the whole circle. Those on the axes are exact, so that a term
 /// that vanishes on an axis evaluates to 0.
@@ -32,7 +32,7 @@ const std::vector<Direction>& directions();
 
 /// Number of leading entries of directions() in which Q_n differs. If all degrees of Q_n are even,
 /// opposite directions are equivalent and half of the entries suffice.
-std::size_t distinct_directions(const Polynomial& q);
+std::size_t distinct_direction_count(const Polynomial& q);
 
 Ray ray(const Polynomial& q, const Deviations& sigma, const Direction& direction);
 

@@ -33,7 +33,7 @@ Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
 }  // namespace
 
 Deviations deviations(const problem::Problem& problem) {
-  if (!problem::of_the_paper(problem)) {
+  if (!problem::is_paper_oscillator(problem)) {
     const auto scales = problem::scales(problem);
     return {std::hypot(scales.displacement_deviation, scales.centre), scales.velocity_deviation};
   }
@@ -80,15 +80,15 @@ BasisTable Basis::table(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) co
           .d2222 = in_x2(4)};
 }
 
-Polynomial Basis::polynomial(const Eigen::VectorXd& scaled) const {
+Polynomial Basis::polynomial(const Eigen::VectorXd& scaled_coefficients) const {
   std::vector<Term> terms;
   for (Eigen::Index s = 0; s < size(); ++s) {
-    terms.push_back({members_[s].p, members_[s].q, scaled[s] / members_[s].norm});
+    terms.push_back({members_[s].p, members_[s].q, scaled_coefficients[s] / members_[s].norm});
   }
   return Polynomial(std::move(terms));
 }
 
-Eigen::VectorXd Basis::scaled(const std::vector<Term>& terms) const {
+Eigen::VectorXd Basis::scaled_coefficients(const std::vector<Term>& terms) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
   for (Eigen::Index s = 0; s < size(); ++s) {
     for (const auto& [p, q, a] : terms) {

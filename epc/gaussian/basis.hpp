@@ -41,9 +41,9 @@ class Basis {
   BasisTable table(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
 
   /// Q_n in physical monomials, from its coefficients in the basis.
-  Polynomial polynomial(const Eigen::VectorXd& scaled) const;
+  Polynomial polynomial(const Eigen::VectorXd& scaled_coefficients) const;
   /// Coefficients of a polynomial in the basis; terms outside the basis are ignored.
-  Eigen::VectorXd scaled(const std::vector<Term>& terms) const;
+  Eigen::VectorXd scaled_coefficients(const std::vector<Term>& terms) const;
 
  private:
   /// Basis functions as products of columns: powers of x1 and of x2, or their derivatives.

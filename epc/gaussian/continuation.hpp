@@ -21,7 +21,8 @@ FollowedBranch follow_branch(const Projection& projection, const ResidualCoeffic
 
 /// Follows Newton's homotopy from a root of the equations of lower order to a root of all
 /// equations.
-numerics::NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
-                                     const Eigen::VectorXd& start, double tolerance);
+numerics::NewtonResult follow_newton_homotopy(const Projection& projection,
+                                              const ResidualCoefficients& f,
+                                              const Eigen::VectorXd& start, double tolerance);
 
 }  // namespace fpkcheck::epc::gaussian

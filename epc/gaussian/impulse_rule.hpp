@@ -1,6 +1,6 @@
 #pragma once
 
-#include "epc/gaussian/rules.hpp"
+#include "epc/gaussian/quadrature_rules.hpp"
 
 namespace fpkcheck::problem {
 class ImpulseLaw;
@@ -12,10 +12,10 @@ namespace fpkcheck::epc::gaussian {
 /// gaussian, Laguerre on either side for laplace, Laguerre for exponential, Legendre for uniform,
 /// the atoms for two_point, and piecewise_impulse_rule for any other law.
 /// @param points number of points, on each side for laplace; unused for atoms and piecewise rules
-Rule impulse_rule(const problem::ImpulseLaw& law, int points);
+QuadratureRule impulse_rule(const problem::ImpulseLaw& law, int points);
 
 /// Quadrature rule for E[g(Y)] for any law: its atoms, and Gauss-Legendre panels on its density.
 /// The panels end where the density is not smooth.
-Rule piecewise_impulse_rule(const problem::ImpulseLaw& law);
+QuadratureRule piecewise_impulse_rule(const problem::ImpulseLaw& law);
 
 }  // namespace fpkcheck::epc::gaussian

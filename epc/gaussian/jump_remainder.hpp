@@ -25,7 +25,7 @@ namespace fpkcheck::epc::gaussian {
 class JumpRemainder {
  public:
   static constexpr double kRadius = 5.5;
-  static constexpr double kReach = 2;  ///< width of the margin around the disc, in deviations
+  static constexpr double kJumpMargin = 2;  ///< width of the margin around the disc, in deviations
 
   JumpRemainder(const Basis& basis, const problem::ImpulseTrain& impulses, double radius = kRadius);
 
@@ -38,7 +38,7 @@ class JumpRemainder {
  private:
   int side(Eigen::Index i) const { return nodes_.x1(i) > 0 ? 1 : -1; }
   /// Weights times exp(Q after the jump - Q before) for each node and jump.
-  Eigen::VectorXd gains(const Eigen::VectorXd& a) const;
+  Eigen::VectorXd density_ratios(const Eigen::VectorXd& a) const;
 
   double rate_;
   RateMoments series_;  ///< coefficients of the subtracted series

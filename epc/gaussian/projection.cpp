@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "epc/gaussian/rules.hpp"
+#include "epc/gaussian/quadrature_rules.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -17,7 +17,7 @@ int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + 
 int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
 int impact_degree(int n) { return n + n; }
 
-PlaneRule product(const Rule& u1, const Rule& u2, const Deviations& sigma) {
+PlaneRule product(const QuadratureRule& u1, const QuadratureRule& u2, const Deviations& sigma) {
   PlaneRule rule;
   for (std::size_t i = 0; i < u1.nodes.size(); ++i) {
     for (std::size_t j = 0; j < u2.nodes.size(); ++j) {
@@ -28,7 +28,7 @@ PlaneRule product(const Rule& u1, const Rule& u2, const Deviations& sigma) {
 }
 
 // int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
-PlaneRule along_wall(const Rule& absolute, const Deviations& sigma) {
+PlaneRule along_wall(const QuadratureRule& absolute, const Deviations& sigma) {
   const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
   PlaneRule rule;
   for (std::size_t j = 0; j < absolute.nodes.size(); ++j) {
@@ -46,7 +46,7 @@ ProjectionNodes nodes(const PlaneRule& rule, const Basis& basis) {
 // Values of a part of F at the nodes.
 template <class Part>
 Eigen::VectorXd values(const ProjectionNodes& nodes, const Eigen::VectorXd& a, const Part& part) {
-  const std::vector<Derivatives> q = nodes.of_q(a);
+  const std::vector<Derivatives> q = nodes.exponent_derivatives(a);
   return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
 }
 
@@ -54,7 +54,7 @@ Eigen::VectorXd values(const ProjectionNodes& nodes, const Eigen::VectorXd& a, c
 template <class Gradient>
 std::vector<Derivatives> gradients(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
                                    const Gradient& gradient) {
-  std::vector<Derivatives> q = nodes.of_q(a);
+  std::vector<Derivatives> q = nodes.exponent_derivatives(a);
   for (Eigen::Index i = 0; i < nodes.size(); ++i) q[i] = gradient(i, q[i]);
   return q;
 }
@@ -98,7 +98,7 @@ Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
       return signed_part(f, signed_.x1(i), q);
     }));
   }
-  if (f.jump_share != 0) result += f.jump_share * jump_.value().projection(a);
+  if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().projection(a);
   return result + impact_.project(values(impact_, a, [&](Eigen::Index i, const Derivatives& q) {
     return impact_part(f, impact_.x2(i), q);
   }));
@@ -122,7 +122,7 @@ Eigen::MatrixXd Projection::jacobian(const ResidualCoefficients& f,
           return signed_gradient(f, signed_.x1(i), q);
         }));
   }
-  if (f.jump_share != 0) result += f.jump_share * jump_.value().jacobian(a);
+  if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().jacobian(a);
   return result +
          impact_.project_gradients(gradients(impact_, a, [&](Eigen::Index i, const Derivatives&) {
            return impact_gradient(f, impact_.x2(i));

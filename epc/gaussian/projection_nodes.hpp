@@ -16,7 +16,7 @@ struct PlaneRule {
   void add(double at_x1, double at_x2, double weight);
 };
 
-/// Rule for integrands even under (x1, x2) -> (-x1, -x2): one point of each pair, with both
+/// QuadratureRule for integrands even under (x1, x2) -> (-x1, -x2): one point of each pair, with both
 /// weights.
 /// @pre the rule has this symmetry up to rounding
 PlaneRule folded(const PlaneRule& rule);
@@ -32,7 +32,7 @@ class ProjectionNodes {
   const BasisTable& basis() const { return basis_; }
 
   /// Derivatives of Q_n at each point, for scaled coefficients a.
-  std::vector<Derivatives> of_q(const Eigen::VectorXd& a) const;
+  std::vector<Derivatives> exponent_derivatives(const Eigen::VectorXd& a) const;
 
   /// Projection: sum_i w_i values_i phi_s(x_i) in row s.
   Eigen::VectorXd project(const Eigen::VectorXd& values) const;

@@ -25,7 +25,7 @@ struct ResidualCoefficients {
   /// Factor of JumpRemainder: the jump integral
   /// lambda ( E[exp(Q(x1, x2 - sgn(x1) Y) - Q)] - 1 ) minus its Kramers-Moyal series up to the
   /// fourth derivative. 1 for `kf`, else 0.
-  double jump_share;
+  double jump_fraction;
   /// True: Zhuravlev's plane (z, z'), folded at a wall. False: the plane (y, y') without a wall,
   /// with all of g in odd_force, even_force 0, the damping f = y' (damping_polynomial(y) + rayleigh
   /// y'^2), and F = unfolded_part().
@@ -42,7 +42,7 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem,
 /// Coefficients on a linear homotopy from white noise with elastic impacts (fraction 0) to the full
 /// problem (fraction 1): 1-r, lambda E[Y], E[Y^3], E[Y^4] and jump_fraction are multiplied by the
 /// fraction. At fraction 0 the density is C exp( -(c/D2)(x2^2/2 + U(|x1|)) ).
-ResidualCoefficients partway(const ResidualCoefficients& full, double fraction);
+ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction);
 
 /// Derivatives of Q_n at a point; q22 is the second derivative in x2, and so on.
 struct Derivatives {

@@ -14,7 +14,7 @@ struct Problem;
 namespace fpkcheck::epc::gaussian {
 
 /// Result of the search for a root of (23).
-struct Search {
+struct RootSearchResult {
   std::optional<Polynomial> root;  ///< Q_n
   double residual = 0;             ///< residual of the root, or the smallest residual
   double condition = 0;            ///< condition number of the Jacobian in the scaled unknowns
@@ -36,6 +36,6 @@ struct Search {
 ///  3. damped Newton steps from the root of order n-2;
 ///  4. the branch from the exact density under white noise with elastic impacts;
 ///  5. Newton's homotopy from the root of order n-2.
-Search find_root(const problem::Problem& problem, const Options& options);
+RootSearchResult find_root(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc::gaussian

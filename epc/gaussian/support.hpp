@@ -40,7 +40,7 @@ class Support {
   double cut_off() const { return cut_off_; }
 
  private:
-  void measure(const std::vector<Ray>& rays);
+  void compute_integrals(const std::vector<Ray>& rays);
 
   Deviations sigma_;
   std::vector<double> radius_;  // radius of the edge in each direction of directions()

@@ -5,7 +5,7 @@
 
 #include "epc/form/polynomial.hpp"
 #include "epc/half_plane/orthonormal_polynomials.hpp"
-#include "epc/half_plane/points.hpp"
+#include "epc/half_plane/quadrature_points.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
@@ -20,13 +20,13 @@ class Basis {
 
   /// @param points quadrature points of the domain
   /// @param mass of the approximate density at each point, with sum 1
-  Basis(int order, const Points& points, const Eigen::VectorXd& mass);
+  Basis(int order, const QuadraturePoints& points, const Eigen::VectorXd& mass);
 
   int order() const { return order_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
   const std::vector<Member>& members() const { return members_; }
-  const OrthonormalPolynomials& of_s() const { return of_s_; }
-  const OrthonormalPolynomials& of_t() const { return of_t_; }
+  const OrthonormalPolynomials& polynomials_in_s() const { return of_s_; }
+  const OrthonormalPolynomials& polynomials_in_t() const { return of_t_; }
 
   /// Values at points: shape (points, size()).
   Eigen::MatrixXd values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const;

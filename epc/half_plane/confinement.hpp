@@ -22,7 +22,7 @@ struct Confinement {
     return std::isfinite(level) ? -std::pow(energy / level, kPower) : 0;
   }
   /// Energy beyond which the density is neglected, in units of the level.
-  static double reach() { return std::pow(kNegligible, 1.0 / kPower); }
+  static double support_ratio() { return std::pow(kNegligible, 1.0 / kPower); }
 };
 
 }  // namespace fpkcheck::epc::half_plane

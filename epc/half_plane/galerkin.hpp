@@ -9,15 +9,15 @@ namespace fpkcheck::epc::half_plane {
 /// Tables of the members phi_k of a basis at quadrature points on the half-plane y >= 0, with the
 /// generator of the impact process applied to them.
 struct GalerkinTables {
-  Eigen::VectorXd weight;     ///< quadrature weights of the interior points
-  Eigen::MatrixXd members;    ///< phi, shape (points, members)
-  Eigen::MatrixXd generated;  ///< L*phi, mean rate of change of phi between impacts
-  Eigen::VectorXd confined;   ///< term of the confinement
+  Eigen::VectorXd weight;             ///< quadrature weights of the interior points
+  Eigen::MatrixXd members;            ///< phi, shape (points, members)
+  Eigen::MatrixXd generator_terms;    ///< L*phi, mean rate of change of phi between impacts
+  Eigen::VectorXd confinement_terms;  ///< term of the confinement
 
   Eigen::VectorXd wall_weight;   ///< weights of the points on the wall before impact, y = 0, v < 0
   Eigen::MatrixXd wall_members;  ///< phi on the wall
-  Eigen::MatrixXd rebounds;      ///< |v| [phi(0,-r v) - phi(0,v)]
-  Eigen::VectorXd wall_confined;
+  Eigen::MatrixXd impact_terms;  ///< |v| [phi(0,-r v) - phi(0,v)]
+  Eigen::VectorXd wall_confinement_terms;
 };
 
 /// The Galerkin equations of a density p = C exp(sum_k a_k phi_k + confinement) on y >= 0,
@@ -55,7 +55,7 @@ class Galerkin {
   Eigen::VectorXd fit(const Eigen::VectorXd& exponent, const Eigen::VectorXd& mass) const;
 
  private:
-  Eigen::MatrixXd centred(const Eigen::MatrixXd& members, const Density& density) const;
+  Eigen::MatrixXd centred_members(const Eigen::MatrixXd& members, const Density& density) const;
 
   GalerkinTables tables_;
 };

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "epc/half_plane/galerkin.hpp"
-#include "numerics/roots/arclength.hpp"
+#include "numerics/roots/continuation.hpp"
 #include "numerics/roots/newton.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -17,8 +17,8 @@ numerics::NewtonResult newton(const Galerkin& equations, const Eigen::VectorXd& 
 
 /// Newton's homotopy from the start, past folds. It serves starts from which damped Newton steps
 /// end at a singular Jacobian. The caller refines the end by Newton's method.
-/// @param give_up called before each step; true ends the path (deadline)
-numerics::Curve follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start,
-                                const std::function<bool()>& give_up = {});
+/// @param should_stop called before each step; true ends the path (deadline)
+numerics::SolutionCurve follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start,
+                                        const std::function<bool()>& should_stop = {});
 
 }  // namespace fpkcheck::epc::half_plane

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "epc/half_plane/closure_formulation.hpp"
 #include "epc/half_plane/root.hpp"
-#include "epc/half_plane/setting.hpp"
 #include "epc/options.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -17,6 +17,6 @@ Confinement confinement_of(double level, Tail tail);
 /// Each order uses the first confinement level at which the density has decayed, else the level
 /// with the smallest decay ratio. The requested order is refined until the quadrature resolves the
 /// root.
-Root find_root(const Setting& setting, const Options& options);
+Root find_root(const ClosureFormulation& formulation, const Options& options);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -21,16 +21,16 @@ class AveragedExponent {
   double temperature() const { return temperature_; }
   /// Smallest energy above which Phi exceeds a depth. Energies are relative to min V
   /// (EnergyDomain).
-  double energy_at(double depth) const;
+  double energy_at_depth(double depth) const;
   /// Energy below which 95 % of the probability lies.
-  double bulk() const { return bulk_; }
+  double bulk_energy() const { return bulk_; }
   /// Largest energy with several wells; 0 for a single well.
-  double barrier() const { return barrier_; }
+  double barrier_energy() const { return barrier_; }
 
  private:
   using Band = problem::EnergyAveraging::Band;
   explicit AveragedExponent(const problem::EnergyAveraging& averaging);
-  const Band& holding(double y, double energy) const;
+  const Band& band_at(double y, double energy) const;
   double slope_above(const Band& band) const;
 
   numerics::Polynomial potential_;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "epc/half_plane/points.hpp"
+#include "epc/half_plane/quadrature_points.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "problem/undamped_orbits.hpp"
 
@@ -28,13 +28,15 @@ class EnergyDomain {
 
   double level() const { return level_; }
   /// h(y, v) above
-  double energy(double y, double v) const { return v * v / 2 + (potential_(y) - least_); }
+  double energy(double y, double v) const {
+    return v * v / 2 + (potential_(y) - lowest_potential_);
+  }
   bool contains(double y, double v) const {
     return y >= wall_low_ && y <= wall_high_ && energy(y, v) <= level_;
   }
 
   /// Intervals of y in increasing order.
-  const std::vector<problem::Swing>& parts() const { return parts_; }
+  const std::vector<problem::HalfCycle>& parts() const { return parts_; }
   double y_low() const { return parts_.front().left; }  ///< position of a wall inside the domain
   double y_max() const { return parts_.back().right; }
   /// Lower end in y of densities on the domain: y_low(), or 0 in the paper's class.
@@ -46,29 +48,29 @@ class EnergyDomain {
   /// Gauss-Legendre points in phi and tau, y = a + b sin(phi), v = half_width(y) tau, on each part.
   /// The map removes the square root at the turning points of y: smooth integrands converge
   /// geometrically. The coordinates s and t of the points are y and v.
-  half_plane::Points rule(int y_points, int v_points) const;
+  half_plane::QuadraturePoints quadrature_points(int y_points, int v_points) const;
   /// Gauss-Legendre points on the left wall before impact, -half_width < v < 0. Empty without a
   /// left wall inside the domain.
-  half_plane::Line wall_rule(int points) const;
+  half_plane::QuadratureRule wall_rule(int points) const;
   /// Likewise on the right wall before impact, 0 < v < half_width.
-  half_plane::Line right_wall_rule(int points) const;
+  half_plane::QuadratureRule right_wall_rule(int points) const;
 
  private:
-  struct Map {
-    double centre, reach;  // y = centre + reach sin(phi)
-    double first, last;    // limits of phi
+  struct SineMap {
+    double centre, half_length;  // y = centre + half_length sin(phi)
+    double first, last;          // limits of phi
   };
-  void part_from_the_wall_at_0(const problem::Problem& problem);
-  void parts_between(const problem::Problem& problem);
+  void add_part_at_wall(const problem::Problem& problem);
+  void add_parts_between_walls(const problem::Problem& problem);
   double turning_point(double from, double towards) const;
-  double continued(double wall, double far) const;
-  Map map_of(const problem::Swing& part) const;
+  double continued_turning_point(double wall, double far) const;
+  SineMap sine_map_of(const problem::HalfCycle& part) const;
 
   numerics::Polynomial potential_;  // V
   double level_;
-  double least_ = 0;  // min V
+  double lowest_potential_ = 0;  // min V
   double wall_low_, wall_high_;
-  std::vector<problem::Swing> parts_;
+  std::vector<problem::HalfCycle> parts_;
   bool at_equilibrium_;  // the paper's class: one wall at y = 0, the equilibrium of the spring
   double minimum_ = 0;   // in the paper's class: minimiser of V on y >= 0
 };

@@ -26,6 +26,6 @@ namespace fpkcheck::epc::moment {
 half_plane::Equations equations(const problem::Problem& problem,
                                 const std::vector<double>& rate_moment, const EnergyDomain& domain,
                                 const half_plane::Confinement& confinement, half_plane::Basis basis,
-                                half_plane::Points points, int wall_points);
+                                half_plane::QuadraturePoints points, int wall_points);
 
 }  // namespace fpkcheck::epc::moment

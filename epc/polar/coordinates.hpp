@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "epc/half_plane/points.hpp"
+#include "epc/half_plane/quadrature_points.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::problem {
@@ -29,25 +29,25 @@ class Coordinates {
  public:
   explicit Coordinates(const problem::Problem& problem);
 
-  double w(double y) const { return y * root_of_share(y); }
+  double w(double y) const { return y * w_over_y(y); }
   /// dw/dy > 0
-  double slope(double y) const { return pull_(y) / root_of_share(y); }
+  double slope(double y) const { return potential_slope_ratio_(y) / w_over_y(y); }
   /// Inverse of w: y from w(y).
   double y(double w) const;
   double rho(double y, double v) const { return std::hypot(w(y), v); }
   double theta(double y, double v) const { return std::atan2(v, w(y)); }
   /// g(y) / w(y), which equals dw/dy if K = k.
-  double force_by_w(double y) const { return force_(y) / root_of_share(y); }
+  double force_over_w(double y) const { return force_ratio_(y) / w_over_y(y); }
 
  private:
   /// w(y) / y
-  double root_of_share(double y) const { return std::sqrt(share_(y)); }
+  double w_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
   /// Upper estimate of y(w), close to y(w).
-  double bound(double w) const;
+  double displacement_bound(double w) const;
 
-  numerics::Polynomial share_;  // 2 V(y) / y^2
-  numerics::Polynomial pull_;   // V'(y) / y
-  numerics::Polynomial force_;  // g(y) / y
+  numerics::Polynomial potential_ratio_;        // 2 V(y) / y^2
+  numerics::Polynomial potential_slope_ratio_;  // V'(y) / y
+  numerics::Polynomial force_ratio_;            // g(y) / y
 };
 
 /// Gauss-Legendre points in rho and theta, the coordinates s and t of the points. A jump at the
@@ -55,7 +55,8 @@ class Coordinates {
 /// @param breaks increasing amplitudes between 0 and rho_max at which the integrand may change
 ///   abruptly on the wall; panels end there
 /// @param size s: number of points in rho, with additional points at the breaks; t: in theta
-half_plane::Points rule(const Coordinates& coordinates, double rho_max,
-                        const std::vector<double>& breaks, const half_plane::QuadratureSize& size);
+half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
+                                               const std::vector<double>& breaks,
+                                               const half_plane::QuadratureSize& size);
 
 }  // namespace fpkcheck::epc::polar

@@ -26,11 +26,11 @@ namespace fpkcheck::epc::polar {
 /// @param wall_points number of quadrature points on the wall
 half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
                                 double rho_max, const half_plane::Confinement& confinement,
-                                half_plane::Basis basis, half_plane::Points points,
+                                half_plane::Basis basis, half_plane::QuadraturePoints points,
                                 int wall_points);
 
 /// Amplitudes below rho_max from which an atom of the law may stop the mass at the wall. There the
 /// mean over the impulses has the jump of phi at the origin. Empty for a law with a density.
-std::vector<double> breaks_of(const problem::ImpulseLaw& law, double rho_max);
+std::vector<double> amplitude_breaks(const problem::ImpulseLaw& law, double rho_max);
 
 }  // namespace fpkcheck::epc::polar

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 #include "epc/half_plane/root.hpp"
 #include "epc/options.hpp"
 #include "epc/polar/coordinates.hpp"
@@ -12,7 +12,7 @@ half_plane::Root find_root(const problem::Problem& problem, const Coordinates& c
                            const Options& options);
 
 /// Q_n, a polynomial of rho and theta, as a function of both. The result refers to q.
-inline amplitude::Exponent on_circle(const Polynomial& q) {
+inline amplitude::Exponent polar_exponent(const Polynomial& q) {
   return [&q](double rho, double theta) { return q(rho, theta); };
 }
 

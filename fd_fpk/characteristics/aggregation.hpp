@@ -17,23 +17,23 @@ class Aggregation {
  public:
   /// Blocks with about equal numbers of cells, no more than `max_blocks` in total; v = 0 separates
   /// two blocks.
-  Aggregation(const Grid& grid, int atoms, int most);
+  Aggregation(const Grid& grid, int atoms, int max_blocks);
 
   /// The grid of the blocks.
   const Grid& blocks() const { return blocks_; }
 
   /// @param step one step of the chain on masses of the blocks
-  void set_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step);
+  void set_block_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step);
   /// Sets the weights that distribute the mass of a block over its cells: proportional to these
   /// masses, and uniform where they are zero.
-  void spread_like(const Eigen::VectorXd& masses);
+  void set_disaggregation_weights(const Eigen::VectorXd& masses);
 
   /// Replaces the residual r of (1 - A + start 1^T) d = r by an approximate d: the solution on the
   /// blocks, and the residual itself inside each block.
   void correct(Eigen::Ref<Eigen::VectorXd> masses) const;
 
  private:
-  Eigen::VectorXd aggregated(const Eigen::Ref<const Eigen::VectorXd>& masses) const;
+  Eigen::VectorXd aggregate(const Eigen::Ref<const Eigen::VectorXd>& masses) const;
 
   const Grid& grid_;
   int atoms_;

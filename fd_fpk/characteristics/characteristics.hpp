@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fd_fpk/characteristics/flow.hpp"
-#include "fd_fpk/characteristics/rest.hpp"
+#include "fd_fpk/characteristics/rest_points.hpp"
 #include "fd_fpk/operator/grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/impulse_law.hpp"
@@ -16,9 +16,9 @@ namespace fpkcheck::fd_fpk {
 /// The part of a characteristic inside a cell.
 struct Visit {
   std::int32_t cell;
-  float ended;        ///< probability that an impulse ends the visit: 1 - exp(-lambda duration)
-  float ended_begun;  ///< its average over starting points along the visit
-  double share;       ///< fraction of the cell's area covered by the strip of this visit
+  float ended;  ///< probability that an impulse ends the visit: 1 - exp(-lambda duration)
+  float mean_end_probability;  ///< its average over starting points along the visit
+  double share;                ///< fraction of the cell's area covered by the strip of this visit
   double y, v;  ///< mean position of the visit, relative to the mean over all visits of the cell
 };
 
@@ -34,7 +34,7 @@ struct Landing {
   /// The two characteristics from that wall whose speeds enclose r times the impact speed, and the
   /// fraction of the faster; the fractions conserve E[v^2].
   int faster = 0, slower = 0;
-  double to_faster = 0;
+  double faster_fraction = 0;
   std::optional<int> rest = {};    ///< index of the rest point
   std::optional<Cascade> cascade;  ///< the impacts that lead to rest in contact
 };
@@ -52,7 +52,7 @@ struct Track {
 /// at once.
 struct Emission {
   std::vector<double> shares;  ///< fractions for from_walls()
-  double stays = 0;            ///< fraction with a speed below that of all characteristics
+  double rest_fraction = 0;    ///< fraction with a speed below that of all characteristics
   /// Momentum and energy of the immediate impacts, per impulse.
   double momentum = 0, energy = 0;
 };
@@ -66,7 +66,7 @@ class Characteristics {
   /// @param per_cell number of characteristics that start in each cell at the boundary
   /// @param deadline time at which the construction ends
   Characteristics(const problem::System& system, const Grid& grid, double rate, int per_cell,
-                  const Deadline& given_up = Deadline::none());
+                  const Deadline& deadline = Deadline::none());
 
   /// Characteristics that start at the boundary of the box, or in a cell that no other
   /// characteristic crosses. Their mass continues on characteristics from the walls.
@@ -77,7 +77,7 @@ class Characteristics {
   const std::vector<Visit>& visits() const { return visits_; }
   /// Reason why the plane is not covered; empty when it is.
   std::string failure() const;
-  const std::vector<RestPlace>& rest_places() const { return rest_; }
+  const std::vector<RestPoint>& rest_points() const { return rest_; }
   /// The rest points in contact, as indices of rest_points().
   const std::vector<int>& contacts() const { return contacts_; }
   const std::optional<problem::Wall>& wall(Side side) const { return flow_.wall(side); }
@@ -96,24 +96,24 @@ class Characteristics {
 
   Fan& fan(Side side) { return side == Side::left ? from_left_ : from_right_; }
   const Fan& fan(Side side) const { return side == Side::left ? from_left_ : from_right_; }
-  void lay_from_box(int per_cell);
-  void lay_from_wall(Side side, int per_cell);
+  void trace_from_box(int per_cell);
+  void trace_from_wall(Side side, int per_cell);
   void sort_from_walls();
-  void lay_through_gaps();
+  void trace_through_gaps();
   Track follow(const State& from, double flux);
   bool ended() const { return out_of_time_ || visits_.size() > kMostVisits; }
-  std::optional<int> rest_within(const State& at) const;
+  std::optional<int> equilibrium_containing(const State& at) const;
   void cross(Position& at, const State& to, double time);
   void land(Side side, double speed, Landing& landing) const;
-  void share_areas();
+  void normalise_areas();
   void find_landings(std::vector<Track>& tracks) const;
 
   const Grid& grid_;
-  Deadline given_up_;
+  Deadline deadline_;
   bool out_of_time_ = false;
   Flow flow_;
   double rate_;
-  std::vector<RestPlace> rest_;
+  std::vector<RestPoint> rest_;
   std::vector<int> contacts_;
   std::vector<bool> at_rest_;  // for each cell
   std::vector<Visit> visits_;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "fd_fpk/characteristics/passage.hpp"
+#include "fd_fpk/characteristics/transport_operator.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/problem.hpp"
 #include "problem/scales.hpp"
@@ -21,7 +21,7 @@ struct StationaryMasses {
   double residual = 0;  ///< ||J T q - q||_1 of the density q after impulses, normalised to mass 1
   long iterations = 0;  ///< iterations of GMRES
   std::string failure = {};
-  std::vector<RestPlace> rest = {};  ///< rest points of the characteristics
+  std::vector<RestPoint> rest = {};  ///< rest points of the characteristics
   long visits = 0;                   ///< number of cell visits of all characteristics
 };
 

@@ -22,8 +22,8 @@ struct GmresResult {
 /// @param deadline time limit of the iteration
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory), and every exception of
 /// `a` and `approximate_solve`
-GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eigen::VectorXd& b,
-                  const Eigen::VectorXd& weights, double tolerance,
+GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
+                  const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
                   const Deadline& deadline = Deadline::none());
 
 }  // namespace fpkcheck::fd_fpk

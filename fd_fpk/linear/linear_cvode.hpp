@@ -21,11 +21,11 @@ struct LinearSystem {
 LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
 
 /// Thrown inside a step at its deadline: one step may take as long as many products.
-struct OutOfTime {};
+struct DeadlineExceeded {};
 
 /// The same system with products that throw DeadlineExceeded after the deadline.
 /// @param deadline must outlive the returned system
-LinearSystem within(const Deadline& deadline, LinearSystem system);
+LinearSystem with_deadline(const Deadline& deadline, LinearSystem system);
 
 /// Step control of CVODE; absent values are the defaults of CVODE.
 struct BdfControl {
@@ -37,10 +37,10 @@ struct BdfControl {
   /// Replaces the absolute tolerance by a value for each cell: shape of the start.
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
-  std::optional<double> longest_step = {};
+  std::optional<double> max_step = {};
   std::optional<double> step_growth = {};  ///< largest ratio of successive steps
   std::optional<double> stop_time = {};    ///< upper limit of the time of a step
-  std::optional<long> most_steps = {};     ///< maximum number of steps up to a requested time
+  std::optional<long> max_steps = {};      ///< maximum number of steps up to a requested time
   std::optional<long> steps_per_factorisation = {};  ///< maximum, for a constant gamma
 };
 
@@ -54,7 +54,7 @@ class LinearCvode {
   LinearCvode(const LinearCvode&) = delete;
   LinearCvode& operator=(const LinearCvode&) = delete;
 
-  struct Reached {
+  struct StepResult {
     int flag;  ///< flag of CVODE; negative: it stopped, see message()
     double time;
   };
@@ -62,10 +62,10 @@ class LinearCvode {
   void set_linear_tolerance(double tolerance);
   /// One internal step.
   /// @throws every exception of the system
-  Reached step();
+  StepResult step();
   /// Advances to `time`; the averages are interpolated there.
   /// @throws every exception of the system
-  Reached advance(double time);
+  StepResult advance(double time);
 
   Eigen::Map<const Eigen::VectorXd> averages() const;
   /// The last error message of CVODE.
@@ -79,7 +79,7 @@ class LinearCvode {
 
  private:
   struct Handles;
-  Reached run(double time, int task);
+  StepResult run(double time, int task);
   std::unique_ptr<Handles> handles_;
 };
 

@@ -28,7 +28,7 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
 /// unstable operators, which no simple preconditioner approximates. A solver without a test of
 /// well-posedness would return this vector.
 /// @param frequency of the oscillator: the unit of residuals
-NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::VectorXd& start,
-                                double frequency);
+NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
+                                            const Eigen::VectorXd& start, double frequency);
 
 }  // namespace fpkcheck::fd_fpk

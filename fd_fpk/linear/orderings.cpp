@@ -47,29 +47,29 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
 
 /// Key of a sparsity pattern. A hash collision of two patterns with equal sizes would cause a less
 /// efficient ordering, and no error.
-struct Pattern {
+struct SparsityPattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
 
-  explicit Pattern(const SparseColumns& matrix)
+  explicit SparsityPattern(const SparseColumns& matrix)
       : unknowns(matrix.cols()), entries(matrix.nonZeros()), hash(0) {
     boost::hash_range(hash, matrix.outerIndexPtr(), matrix.outerIndexPtr() + unknowns + 1);
     boost::hash_range(hash, matrix.innerIndexPtr(), matrix.innerIndexPtr() + entries);
   }
-  bool operator==(const Pattern&) const = default;
+  bool operator==(const SparsityPattern&) const = default;
 };
 
 /// Cache of the most recent orderings.
-class Kept {
+class OrderingCache {
  public:
-  std::vector<std::int64_t> find(const Pattern& pattern) {
+  std::vector<std::int64_t> find(const SparsityPattern& pattern) {
     const std::lock_guard lock(mutex_);
     const auto found = std::ranges::find(orders_, pattern, &Entry::first);
     if (found == orders_.end()) return {};
     orders_.splice(orders_.begin(), orders_, found);
     return found->second;
   }
-  void put(const Pattern& pattern, const std::vector<std::int64_t>& order) {
+  void put(const SparsityPattern& pattern, const std::vector<std::int64_t>& order) {
     const std::lock_guard lock(mutex_);
     orders_.emplace_front(pattern, order);
     unknowns_ += order.size();
@@ -82,7 +82,7 @@ class Kept {
  private:
   static constexpr std::size_t kMostUnknowns = 4'000'000;  // 32 MB
 
-  using Entry = std::pair<Pattern, std::vector<std::int64_t>>;
+  using Entry = std::pair<SparsityPattern, std::vector<std::int64_t>>;
   std::mutex mutex_;
   std::list<Entry> orders_;  // most recent first
   std::size_t unknowns_ = 0;
@@ -91,12 +91,13 @@ class Kept {
 }  // namespace
 
 std::vector<std::int64_t> ordering(const SparseColumns& matrix) {
-  static Kept& kept = *new Kept;  // never destroyed: threads may still use it at exit
-  const Pattern pattern(matrix);
-  auto order = kept.find(pattern);
+  static OrderingCache& cache =
+      *new OrderingCache;  // never destroyed: threads may still use it at exit
+  const SparsityPattern pattern(matrix);
+  auto order = cache.find(pattern);
   if (!order.empty()) return order;
   order = nested_dissection(matrix);
-  if (!order.empty()) kept.put(pattern, order);
+  if (!order.empty()) cache.put(pattern, order);
   return order;
 }
 

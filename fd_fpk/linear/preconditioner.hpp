@@ -23,7 +23,7 @@ class Preconditioner {
   /// preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order = 3);
-  /// @param loss problem::Scales::slowest_decay, where known
+  /// @param loss problem::Scales::slowest_decay_rate, where known
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order);
 
@@ -45,14 +45,14 @@ class Preconditioner {
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
-  bool factored_by_klu(const SparseColumns& matrix);
+  bool factor_with_klu(const SparseColumns& matrix);
 
   double loss_;
   SparseColumns approximation_;  // M, with its diagonal stored
   SparseColumns factored_;
   KluFactorisation klu_;
-  bool of_stationary_ = false;  // true if the factors are those of M
-  double multiple_ = 1;         // the requested matrix is this multiple of the factored matrix
+  bool are_stationary_ = false;  // true if the factors are those of M
+  double matrix_scale_ = 1;      // the requested matrix is this multiple of the factored matrix
   long factorisations_ = 0;
   double factor_seconds_ = 0;
 };

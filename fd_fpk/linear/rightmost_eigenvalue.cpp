@@ -33,7 +33,7 @@ class ShiftedInverse {
   void set_shift(double sigma) {
     // The pattern must not depend on the shift, since KLU reuses its ordering.
     ++factorisations_;
-    if (!klu_.factor(shifted(1, matrix_, -sigma))) throw std::runtime_error(klu_.failure());
+    if (!klu_.factor(scale_and_shift(1, matrix_, -sigma))) throw std::runtime_error(klu_.failure());
     sigma_ = sigma;
   }
   double shift() const { return sigma_; }
@@ -96,7 +96,7 @@ struct EigenPairs {
 };
 
 // The converged ones among the `count` eigenvalues of L that are dominant under the transform.
-EigenPairs largest(Transform& transform, int count, long restarts) {
+EigenPairs largest_eigenpairs(Transform& transform, int count, long restarts) {
   Spectra::GenEigsSolver<Transform> solver(transform, count, kBasis);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, restarts, kTolerance);
@@ -109,7 +109,7 @@ EigenPairs largest(Transform& transform, int count, long restarts) {
 
 // Union of both lists without duplicates, by decreasing real part; of each conjugate pair the value
 // in the upper half-plane.
-EigenPairs from_the_right(const EigenPairs& a, const EigenPairs& b, double unit) {
+EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double unit) {
   struct Pair {
     Complex value;
     Eigen::VectorXcd vector;
@@ -139,7 +139,7 @@ EigenPairs from_the_right(const EigenPairs& a, const EigenPairs& b, double unit)
 }
 
 // Number of eigenvalues of L, with conjugates, among the first `count` of a list.
-int with_conjugates(const EigenPairs& pairs, int count) {
+int count_with_conjugates(const EigenPairs& pairs, int count) {
   int all = 0;
   for (int k = 0; k < count; ++k) all += pairs.values[k].imag() > 0 ? 2 : 1;
   return all;
@@ -161,7 +161,8 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
     const double width = std::max(growth, kFastest * frequency);
     inverse.set_shift(std::max(growth, 0.0) + kRightOfGrowth * unit);
     Transform nearest(inverse);
-    EigenPairs found = from_the_right(largest(nearest, kNearest, kRestarts), {}, unit);
+    EigenPairs found =
+        merge_by_real_part(largest_eigenpairs(nearest, kNearest, kRestarts), {}, unit);
     if (static_cast<int>(found.values.size()) <= count) {
       throw std::runtime_error(fmt::format(
           "Arnoldi iteration: {} of {} eigenvalues converged in {} restarts; use another grid",
@@ -179,8 +180,8 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
       inverse.set_shift(m + width);
       Transform cayley = Transform::cayley(inverse, m);
       const EigenPairs right =
-          largest(cayley, with_conjugates(found, count) + kSpare, kTestRestarts);
-      const EigenPairs all = from_the_right(found, right, unit);
+          largest_eigenpairs(cayley, count_with_conjugates(found, count) + kSpare, kTestRestarts);
+      const EigenPairs all = merge_by_real_part(found, right, unit);
       for (confirmed = 0; confirmed < count; ++confirmed) {
         if (all.values[confirmed] != found.values[confirmed]) break;
       }

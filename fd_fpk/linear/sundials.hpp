@@ -43,9 +43,9 @@ using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy>;
 
 /// @throws std::runtime_error when `handle` is null
 template <class Handle>
-Owned<Handle> owned(Handle handle, const char* what) {
+Owned<Handle> make_owned(Handle handle, const char* name) {
   if (handle == nullptr)
-    throw std::runtime_error(fmt::format("SUNDIALS cannot create {}: out of memory?", what));
+    throw std::runtime_error(fmt::format("SUNDIALS cannot create {}: out of memory?", name));
   return Owned<Handle>(handle);
 }
 
@@ -76,8 +76,8 @@ inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
 
 /// A vector whose failed clones throw, and whose inner products (a tenth of a solution's time) are
 /// those of Eigen. Eigen uses vector registers, N_VDotProd_Serial adds one product at a time.
-inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, QuietContext& context) {
-  auto v = owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
+inline Owned<N_Vector> make_vector(const Eigen::VectorXd& values, QuietContext& context) {
+  auto v = make_owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
   // SUNDIALS 6 does not check clones for null. The exception thrown here leaks the clones that
   // SUNDIALS has made so far, since it does not support exceptions.

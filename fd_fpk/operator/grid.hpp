@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fd_fpk/line/line.hpp"
+#include "fd_fpk/axis/axis.hpp"
 #include "fd_fpk/operator/wall_density.hpp"
 #include "transform/density.hpp"
 
@@ -11,8 +11,8 @@ namespace fpkcheck::fd_fpk {
 /// and the faces of x2 are symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the
 /// paper) over each cell; cell (i, j) has index i nv() + j.
 struct Grid {
-  Line x1;  ///< its ends of type `boundary` are impact walls
-  Line x2;
+  Axis x1;  ///< its ends of type `boundary` are impact walls
+  Axis x2;
 
   int nx() const { return x1.cells(); }
   int nv() const { return x2.cells(); }  ///< even
@@ -23,13 +23,14 @@ struct Grid {
   /// Areas of the cells, shape (size).
   Eigen::VectorXd areas() const;
   /// Speeds of the half x2 > 0 in increasing order, from 0 upwards.
-  Line speeds() const { return x2.from(nv() / 2); }
+  Axis speeds() const { return x2.from(nv() / 2); }
 };
 
 /// @param positive_x2 faces from 0 upwards; their mirror images are added
 /// @param left,right end conditions of x1
 Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
-                    Beyond left = Beyond::boundary, Beyond right = Beyond::vacuum);
+                    EndCondition left = EndCondition::boundary,
+                    EndCondition right = EndCondition::vacuum);
 
 /// @param nx,nv numbers of cells in x1 and x2; nv even
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},

@@ -28,9 +28,10 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
 
 /// Estimated magnitude of the moments missing because the box is finite: the tails outside,
 /// extrapolated from the marginals, and the motion that would return from there.
-/// @param of_all the moments in the box
-transform::Moments beyond_box(const problem::Problem& problem, const Grid& grid,
-                              const Eigen::VectorXd& averages, const transform::Moments& of_all);
+/// @param moments_in_box the moments in the box
+transform::Moments moments_outside_box(const problem::Problem& problem, const Grid& grid,
+                                       const Eigen::VectorXd& averages,
+                                       const transform::Moments& moments_in_box);
 
 /// E[y y'] likewise; 0 for a stationary density.
 double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
@@ -93,7 +94,7 @@ struct Gaussian {
   double mean_displacement = 0, mean_velocity = 0;
 };
 /// Cell averages of the Gaussian truncated at the ends of the grid, with mass 1.
-Eigen::VectorXd averages_of(const Gaussian& gaussian, const Grid& grid);
+Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid);
 
 /// Cell averages, with mass 1, of the Gaussian of (z, z') with mean zero and these standard
 /// deviations, folded to the half-plane: twice its density on y >= 0.

@@ -3,7 +3,7 @@
 #include <Eigen/SparseCore>
 #include <cstdint>
 
-#include "fd_fpk/line/excitation.hpp"
+#include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/operator/grid.hpp"
 #include "problem/model.hpp"
 
@@ -64,6 +64,6 @@ enum class End { left, right };
 SparseColumns wall_flux(const Grid& grid, int order, End end = End::left);
 
 /// factor A + shift 1.
-SparseColumns shifted(double factor, const SparseColumns& a, double shift);
+SparseColumns scale_and_shift(double factor, const SparseColumns& a, double shift);
 
 }  // namespace fpkcheck::fd_fpk

@@ -44,7 +44,7 @@ class WallTestFunction {
   double length(double y) const;
 
   double diffusion_, force_;
-  double share_of_v_;  // coefficient of v in f_1, in units of F_0 / D
+  double v_coefficient_;  // coefficient of v in f_1, in units of F_0 / D
 };
 
 }  // namespace fpkcheck::fd_fpk

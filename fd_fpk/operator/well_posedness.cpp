@@ -9,7 +9,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Rounded up to three digits, so that the printed length is sufficient.
-double rounded_up(double length) {
+double round_up(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
   return std::ceil(length / digit) * digit;
 }
@@ -18,7 +18,7 @@ double rounded_up(double length) {
 // ones.
 Growth largest_growth(const problem::Problem& problem, const Options& options,
                       const Discretisation& on) {
-  const Line& x2 = on.grid.x2;
+  const Axis& x2 = on.grid.x2;
   Options as_used = options;
   std::vector<double> widths;
   if (options.equation == Equation::km4) {  // the Pade approximant is always stable
@@ -34,13 +34,13 @@ Growth largest_growth(const problem::Problem& problem, const Options& options,
 }
 
 // Advice on the regularisation length for the cells of an axis.
-std::string advice(const problem::ImpulseTrain& impulses, const Line& line, int points) {
+std::string advice(const problem::ImpulseTrain& impulses, const Axis& axis, int points) {
   constexpr double kNearly = 0.99;
   const auto& law = impulses.law();
-  const double by_default = default_regularisation_length(impulses, line, points);
+  const double by_default = default_regularisation_length(impulses, axis, points);
   const double of_law = shortest_regularisation_length(law);
   const double shortest =
-      shortest_regularisation_length(impulses, critical_widths(line, law, of_law), points, of_law);
+      shortest_regularisation_length(impulses, critical_widths(axis, law, of_law), points, of_law);
   if (shortest > kNearly * by_default) {
     return fmt::format(
         "leave out the regularisation length: the default on these cells is {:.3g}, and a much "
@@ -49,24 +49,25 @@ std::string advice(const problem::ImpulseTrain& impulses, const Line& line, int 
   }
   return fmt::format(
       "use a regularisation length of at least {:.3g} on these cells; the default is {:.3g}",
-      rounded_up(shortest), by_default);
+      round_up(shortest), by_default);
 }
 
 }  // namespace
 
 Growth largest_growth(const problem::Problem& problem, const Options& options, double step) {
-  const auto [line, excitation] = unbounded_excitation(problem, options, step);
-  return largest_growth(line, excitation, centred_points(order_of(options)));
+  const auto [axis, excitation] = unbounded_excitation(problem, options, step);
+  return largest_growth(axis, excitation, centred_points(order_of(options)));
 }
 
-Posedness posedness(const problem::Problem& problem, const Options& options,
-                    const Discretisation& discretisation) {
+WellPosedness check_well_posedness(const problem::Problem& problem, const Options& options,
+                                   const Discretisation& discretisation) {
   if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return {};
   const auto& impulses = problem.impulses;
-  if (!impulses.present()) return {};
-  Posedness result{.growth = largest_growth(problem, options, discretisation), .objection = {}};
-  if (!grows(result.growth, impulses)) return result;
-  result.objection = fmt::format(
+  if (!impulses.is_present()) return {};
+  WellPosedness result{.growth = largest_growth(problem, options, discretisation),
+                       .ill_posed_reason = {}};
+  if (!is_unstable(result.growth, impulses)) return result;
+  result.ill_posed_reason = fmt::format(
       "the series truncated after the fourth derivative is ill-posed: with a fourth difference of "
       "step {2:.3g} waves grow at rate {0:.3g} at wavenumber {1:.3g}; {3}",
       result.growth.rate, result.growth.wavenumber, discretisation.regularisation_length,

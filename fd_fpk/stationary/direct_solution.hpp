@@ -29,7 +29,7 @@ struct DirectSolution {
 };
 
 /// Properties of a problem that do not depend on its grid.
-struct Surroundings {
+struct ScalesAndBox {
   problem::Scales scales;
   /// stationary_box, if already known; else solve_directly computes it.
   std::optional<Box> box = {};
@@ -50,7 +50,7 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
 ///   above kMaxWallDensity, which would reject the solution.
 /// - An automatic grid is refined (first at a spike at the origin) while the density violates
 ///   kAutomaticGridLimits and time remains. A solve that exceeds the deadline is aborted.
-DirectSolution solve_directly(const problem::Problem& problem, const Surroundings& surroundings,
+DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                               const Options& options, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

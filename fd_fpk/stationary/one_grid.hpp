@@ -11,7 +11,7 @@ namespace fpkcheck::fd_fpk {
 /// The stationary density on the grid and in the box of the options, with its status as in solve().
 /// Options::error_estimate and tolerance are ignored: callers use them over several grids. The
 /// caller sets the identity.
-Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& surroundings,
+Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                          const Options& options, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

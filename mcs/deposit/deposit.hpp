@@ -30,19 +30,19 @@ struct Deposit {
   /// Sums of 1, Y and Y^2 over the drawn impulses.
   std::array<double, 3> impulses{};
 
-  static constexpr int kFrame = 2;
+  static constexpr int kBinOffset = 2;
 
   Deposit() = default;
   explicit Deposit(const DepositGrid& grid)
-      : flow_pitch(grid.v_functions() + kOverhang),
+      : flow_pitch(grid.v_functions() + kPadding),
         lattice_pitch(grid.lattice_points),
         flow(static_cast<std::size_t>(grid.y_functions() * flow_pitch)),
         lattice(static_cast<std::size_t>(grid.y_functions() * lattice_pitch)),
-        y_bins(static_cast<std::size_t>(grid.y_bins.count + 2 * kFrame + kOverhang)),
-        v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kFrame + kOverhang)) {}
+        y_bins(static_cast<std::size_t>(grid.y_bins.count + 2 * kBinOffset + kPadding)),
+        v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kBinOffset + kPadding)) {}
 
  private:
-  static constexpr int kOverhang = SplinePieces::kWidth;  // sums are updated eight at a time
+  static constexpr int kPadding = SplinePieces::kWidth;  // sums are updated eight at a time
 };
 
 /// Calls `visit` with every sum of a deposit.

@@ -11,8 +11,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-std::vector<std::vector<double>> sums_of(const Simulation& simulation,
-                                         transform::Variable variable) {
+std::vector<std::vector<double>> bin_sums(const Simulation& simulation,
+                                          transform::Variable variable) {
   std::vector<std::vector<double>> sums;  // shape (streams, n + 2), with the outer bins
   for (const Stream& stream : simulation.streams()) {
     const Histogram& histogram = stream.record.histogram;
@@ -53,7 +53,7 @@ double expected_l1(const BinErrors& errors) {
 SamplingL1 sampling_l1(const BinErrors& errors) {
   constexpr int kReplicates = 400;
   constexpr std::uint64_t kSeed = 20240501;  // arbitrary and fixed: a run is reproducible
-  SamplingL1 result{.expected = expected_l1(errors), .in_99 = 0};
+  SamplingL1 result{.expected = expected_l1(errors), .quantile_99 = 0};
   if (errors.empty()) return result;
   boost::random::mt19937_64 engine(kSeed);
   boost::random::normal_distribution<double> normal;
@@ -68,13 +68,13 @@ SamplingL1 sampling_l1(const BinErrors& errors) {
   }
   const auto nth = distances.begin() + kReplicates * 99 / 100;
   std::ranges::nth_element(distances, nth);
-  result.in_99 = *nth;
+  result.quantile_99 = *nth;
   return result;
 }
 
-std::vector<std::vector<double>> cumulative(const Simulation& simulation,
-                                            transform::Variable variable) {
-  auto sums = sums_of(simulation, variable);
+std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
+                                                          transform::Variable variable) {
+  auto sums = bin_sums(simulation, variable);
   for (auto& stream : sums) {
     double below = 0;
     for (double& sum : stream) sum = below += sum / simulation.stream_samples();
@@ -86,7 +86,7 @@ std::vector<std::vector<double>> cumulative(const Simulation& simulation,
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
                                    transform::Variable variable, double effective_samples) {
   const auto& edges = simulation.plan().bins(variable).edges();
-  const auto sums = sums_of(simulation, variable);
+  const auto sums = bin_sums(simulation, variable);
   MarginalEstimate result;
   auto& [marginal, errors] = result;
   marginal.edges = edges;

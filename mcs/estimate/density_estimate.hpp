@@ -15,16 +15,16 @@ double expected_l1(const BinErrors& errors);
 
 /// Distribution of the L1 sampling error of a marginal.
 struct SamplingL1 {
-  double expected = 0;  ///< expected_l1
-  double in_99 = 0;     ///< 99 % quantile; includes the correlation of neighbouring bins
+  double expected = 0;     ///< expected_l1
+  double quantile_99 = 0;  ///< 99 % quantile; includes the correlation of neighbouring bins
 };
 
 SamplingL1 sampling_l1(const BinErrors& errors);
 
 /// Probabilities below the bin edges of a variable, in each stream.
 /// @return shape (streams, edges)
-std::vector<std::vector<double>> cumulative(const Simulation& simulation,
-                                            transform::Variable variable);
+std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
+                                                          transform::Variable variable);
 
 /// A marginal density and its sampling errors.
 struct MarginalEstimate {

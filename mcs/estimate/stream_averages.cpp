@@ -9,8 +9,8 @@
 namespace fpkcheck::mcs {
 
 double moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
-  const auto place = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
-  return record.powers[static_cast<std::size_t>(place)] / simulation.stream_samples();
+  const auto index = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
+  return record.powers[static_cast<std::size_t>(index)] / simulation.stream_samples();
 }
 
 namespace {
@@ -37,8 +37,8 @@ double physical_moment(const Simulation& simulation, const StreamRecord& record,
   return sum;
 }
 
-double mean_of(const Simulation& simulation, const StreamRecord& record,
-               const numerics::Polynomial& g) {
+double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
+                       const numerics::Polynomial& g) {
   double mean = g.coefficient(0);
   for (std::size_t n = 1; n <= g.degree(); ++n) {
     if (g.coefficient(n) == 0) continue;

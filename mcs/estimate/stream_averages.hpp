@@ -12,8 +12,8 @@ double moment(const Simulation& simulation, const StreamRecord& record, int p, i
 
 /// Mean of a polynomial of y in one stream, in wall coordinates.
 /// @pre the degree is at most kHighestPower, or at most 6 where the record has GeneralSums
-double mean_of(const Simulation& simulation, const StreamRecord& record,
-               const numerics::Polynomial& g);
+double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
+                       const numerics::Polynomial& g);
 
 /// Mean of y^p y'^q in one stream, in physical coordinates.
 double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q);

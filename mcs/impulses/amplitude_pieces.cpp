@@ -39,9 +39,9 @@ std::array<double, 8> polynomial(const std::function<double(double)>& of_t) {
 
 double AmplitudePieces::operator()(double u) const {
   const auto piece = std::upper_bound(pieces_.begin(), pieces_.end() - 1, u,
-                                      [](double x, const Piece& p) { return x < p.until; });
-  const double from = piece == pieces_.begin() ? 0 : (piece - 1)->until;
-  const double t = (u - from) / (piece->until - from);
+                                      [](double x, const Piece& p) { return x < p.upper_end; });
+  const double from = piece == pieces_.begin() ? 0 : (piece - 1)->upper_end;
+  const double t = (u - from) / (piece->upper_end - from);
   // t (f + g) = 2 f s + (g - f) s^2 with the densities f and g; the root without cancellation
   const double f = piece->first_density, g = piece->last_density;
   const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
@@ -54,7 +54,7 @@ std::uint64_t AmplitudePieces::checksum() const {
   std::uint64_t sum = 0xcbf29ce484222325;  // FNV-1a, by words
   const auto add = [&](double x) { sum = (sum ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; };
   for (const Piece& piece : pieces_) {
-    add(piece.until);
+    add(piece.upper_end);
     for (const double power : piece.powers) add(power);
     add(piece.first_density);
     add(piece.last_density);
@@ -62,22 +62,23 @@ std::uint64_t AmplitudePieces::checksum() const {
   return sum;
 }
 
-AmplitudePieces in_ranges(const std::vector<AmplitudeRange>& ranges) {
+AmplitudePieces pieces_from_ranges(const std::vector<AmplitudeRange>& ranges) {
   std::vector<Piece> pieces;
   double below = 0;
   for (const AmplitudeRange& range : ranges) {
     below += range.probability;
-    if (below <= (pieces.empty() ? 0 : pieces.back().until)) continue;  // an empty interval of u
-    pieces.push_back({.until = below,
+    if (below <= (pieces.empty() ? 0 : pieces.back().upper_end))
+      continue;  // an empty interval of u
+    pieces.push_back({.upper_end = below,
                       .powers = {range.from, range.to - range.from},
                       .first_density = range.first_density,
                       .last_density = range.last_density});
   }
-  pieces.back().until = 1;
+  pieces.back().upper_end = 1;
   return AmplitudePieces(std::move(pieces));
 }
 
-AmplitudePieces interpolated(const std::function<double(double, double)>& quantile) {
+AmplitudePieces pieces_from_quantile(const std::function<double(double, double)>& quantile) {
   std::vector<double> ends;  // increasing, up to 1/2
   for (int octave = kOctaves; octave > 0; --octave) {
     for (int part = 0; part < kParts; ++part) {

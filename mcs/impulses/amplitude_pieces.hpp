@@ -15,7 +15,7 @@ class AmplitudePieces {
   /// A polynomial of s. On the piece s grows with u from 0 to 1 as a quantile of a density that is
   /// linear between two values; s is linear in u where both values are equal.
   struct Piece {
-    double until;  ///< u at the end of the piece
+    double upper_end;  ///< u at the end of the piece
     std::array<double, 8> powers;
     double first_density = 1, last_density = 1;
   };
@@ -38,12 +38,12 @@ struct AmplitudeRange {
   double first_density = 1, last_density = 1;
 };
 /// Pieces from increasing intervals whose probabilities sum to 1.
-AmplitudePieces in_ranges(const std::vector<AmplitudeRange>& ranges);
+AmplitudePieces pieces_from_ranges(const std::vector<AmplitudeRange>& ranges);
 
 /// Pieces from a quantile function of p and q = 1 - p, smooth inside (0, 1). The smaller of p and q
 /// has full precision. A piece is a quarter of an octave of u or 1 - u, with the polynomial through
 /// the values at the Chebyshev points. The pieces extend from 2^-44, half of the smallest
 /// Uniforms::second, to 1 - 2^-44.
-AmplitudePieces interpolated(const std::function<double(double, double)>& quantile);
+AmplitudePieces pieces_from_quantile(const std::function<double(double, double)>& quantile);
 
 }  // namespace fpkcheck::mcs

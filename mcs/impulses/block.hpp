@@ -8,19 +8,19 @@
 namespace fpkcheck::mcs {
 
 /// Consecutive impulses: waiting times and amplitudes.
-struct Block {
-  std::array<double, kBlock> waiting{}, amplitude{};
+struct ImpulseBlock {
+  std::array<double, kBlockSize> waiting{}, amplitude{};
 };
 
 // Makes a block of impulses from random numbers. One function, compiled for three instruction sets.
 namespace baseline {
-Block make_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
 }
 namespace avx2 {
-Block make_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
 }
 namespace avx512 {
-Block make_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
 }
 
 }  // namespace fpkcheck::mcs

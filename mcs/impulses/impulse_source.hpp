@@ -24,10 +24,10 @@ class ImpulseSource {
       : ImpulseSource(poisson_excitation(impulses), seed, stream) {}
 
   Impulse next() {
-    const auto place = static_cast<std::size_t>(number_ % kBlock);
-    if (place == 0) make_block();
+    const auto index = static_cast<std::size_t>(number_ % kBlockSize);
+    if (index == 0) make_impulse_block();
     ++number_;
-    return {block_.waiting[place], block_.amplitude[place]};
+    return {block_.waiting[index], block_.amplitude[index]};
   }
 
   /// Number of impulses drawn.
@@ -39,13 +39,13 @@ class ImpulseSource {
   std::array<double, 2> standard_normals() const;
 
  private:
-  void make_block();
+  void make_impulse_block();
 
   Excitation excitation_;
   std::uint64_t seed_;
   std::uint32_t stream_;
   std::uint64_t number_ = 0;
-  Block block_{};
+  ImpulseBlock block_{};
 };
 
 }  // namespace fpkcheck::mcs

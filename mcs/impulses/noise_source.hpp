@@ -13,10 +13,10 @@ class NoiseSource {
   NoiseSource(std::uint64_t seed, std::uint32_t stream) : seed_(seed), stream_(stream) {}
 
   double next() {
-    const auto place = static_cast<std::size_t>(number_ % kBlock);
-    if (place == 0) make_block();
+    const auto index = static_cast<std::size_t>(number_ % kBlockSize);
+    if (index == 0) make_impulse_block();
     ++number_;
-    return block_.amplitude[place];
+    return block_.amplitude[index];
   }
 
   /// Number of normal numbers drawn.
@@ -25,12 +25,12 @@ class NoiseSource {
   void continue_from(std::uint64_t number);
 
  private:
-  void make_block();
+  void make_impulse_block();
 
   std::uint64_t seed_;
   std::uint32_t stream_;
   std::uint64_t number_ = 0;
-  Block block_{};
+  ImpulseBlock block_{};
 };
 
 }  // namespace fpkcheck::mcs

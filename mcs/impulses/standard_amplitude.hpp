@@ -45,8 +45,8 @@ template <>
 struct StandardAmplitude<problem::TwoPointLaw> {
   template <class Real>
   FPKCHECK_INLINE static Real of(const Real&, const Real& w) {
-    return simd::select(2.0 * w - 1.0 < 0.0, simd::all_lanes<Real>(-1.0),
-                        simd::all_lanes<Real>(1.0));
+    return simd::select(2.0 * w - 1.0 < 0.0, simd::broadcast<Real>(-1.0),
+                        simd::broadcast<Real>(1.0));
   }
 };
 

@@ -14,13 +14,13 @@ std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t strea
                                          std::uint64_t number);
 
 /// Number of impulses per block.
-inline constexpr int kBlock = 16;
+inline constexpr int kBlockSize = 16;
 
 /// Numbers in (0, 1) for a block of impulses. The 128 bits of one counter give numbers of 53, 43
 /// and 32 bits. The second number limits the amplitude: 7.8 deviations of a Gaussian, 30 scales of
 /// a Laplace law.
 struct Uniforms {
-  std::array<double, kBlock> first, second, third;
+  std::array<double, kBlockSize> first, second, third;
 };
 
 /// The numbers `from` .. `from + kBlockSize - 1` of a stream.

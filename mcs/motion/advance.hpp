@@ -30,18 +30,18 @@ struct Motion {
 /// the instruction set.
 /// @param streams any number; one per SIMD lane at a time
 void advance(const Motion& motion, std::span<Stream* const> streams, double time,
-             const simd::LaneSet& lanes);
+             const simd::CodeVariant& lanes);
 
 // Advances `width` streams by their remaining time. One function, compiled for three instruction
 // sets.
 namespace baseline {
-void move(const Motion& motion, Stream* const* streams, int width);
+void advance_streams(const Motion& motion, Stream* const* streams, int width);
 }
 namespace avx2 {
-void move(const Motion& motion, Stream* const* streams, int width);
+void advance_streams(const Motion& motion, Stream* const* streams, int width);
 }
 namespace avx512 {
-void move(const Motion& motion, Stream* const* streams, int width);
+void advance_streams(const Motion& motion, Stream* const* streams, int width);
 }
 
 }  // namespace fpkcheck::mcs

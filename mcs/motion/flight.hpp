@@ -20,7 +20,7 @@ class BasicFlight {
       : oscillator_(oscillator), frequency_bound_(frequency_bound(oscillator, start.y, start.v)) {
     a_[0] = start.y;
     a_[1] = start.v;
-    continue_series(oscillator, a_);
+    compute_taylor_coefficients(oscillator, a_);
   }
   BasicFlight(Oscillator&&, const BasicState<Real>&) = delete;
 
@@ -31,13 +31,13 @@ class BasicFlight {
   /// wall with v >= 0. By Sturm's comparison theorem, zeros of a solution of
   /// y'' + c y' + (g(y)/y) y = 0 are at least pi / sqrt(max g(y)/y) apart. So an impact occurs
   /// exactly if y < 0 at the end, and impacts cannot accumulate.
-  FPKCHECK_INLINE Real reach(double phase) const { return phase / frequency_bound_; }
+  FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
   /// State at the time s after the start.
   FPKCHECK_INLINE BasicState<Real> at(const Real& s) const { return state_at<kOrder>(a_, s); }
 
   /// Second derivative of the polynomial at s.
-  FPKCHECK_INLINE Real own_acceleration(const Real& s) const {
+  FPKCHECK_INLINE Real polynomial_acceleration(const Real& s) const {
     return acceleration_at<kOrder>(a_, s);
   }
 
@@ -64,7 +64,7 @@ class BasicFlight {
           s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
       const Mask inside = (halley >= above) & (halley <= below);
       const Real next = simd::select(inside, halley, 0.5 * (above + below));
-      const Real moved = simd::larger(next - s, s - next);
+      const Real moved = simd::lanewise_max(next - s, s - next);
       s = simd::select(open, next, s);
       // After a third-order correction of 1e-6 the error is rounding.
       open = open & (moved > 1e-6 * end);
@@ -100,7 +100,7 @@ class BasicFlight {
 
   const Oscillator& oscillator_;
   Real frequency_bound_;
-  Series<Real> a_;
+  TaylorCoefficients<Real> a_;
 };
 
 using Flight = BasicFlight<double>;

@@ -15,7 +15,7 @@ inline constexpr int kSeriesOrder = 12;
 
 /// Coefficients a_n of y(s) = sum_n a_n s^n.
 template <class Real>
-using Series = std::array<Real, kSeriesOrder + 1>;
+using TaylorCoefficients = std::array<Real, kSeriesOrder + 1>;
 
 /// Polynomial sum_n p_n y^n by Horner's rule, n up to `degree`.
 template <class Real>
@@ -33,7 +33,8 @@ FPKCHECK_INLINE Real restoring_force(const Oscillator& oscillator, const Real& y
 }
 
 template <class Real>
-FPKCHECK_INLINE void continue_duffing_series(const Oscillator& oscillator, Series<Real>& a) {
+FPKCHECK_INLINE void compute_duffing_coefficients(const Oscillator& oscillator,
+                                                  TaylorCoefficients<Real>& a) {
   const double c = oscillator.damping, k = oscillator.stiffness, mu = oscillator.cubic;
   std::array<Real, kSeriesOrder - 1> square;  // [y^2]_n
   // Each sum takes the newest coefficients last: the dependency chain stays short.
@@ -53,7 +54,8 @@ FPKCHECK_INLINE void continue_duffing_series(const Oscillator& oscillator, Serie
 }
 
 template <class Real>
-FPKCHECK_INLINE void continue_series_of_powers(const Oscillator& oscillator, Series<Real>& a) {
+FPKCHECK_INLINE void compute_polynomial_force_coefficients(const Oscillator& oscillator,
+                                                           TaylorCoefficients<Real>& a) {
   const auto g = [&](int d) { return oscillator.force.coefficient(static_cast<std::size_t>(d)); };
   Real powers[Oscillator::kHighestDegree + 1][kSeriesOrder + 1];  // [y^d]_n
   powers[1][0] = a[0];
@@ -79,11 +81,12 @@ FPKCHECK_INLINE void continue_series_of_powers(const Oscillator& oscillator, Ser
 ///
 /// Cauchy products give the coefficients [y^d]_n of the powers in the spring force.
 template <class Real>
-FPKCHECK_INLINE void continue_series(const Oscillator& oscillator, Series<Real>& a) {
+FPKCHECK_INLINE void compute_taylor_coefficients(const Oscillator& oscillator,
+                                                 TaylorCoefficients<Real>& a) {
   if (oscillator.is_duffing) {
-    continue_duffing_series(oscillator, a);
+    compute_duffing_coefficients(oscillator, a);
   } else {
-    continue_series_of_powers(oscillator, a);
+    compute_polynomial_force_coefficients(oscillator, a);
   }
 }
 
@@ -101,9 +104,10 @@ FPKCHECK_INLINE Real frequency_bound(const Oscillator& o, const Real& y, const R
   }
   constexpr double kSmallest = 1e-290;  // smallest argument of the logarithm
   const Real energy = 0.5 * (v * v) + horner(o.potential, o.degree + 1, y);
-  const Real power = simd::larger(energy / o.least_potential, simd::all_lanes<Real>(kSmallest));
+  const Real power =
+      simd::lanewise_max(energy / o.potential_bound, simd::broadcast<Real>(kSmallest));
   const Real largest_y = simd::exponential(simd::logarithm(power) / (o.degree + 1.0));
-  return simd::square_root(horner(o.steepest, o.degree - 1, largest_y)) + o.damping;
+  return simd::square_root(horner(o.slope_bound, o.degree - 1, largest_y)) + o.damping;
 }
 
 }  // namespace fpkcheck::mcs

@@ -29,7 +29,7 @@ struct GeneralMotion {
 /// The result of a stream depends on this stream alone: not on the other streams, their number or
 /// the instruction set.
 void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
-             const simd::LaneSet& lanes);
+             const simd::CodeVariant& lanes);
 
 /// Time from a kick at (y, v) to the next kick. Next to a wall with impact losses it is a fraction
 /// of the time in which noise alone changes the motion, v^2/D or (distance^2/D)^(1/3). Otherwise
@@ -39,13 +39,13 @@ double kick_interval(const GeneralMotion& motion, double y, double v);
 // Advances `width` streams by their remaining time. One function, compiled for three instruction
 // sets.
 namespace baseline {
-void move_general(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
 }
 namespace avx2 {
-void move_general(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
 }
 namespace avx512 {
-void move_general(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
 }
 
 }  // namespace fpkcheck::mcs

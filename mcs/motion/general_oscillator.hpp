@@ -11,12 +11,12 @@ namespace fpkcheck::mcs {
 
 /// Wall parameters for flights. The contact force presses the mass at rest on the wall.
 struct GeneralWall {
-  bool stands = false;
+  bool exists = false;
   double position = 0;
   double restitution = 1;
-  double pressing = 0;  ///< towards the wall; 0 or negative: the mass lifts off
+  double contact_force = 0;  ///< towards the wall; 0 or negative: the mass lifts off
   /// Below this impact speed the series of bounces is summed, and the mass stays at the wall.
-  double slow = 0;
+  double rest_speed = 0;
 };
 
 /// Any oscillator of problem::System in wall coordinates, with precomputed coefficients,
@@ -45,17 +45,17 @@ struct GeneralOscillator {
 /// impulses h causes no error. Otherwise the error is of second order. Damping other than c y' is
 /// part of the flights.
 struct GeneralKicks {
-  double diffusion = 0;  ///< D; 0 without kicks
-  double damping = 0;    ///< c, where f = c y'
-  double longest = 0;    ///< h
-  double shortest = 0;   ///< lower limit of h next to a wall with losses; see kick_interval
-  bool graded = false;   ///< a wall has impact losses
+  double diffusion = 0;          ///< D; 0 without kicks
+  double damping = 0;            ///< c, where f = c y'
+  double longest_interval = 0;   ///< h
+  double shortest_interval = 0;  ///< lower limit of h next to a wall with losses; see kick_interval
+  bool has_lossy_wall = false;   ///< a wall has impact losses
 
-  bool present() const { return diffusion > 0; }
+  bool is_present() const { return diffusion > 0; }
 };
 
 /// @param mean_force mean of the impulses where noise replaces them, else 0
-/// @param kicked Gaussian noise is present
+/// @param kicked Gaussian noise is is_present
 GeneralOscillator general_oscillator(const problem::Problem& problem, const problem::Scales& scales,
                                      double mean_force, bool kicked);
 

@@ -29,10 +29,10 @@ struct Oscillator {
   double stiffness, cubic;  ///< k, mu
 
   /// sum_n n |g_n| y^(n-1), an upper bound of the tangent and secant slopes of g between 0 and y.
-  numerics::Polynomial steepest;
+  numerics::Polynomial slope_bound;
   /// Coefficient of a lower bound: U(y) >= potential_bound y^(degree + 1). An energy E therefore
   /// bounds the displacement, y <= (E / potential_bound)^(1/(degree + 1)).
-  double least_potential;
+  double potential_bound;
 };
 
 }  // namespace fpkcheck::mcs

@@ -9,7 +9,7 @@ namespace fpkcheck::mcs {
 
 /// Observer of the events of a trajectory that ignores all events, for the burn-in. Other observers
 /// have the same members.
-struct NoWitness {
+struct NullObserver {
   void flight(const Flight&, double /*duration*/) {}  ///< free motion of this duration
   void impact(double /*velocity before*/) {}          ///< impact, paper (2)
   void impulse(double /*velocity before*/, double /*amplitude*/) {}  ///< impulse, paper (3)
@@ -31,39 +31,39 @@ class Trajectory {
   const State& state() const { return state_; }
 
   /// Advances by a time and passes every event to the observer.
-  template <class Witness>
-  void advance(double duration, Witness& witness) {
+  template <class Observer>
+  void advance(double duration, Observer& observer) {
     // Every iteration advances the time or ends at y = 0. There the impact makes v >= 0, so the
     // next iteration advances the time. At rest (y = v = 0) the time advances to the next impulse.
     while (duration > 0) {
-      if (state_.y <= 0 && state_.v < 0) rebound(witness);
+      if (state_.y <= 0 && state_.v < 0) apply_impact(observer);
       const Flight flight(oscillator_, state_);
-      double span = std::min({flight.reach(step_), next_.waiting, duration});
+      double span = std::min({flight.max_step(step_), next_.waiting, duration});
       State end = flight.at(span);
       const bool impact = end.y < 0 && state_.y > 0;
       if (impact) {
         span = flight.impact_time(span, end, true);
         end = {0, flight.at(span).v};
       }
-      witness.flight(flight, span);
+      observer.flight(flight, span);
       duration -= span;
       next_.waiting -= span;
       state_ = {std::max(end.y, 0.0), end.v};
-      if (next_.waiting <= 0) receive_impulse(witness);
+      if (next_.waiting <= 0) apply_impulse(observer);
     }
   }
 
  private:
   /// Applies paper (2), also where an impulse pushes a resting oscillator into the wall.
-  template <class Witness>
-  void rebound(Witness& witness) {
-    witness.impact(state_.v);
+  template <class Observer>
+  void apply_impact(Observer& observer) {
+    observer.impact(state_.v);
     state_ = {0, -oscillator_.restitution * state_.v};
   }
 
-  template <class Witness>
-  void receive_impulse(Witness& witness) {
-    witness.impulse(state_.v, next_.amplitude);
+  template <class Observer>
+  void apply_impulse(Observer& observer) {
+    observer.impulse(state_.v, next_.amplitude);
     state_.v += next_.amplitude;
     next_ = source_.next();
   }

@@ -31,7 +31,7 @@ class CheckpointWriter {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void attempt(const std::string& fingerprint, const Simulation& simulation);
+  void try_write(const std::string& fingerprint, const Simulation& simulation);
 
   std::string path_;
   std::function<void(const std::string&)> warn_;

@@ -5,7 +5,7 @@
 namespace fpkcheck::mcs {
 
 /// Decay rate and event rates of a problem, per unit time.
-struct Pace {
+struct EventRates {
   double decay;     ///< rate of the slowest mode
   double impulses;  ///< impulses, or the kicks of white noise that replace them
   double flights;   ///< flights, and the kicks of noise besides impulses
@@ -36,6 +36,6 @@ struct Durations {
 /// the default time takes these seconds, or up to a minute where Options::accuracy needs more. With
 /// several wells and rare transitions it takes the seconds only, since a minute would not determine
 /// the masses of the wells.
-Durations durations_of(const Options& options, const Pace& pace);
+Durations choose_durations(const Options& options, const EventRates& rates);
 
 }  // namespace fpkcheck::mcs

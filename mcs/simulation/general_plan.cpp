@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "mcs/offered.hpp"
+#include "mcs/applicability.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::mcs {
@@ -17,11 +17,12 @@ constexpr double kAutomaticKickStep = 0.2, kKickStepWithStrongLosses = 0.05;
 constexpr double kStrongLosses = 0.6;
 
 double automatic_kick_step(const problem::System& system) {
-  const auto takes_much = [](const std::optional<problem::Wall>& wall) {
+  const auto has_strong_losses = [](const std::optional<problem::Wall>& wall) {
     return wall && wall->restitution < kStrongLosses;
   };
-  return takes_much(system.left()) || takes_much(system.right()) ? kKickStepWithStrongLosses
-                                                                 : kAutomaticKickStep;
+  return has_strong_losses(system.left()) || has_strong_losses(system.right())
+             ? kKickStepWithStrongLosses
+             : kAutomaticKickStep;
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
     throw InputError("mcs.deposit outside the paper's class: not supported; omit mcs.deposit");
   }
   if (options.tails) {
-    if (const std::string why = splitting_objection(problem, options); !why.empty()) {
+    if (const std::string why = unsupported_splitting_reason(problem, options); !why.empty()) {
       throw InputError(fmt::format("mcs.tails: {}; omit mcs.tails", why));
     }
   }
@@ -46,7 +47,7 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
           .kicks = general_kicks(problem, scales, diffusion,
                                  options.white_step.value_or(automatic_kick_step(problem.system))),
           .power = problem::total_intensity(problem) / 2,
-          .rests = features.rests_in_contact && diffusion == 0,
+          .has_contact_atoms = features.rests_in_contact && diffusion == 0,
           .wells = features.wells};
 }
 

@@ -13,9 +13,9 @@ struct GeneralPlan {
   problem::Scales scales;
   GeneralOscillator oscillator;
   GeneralKicks kicks;
-  double power;  ///< D + lambda E[Y^2]/2, mean power of noise and impulses
-  bool rests;    ///< the stationary law has atoms at rest in contact
-  int wells;     ///< Features::wells
+  double power;            ///< D + lambda E[Y^2]/2, mean power of noise and impulses
+  bool has_contact_atoms;  ///< the stationary law has atoms at rest in contact
+  int wells;               ///< Features::wells
 };
 
 /// @throws InputError for options without support outside the paper's class

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
-#include "mcs/simulation/workers.hpp"
+#include "mcs/simulation/parallel_for.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 
@@ -45,8 +45,8 @@ struct Rounds {
 };
 
 /// @param events impulses, kicks and flights per unit time
-Rounds rounds_of(const Options& options, const Durations& durations, double interval,
-                 double events) {
+Rounds choose_rounds(const Options& options, const Durations& durations, double interval,
+                     double events) {
   const double time = durations.time;
   const double round_time = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
@@ -64,33 +64,34 @@ Rounds rounds_of(const Options& options, const Durations& durations, double inte
 }
 
 /// Checks options where the domain is not y >= 0: edges may begin anywhere.
-void validate_of_any_domain(const Options& options) {
+void validate_for_any_domain(const Options& options) {
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   Options others = options;
   others.y_edges.clear();
   validate(others);
 }
 
-Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options& options) {
-  validate_of_any_domain(options);
+Plan make_plan_for_any_oscillator(const problem::Problem& problem, const Options& options) {
+  validate_for_any_domain(options);
   GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
   // The frequency belongs to the mean energy. If the mass is mostly at rest in contact, this is
   // the frequency of tiny bounces, and the sampling interval is limited by the rate of impulses.
   constexpr double kSamplesPerRest = 50;
-  const double least = general.rests ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
+  const double least =
+      general.has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
   const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);
   const double step = options.step.value_or(kAutomaticStep);
-  const double kicks = general.kicks.present() ? 1 / general.kicks.longest : 0;
+  const double kicks = general.kicks.is_present() ? 1 / general.kicks.longest_interval : 0;
   const bool white = options.equation == Equation::white;
   const double impulses = white ? 0 : problem.impulses.arrival_rate();
-  const Pace pace{.decay = s.slowest_decay,
-                  .impulses = impulses,
-                  .flights = kicks + s.frequency / step,
-                  .any_oscillator = true,
-                  .wells = general.wells};
-  const Durations durations = durations_of(options, pace);
-  const auto [samples, rounds] = rounds_of(options, durations, interval, pace.events());
+  const EventRates rates{.decay = s.slowest_decay_rate,
+                         .impulses = impulses,
+                         .flights = kicks + s.frequency / step,
+                         .any_oscillator = true,
+                         .wells = general.wells};
+  const Durations durations = choose_durations(options, rates);
+  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.events());
   Excitation excitation = poisson_excitation(problem.impulses);
   if (impulses == 0) excitation.interval = std::numeric_limits<double>::infinity();
   excitation.power = general.power;
@@ -118,10 +119,10 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
 }  // namespace
 
 Plan make_plan(const problem::Problem& problem, const Options& options) {
-  if (!problem::of_the_paper(problem)) return make_plan_of_any_oscillator(problem, options);
+  if (!problem::is_paper_oscillator(problem)) return make_plan_for_any_oscillator(problem, options);
   validate(options);
   const auto linear = problem::equivalent_linearisation(problem);
-  const double decay = problem::slowest_decay(linear);
+  const double decay = problem::slowest_decay_rate(linear);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double frequency = std::sqrt(linear.stiffness);
   const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;
@@ -131,9 +132,10 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
                              options.white_step.value_or(kAutomaticWhiteStep) / frequency)
           : poisson_excitation(problem.impulses);
   const double step = options.step.value_or(kAutomaticStep);
-  const Pace pace{.decay = decay, .impulses = 1 / excitation.interval, .flights = frequency / step};
-  const Durations durations = durations_of(options, pace);
-  const auto [samples, rounds] = rounds_of(options, durations, interval, pace.events());
+  const EventRates rates{
+      .decay = decay, .impulses = 1 / excitation.interval, .flights = frequency / step};
+  const Durations durations = choose_durations(options, rates);
+  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.events());
   std::optional<DepositPlan> deposit;
   if (options.deposit) {
     deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);

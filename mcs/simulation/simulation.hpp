@@ -31,10 +31,10 @@ class Simulation {
 
   /// Sets another splitting and clears the counts of energies.
   /// @param splitting must outlive the simulation
-  void split_by(const Splitting& splitting);
+  void set_splitting(const Splitting& splitting);
 
   void burn_in();
-  void round();
+  void run_round();
 
   const Plan& plan() const { return *plan_; }
   std::uint64_t rounds() const { return rounds_; }
@@ -56,11 +56,11 @@ class Simulation {
   void load_part(std::istream& in, int part);
 
  private:
-  void begin_any(const problem::Problem& problem, const Splitting* splitting);
+  void start_general_streams(const problem::Problem& problem, const Splitting* splitting);
   /// @param move advances a group of streams
   void move(const std::function<void(std::span<Stream* const>)>& move);
   void move(bool recorded, double time);
-  bool is_of(int part, std::size_t stream) const;
+  bool is_stream_of_part(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;
   void load_stream(std::istream& in, Stream& stream) const;
 

@@ -25,9 +25,9 @@ void require_edges(const std::string& name, const std::vector<double>& edges) {
 BinFinder::BinFinder(std::vector<double> edges)
     : edges_(std::move(edges)), first_edge_(edges_.front()) {
   // Comparisons with NaN are false: NaN at both ends stops the search.
-  fenced_.push_back(std::numeric_limits<double>::quiet_NaN());
-  fenced_.insert(fenced_.end(), edges_.begin(), edges_.end());
-  fenced_.push_back(std::numeric_limits<double>::quiet_NaN());
+  guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
+  guarded_edges_.insert(guarded_edges_.end(), edges_.begin(), edges_.end());
+  guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
   const std::size_t cells = 2 * bins();
   const double width = (edges_.back() - edges_.front()) / static_cast<double>(bins());
   bins_per_length_ = 1 / width;

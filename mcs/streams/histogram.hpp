@@ -20,8 +20,8 @@ class BinFinder {
   /// 0 below the first edge, 1 .. n for the half-open bins, n + 1 from the last edge on.
   std::size_t operator()(double x) const {
     std::size_t bin = first_bin_[static_cast<std::size_t>(cell(x))];
-    while (x < fenced_[bin]) --bin;
-    while (x >= fenced_[bin + 1]) ++bin;
+    while (x < guarded_edges_[bin]) --bin;
+    while (x >= guarded_edges_[bin + 1]) ++bin;
     return bin;
   }
 
@@ -30,7 +30,7 @@ class BinFinder {
   double first_edge() const { return first_edge_; }
   double bins_per_length() const { return bins_per_length_; }
   /// Small relative to a bin and large relative to rounding: shifts a number off an edge.
-  double hair() const { return 1e-13 * (edges_.back() - edges_.front()); }
+  double edge_epsilon() const { return 1e-13 * (edges_.back() - edges_.front()); }
 
   std::size_t bins() const { return edges_.size() - 1; }
   const std::vector<double>& edges() const { return edges_; }
@@ -43,7 +43,7 @@ class BinFinder {
   }
 
   std::vector<double> edges_;
-  std::vector<double> fenced_;            // the edges between two NaN
+  std::vector<double> guarded_edges_;     // the edges between two NaN
   std::vector<std::uint32_t> first_bin_;  // per evenly spaced cell: bin of its lower end
   double first_edge_;
   double bins_per_length_;

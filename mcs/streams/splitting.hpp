@@ -36,8 +36,8 @@ class Splitting {
   static constexpr int kCopies = 4;
   static constexpr int kMostSplits = 3;
   static constexpr int kMostThresholds = 32;
-  static constexpr int kImpulsesPerLevel = 4;
-  static constexpr std::uint64_t kFreeImpulses = 1000;
+  static constexpr int kImpulsesPerThreshold = 4;
+  static constexpr std::uint64_t kImpulseAllowance = 1000;
 
   /// @param potential V, with minimum 0
   /// @param thresholds increasing energies; may be empty; at most kMostThresholds are used
@@ -48,19 +48,19 @@ class Splitting {
   double weight(const Branch& branch) const {
     return weights_[static_cast<std::size_t>(std::popcount(branch.split))];
   }
-  int levels() const { return static_cast<int>(thresholds_.size()); }
+  int threshold_count() const { return static_cast<int>(thresholds_.size()); }
   const std::vector<double>& thresholds() const { return thresholds_; }
   const BinFinder& energy_bins() const { return energy_bins_; }
 
   /// After an impulse: splits the branch of the stream, or ends the branch and resumes the next
   /// one.
-  void after_impulse(Stream& stream) const;
+  void update_after_impulse(Stream& stream) const;
   /// Splits the initial state of a stream according to its energy.
   void begin(Stream& stream) const;
 
  private:
   double energy(const Branch& branch) const;
-  int level(double energy) const;
+  int energy_level(double energy) const;
   bool may_split(const StreamRecord& record) const;
   void split(Stream& stream, int from, bool at_impulse) const;
 
@@ -72,12 +72,12 @@ class Splitting {
 
 /// Resumes the next pending branch of a stream.
 /// @pre the stream has one
-void follow_next(Stream& stream);
+void resume_next_branch(Stream& stream);
 
 /// Energies with a probability ratio of about 1/kCopies from one to the next. The last one is
 /// exceeded by about a fraction `rarest` of the states after impulses.
 /// @param energies weights by energy bins, over all streams
-std::vector<double> thresholds_from(const BinFinder& bins, const std::vector<double>& energies,
-                                    double fewest_visits, double rarest);
+std::vector<double> choose_thresholds(const BinFinder& bins, const std::vector<double>& energies,
+                                      double fewest_visits, double rarest);
 
 }  // namespace fpkcheck::mcs

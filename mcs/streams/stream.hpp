@@ -99,9 +99,9 @@ struct Branch {
   double until_impulse;
   double amplitude;  ///< of the next impulse
   double until_sample;
-  double remaining;  ///< time to simulate
-  int level = 0;     ///< thresholds of the splitting below the energy
-  int floor = 0;     ///< the branch ends at a lower energy_level
+  double remaining;      ///< time to simulate
+  int energy_level = 0;  ///< thresholds of the splitting below the energy
+  int floor_level = 0;   ///< the branch ends at a lower energy_level
   /// Bit i: threshold i + 1 split the branch into kCopies on its way up (Splitting).
   std::uint64_t split = 0;
 };
@@ -111,7 +111,7 @@ struct GeneralBranch {
   double until_kick = std::numeric_limits<double>::infinity();
   double kick_interval = 0;  ///< interval that ends with the next kick
   /// Time to the end of the bounces on a wall, 0 at rest; -1 during free motion.
-  double bouncing = -1;
+  double time_to_rest = -1;
 };
 
 /// A pending branch of a stream, or several with the same initial state.
@@ -134,7 +134,7 @@ struct Stream {
   NoiseSource noise{0, 0};  ///< normal numbers of the Gaussian noise
 
   /// Whether the current branch is the main branch of the stream.
-  bool whole() const { return waiting.empty(); }
+  bool is_on_main_branch() const { return waiting.empty(); }
 };
 
 }  // namespace fpkcheck::mcs

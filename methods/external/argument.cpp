@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
-#include "base/options/asked_name.hpp"
-#include "base/text/shown.hpp"
+#include "base/options/parse_enum.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/directory.hpp"
 
 namespace fpkcheck::methods {
@@ -35,9 +35,9 @@ int order_in(const std::string& value) {
 
 void set(const std::string& key, const std::string& value, GivenArgument& argument) {
   if (key == "equation") {
-    argument.equation = base::asked_name<problem::Equation>("--against: equation =", value);
+    argument.equation = base::parse_enum<problem::Equation>("--against: equation =", value);
   } else if (key == "impact") {
-    argument.impact = base::asked_name<problem::Impact>("--against: impact =", value);
+    argument.impact = base::parse_enum<problem::Impact>("--against: impact =", value);
   } else if (key == "order") {
     argument.order = order_in(value);
   } else if (key == "solution") {

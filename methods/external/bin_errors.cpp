@@ -106,7 +106,7 @@ BinSamplingL1 sampling_l1(std::span<const BinError> bins) {
   }
   const auto nth = distances.begin() + kReplicates * 99 / 100;
   std::ranges::nth_element(distances, nth);
-  result.in_99 = *nth;
+  result.quantile_99 = *nth;
   return result;
 }
 

@@ -28,8 +28,8 @@ std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const 
 
 /// How far from the truth chance takes the density, in L1 over the bins.
 struct BinSamplingL1 {
-  double expected = 0;  ///< sum over bins of sqrt(2/pi) * standard error * width
-  double in_99 = 0;     ///< what 99 files of 100 stay below
+  double expected = 0;     ///< sum over bins of sqrt(2/pi) * standard error * width
+  double quantile_99 = 0;  ///< what 99 files of 100 stay below
 };
 
 BinSamplingL1 sampling_l1(std::span<const BinError> bins);

@@ -41,7 +41,7 @@ void join_families(std::span<Method> guests) {
     for (Method& guest : guests) {
       if (!is_member(guest)) continue;
       guest.identity.family = *name;
-      guest.identity.look = given_family_look(first, *guest.identity.order);
+      guest.identity.plot_style = given_family_look(first, *guest.identity.order);
     }
   }
 }

@@ -7,7 +7,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/netcdf/reader.hpp"
 
 namespace fpkcheck::methods {
@@ -20,7 +20,7 @@ FileContent read_content(const std::filesystem::path& file) {
                                  base::in_quotes(file.string())));
   }
   if (bytes->starts_with(results::kNetCdfMagic)) return {ContentForm::netcdf, *std::move(bytes)};
-  const std::string name = base::shown(file.string());
+  const std::string name = base::sanitise(file.string());
   if (bytes->starts_with("CDF")) {
     throw InputError(fmt::format(
         "{} is netCDF of the classic form (must be netCDF-4: nccopy -k nc4 makes it so)", name));

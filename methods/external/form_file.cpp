@@ -8,16 +8,16 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/json_values.hpp"
 #include "results/run_json.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
-epc::ClosedForm form_of(const transform::Observations& observations, const std::string& where) {
+epc::ClosedForm form_of(const transform::Metrics& metrics, const std::string& where) {
   try {
-    return epc::closed_form_in(observations);
+    return epc::read_closed_form(metrics);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
   }
@@ -35,7 +35,7 @@ FormFile form_of_run(const results::Run& run, const std::string& where,
 
   std::vector<std::string> with_form;
   for (const auto& solution : one.solutions) {
-    if (epc::has_closed_form(solution.observations)) with_form.push_back(solution.id());
+    if (epc::has_closed_form(solution.metrics)) with_form.push_back(solution.id());
   }
   if (choice.solution && one.find(*choice.solution) != nullptr &&
       std::ranges::find(with_form, *choice.solution) == with_form.end()) {
@@ -43,10 +43,10 @@ FormFile form_of_run(const results::Run& run, const std::string& where,
         "{}: {} has no closed form in {}{}", where, base::in_quotes(*choice.solution), one.name(),
         with_form.empty() ? "" : fmt::format(" (use {})", fmt::join(with_form, ", "))));
   }
-  const std::string of_case = fmt::format("{}, {}", where, base::shown(one.name()));
+  const std::string of_case = fmt::format("{}, {}", where, base::sanitise(one.name()));
   const auto& solution =
       *one.find(with_form[chosen(with_form, choice.solution, "solution", of_case)]);
-  return {form_of(solution.observations, fmt::format("{}: {}", where, solution.id())), one.problem,
+  return {form_of(solution.metrics, fmt::format("{}: {}", where, solution.id())), one.problem,
           solution};
 }
 
@@ -58,7 +58,7 @@ std::size_t chosen(const std::vector<std::string>& names, const std::optional<st
     throw InputError(fmt::format("{} holds no {} with a density of this kind", where, what));
   }
   std::vector<std::string> known;
-  for (const auto& name : names) known.push_back(base::shown(name));
+  for (const auto& name : names) known.push_back(base::sanitise(name));
   if (!asked) {
     if (names.size() == 1) return 0;
     throw InputError(fmt::format("{} holds {} {}s (name one by {}: {})", where, names.size(), what,

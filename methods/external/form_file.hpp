@@ -25,7 +25,7 @@ struct FormFile {
   std::optional<transform::Solution> solution = {};
 };
 
-/// Reads a closed form that was written down (epc::closed_form_in), or the one of a solution in the
+/// Reads a closed form that was written down (epc::read_closed_form), or the one of a solution in the
 /// summary of a run.
 /// @param where how messages name the file
 /// @throws InputError on one line: not JSON, a choice that there is not or that has to be made, a

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "epc/density.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/column_meaning.hpp"
@@ -100,8 +100,8 @@ JointTable table_of(results::PlainJoint plain, const std::string& where) {
   const auto of_v = velocity_column(names);
   if (of_v >= names.size()) {
     throw InputError(fmt::format("{}: {} is over {} and {} (name the coordinates y and v)", where,
-                                 base::shown(plain.name), base::shown(names[0]),
-                                 base::shown(names[1])));
+                                 base::sanitise(plain.name), base::sanitise(names[0]),
+                                 base::sanitise(names[1])));
   }
   if (of_v == 1) return {std::move(plain.first), std::move(plain.second), std::move(plain.values)};
   JointTable table{std::move(plain.second), std::move(plain.first), {}};
@@ -121,7 +121,7 @@ GivenJoint joint_of_table(const NumberTable& table) {
 
 GivenJoint joint_of_netcdf(const GivenArgument& argument, std::string bytes,
                            const std::string& usual_case, const Registry& registry) {
-  const std::string where = base::shown(argument.file.string());
+  const std::string where = base::sanitise(argument.file.string());
   if (results::is_joint_netcdf(bytes)) return joint_of_run(argument, where, usual_case, registry);
   if (argument.solution || argument.case_name) {
     throw InputError(fmt::format("{} is one density (it has no {} to choose)", where,
@@ -134,7 +134,7 @@ GivenJoint joint_of_netcdf(const GivenArgument& argument, std::string bytes,
 
 GivenJoint joint_of_json(const GivenArgument& argument, const std::string& text,
                          const std::string& usual_case) {
-  const std::string where = base::shown(argument.file.string());
+  const std::string where = base::sanitise(argument.file.string());
   auto file = std::make_shared<const FormFile>(
       read_form(text, where, {argument.solution, argument.case_name, usual_case}));
   const auto& [form, problem, solution] = *file;
@@ -187,18 +187,18 @@ Method method_of(const OwnDensity& own, const GivenJoint& joint) {
     }
     const auto other = joint.problem ? difference(*joint.problem, problem) : std::string();
     if (!other.empty()) notes.push_back(fmt::format("it is of another problem, {}", other));
-    transform::Observer observer;
-    observer.text("files[0].file", joint.path)
+    transform::MetricBuilder builder;
+    builder.text("files[0].file", joint.path)
         .text("files[0].form", joint.form)
-        .work("files[0].numbers", transform::counted(joint.numbers));
-    if (notes.empty()) observer.empty_list("files[0].notes", transform::Kind::text);
+        .work("files[0].numbers", transform::count_value(joint.numbers));
+    if (notes.empty()) builder.add_empty_list("files[0].notes", transform::Kind::text);
     for (std::size_t n = 0; n < notes.size(); ++n) {
-      observer.text(fmt::format("files[0].notes[{}]", n), notes[n]);
+      builder.text(fmt::format("files[0].notes[{}]", n), notes[n]);
     }
-    std::ranges::move(observer.take(), std::back_inserter(solution.observations));
+    std::ranges::move(builder.take(), std::back_inserter(solution.metrics));
     return solution;
   };
-  return {.identity = identity_of(own, transform::kGivenInFile, "from a file"),
+  return {.identity = identity_of(own, transform::kExternalFile, "from a file"),
           .solve = solve,
           .check = [check](const problem::Problem& problem) { check(problem); }};
 }

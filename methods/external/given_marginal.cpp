@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "methods/external/bin_errors.hpp"
 #include "methods/external/column_meaning.hpp"
 
@@ -141,7 +141,7 @@ void GivenMarginal::read_points(const NumberTable& table) {
 void GivenMarginal::normalise(BinValue value) {
   constexpr double kNearOne = 0.1;
   const double total = cumulative_.back();
-  const std::string file = base::shown(file_.path);
+  const std::string file = base::sanitise(file_.path);
   if (!(total > 0)) throw InputError(fmt::format("{}: the density is 0 everywhere", file));
   if (!std::isfinite(total)) {
     throw InputError(fmt::format("{}: its integral overflows (choose other units)", file));
@@ -229,9 +229,9 @@ double GivenMarginal::moment(int power) const {
 }
 
 BinSamplingL1 GivenMarginal::sampling_l1(std::span<const double> edges) const {
-  const auto [expected, in_99] =
+  const auto [expected, quantile_99] =
       methods::sampling_l1(bin_errors(knots_, errors_, edges, continued_));
-  return {scale_ * expected, scale_ * in_99};
+  return {scale_ * expected, scale_ * quantile_99};
 }
 
 }  // namespace fpkcheck::methods

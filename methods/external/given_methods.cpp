@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "methods/external/argument.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/families.hpp"
@@ -42,27 +42,27 @@ std::optional<std::string> note_of_what_lies_beyond(const GivenMarginal& margina
 }
 
 // What a file held and what became of it, under "files[k]".
-void observe(const GivenMarginal& marginal, const std::vector<double>& bins, double mass,
-             double min_density, std::size_t k, transform::Observer& observer) {
+void add_metrics(const GivenMarginal& marginal, const std::vector<double>& bins, double mass,
+                 double min_density, std::size_t k, transform::MetricBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);
   const GivenFile& file = marginal.file();
   const double beyond = marginal.share_beyond(bins.front(), bins.back());
-  observer.text(path + "file", file.path)
+  builder.text(path + "file", file.path)
       .text(path + "variable", std::string(name(marginal.variable())))
       .text(path + "form", file.form)
-      .work(path + "rows", transform::counted(file.rows));
-  if (!file.values.empty()) observer.text(path + "values", file.values);
-  observer.result(path + "from", file.from)
+      .work(path + "rows", transform::count_value(file.rows));
+  if (!file.values.empty()) builder.text(path + "values", file.values);
+  builder.result(path + "from", file.from)
       .result(path + "to", file.to)
       .result(path + "integral", file.integral);
-  if (file.divided_by) observer.result(path + "normalised_by", *file.divided_by);
+  if (file.divided_by) builder.result(path + "normalised_by", *file.divided_by);
   auto notes = file.notes;
   if (const auto note = note_of_what_lies_beyond(marginal, beyond, bins)) notes.push_back(*note);
-  if (notes.empty()) observer.empty_list(path + "notes", transform::Kind::text);
+  if (notes.empty()) builder.add_empty_list(path + "notes", transform::Kind::text);
   for (std::size_t n = 0; n < notes.size(); ++n) {
-    observer.text(fmt::format("{}notes[{}]", path, n), notes[n]);
+    builder.text(fmt::format("{}notes[{}]", path, n), notes[n]);
   }
-  observer.result(path + "mass", mass)
+  builder.result(path + "mass", mass)
       .result(path + "min_density", min_density)
       .result(path + "beyond_axes", beyond);
 }
@@ -70,11 +70,11 @@ void observe(const GivenMarginal& marginal, const std::vector<double>& bins, dou
 void add_sampling(const GivenMarginal& marginal, const std::vector<double>& bins,
                   transform::Solution& solution) {
   if (!marginal.has_errors()) return;
-  const auto [expected, in_99] = marginal.sampling_l1(bins);
+  const auto [expected, quantile_99] = marginal.sampling_l1(bins);
   auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
   const bool of_y = marginal.variable() == Variable::y;
   (of_y ? sampling.y : sampling.ydot) = expected;
-  (of_y ? sampling.y_99 : sampling.ydot_99) = in_99;
+  (of_y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
 }
 
 // Of one with both marginals: what arrives at walls is in neither, nor are joint moments. It is
@@ -88,11 +88,11 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   if (y == marginals.end() || ydot == marginals.end()) return {};
   const problem::System& system = problem.system;
   if ((system.left() && system.right()) || system.rayleigh() != 0) return {};
-  const problem::Frame frame = problem::frame_of(system);
-  const problem::Problem seen = problem::seen_from(frame, problem);
+  const problem::Frame frame = problem::wall_frame(system);
+  const problem::Problem seen = problem::to_wall_coordinates(frame, problem);
   // As polynomials of y.
   const auto in_y = [&](const numerics::Polynomial& of_x) {
-    return of_x.of_shifted(frame.inverse().origin, frame.sign());
+    return of_x.compose_affine(frame.inverse().origin, frame.sign());
   };
   const auto virial = in_y(seen.system.force().times_argument());
   double mean_virial = virial.coefficient(0) * y->moment(0);
@@ -114,7 +114,7 @@ transform::Solution solution_of(const problem::Problem& problem,
   solution.energy_residual = unknown();
   auto& m = solution.moments;
   m = {unknown(), unknown(), unknown(), unknown(), unknown(), unknown()};
-  transform::Observer observer;
+  transform::MetricBuilder builder;
   for (std::size_t k = 0; k < marginals.size(); ++k) {
     const auto& marginal = marginals[k];
     const bool of_y = marginal.variable() == Variable::y;
@@ -130,12 +130,12 @@ transform::Solution solution_of(const problem::Problem& problem,
     if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
     if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
     add_sampling(marginal, bins, solution);
-    observe(marginal, bins, mass, min_density, k, observer);
+    add_metrics(marginal, bins, mass, min_density, k, builder);
     solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
   }
-  observe(observer, balance_residuals(problem, marginals));
-  note_rest(problem, observer);
-  solution.observations = observer.take();
+  add_metrics(builder, balance_residuals(problem, marginals));
+  note_rest(problem, builder);
+  solution.metrics = builder.take();
   return solution;
 }
 
@@ -231,7 +231,7 @@ void read_into(const GivenArgument& argument, const std::string& case_name,
 }
 
 Method method_of_marginals(const OwnDensity& own, const std::vector<MarginalFile>& files) {
-  return {.identity = identity_of(own, transform::kGivenInFile, "from a file"),
+  return {.identity = identity_of(own, transform::kExternalFile, "from a file"),
           .solve =
               [files](const problem::Problem& problem, const Setting& setting) {
                 return solution_of(problem, between_walls_of(problem, files), setting.axes);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/column_meaning.hpp"
 
@@ -70,7 +70,7 @@ bool is_joint(const NumberTable& table) {
 
 JointTable joint_table_of(const NumberTable& table) {
   const std::size_t of_v = velocity_column(table.names), of_y = 1 - of_v;
-  const std::string source = base::shown(table.source);
+  const std::string source = base::sanitise(table.source);
   JointTable joint{levels(table, of_y), levels(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
@@ -149,8 +149,8 @@ std::vector<double> values_at(const JointTable& table, const DensityPoints& poin
 
 std::vector<double> values_at(const transform::GridDensity& cells, const DensityPoints& points) {
   const double least = std::min(std::ranges::min(cells.averages), 0.0);
-  const auto parts = transform::on_cells(cells, edges_of_parts(points.y_edges()),
-                                         edges_of_parts(points.v_edges()));
+  const auto parts = transform::average_over_cells(cells, edges_of_parts(points.y_edges()),
+                                                   edges_of_parts(points.v_edges()));
   const std::size_t nv = parts.nv();
   std::vector<double> values;
   values.reserve((parts.ny() + 2) * nv);

@@ -38,7 +38,7 @@ void require_between(const problem::Walls& walls, double from, double to,
 std::vector<double> values_at(const JointTable& table, const DensityPoints& points);
 
 /// The values at the points that have the averages of a density on cells: over the parts of each
-/// cell (edges_of_parts), carried over by its cumulative distribution (transform::on_cells), no
+/// cell (edges_of_parts), carried over by its cumulative distribution (transform::average_over_cells), no
 /// lower than the least of its averages.
 std::vector<double> values_at(const transform::GridDensity& cells, const DensityPoints& points);
 

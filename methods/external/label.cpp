@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/directory.hpp"
 
 namespace fpkcheck::methods {

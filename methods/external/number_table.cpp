@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "methods/external/column_meaning.hpp"
 
 namespace fpkcheck::methods {
@@ -101,7 +101,7 @@ std::vector<double> NumberTable::column(std::size_t c) const {
 }
 
 void NumberTable::fail(std::size_t row, const std::string& problem) const {
-  throw InputError(fmt::format("{}:{}: {}", base::shown(source), lines[row], problem));
+  throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), lines[row], problem));
 }
 
 NumberTable read_number_table(std::istream& in, const std::string& source) {
@@ -109,7 +109,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   std::vector<std::string> comment;
   int line_number = 0;
   const auto fail = [&](const std::string& problem) {
-    throw InputError(fmt::format("{}:{}: {}", base::shown(source), line_number, problem));
+    throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), line_number, problem));
   };
   char usual_separator = '\0';
   std::size_t most = kMostRows;
@@ -139,7 +139,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
       if (!value)
         fail(fmt::format("{} is not a number (with a decimal point)", base::in_quotes(field)));
       if (!std::isfinite(*value))
-        fail(fmt::format("{} (numbers must be finite)", base::shown(field)));
+        fail(fmt::format("{} (numbers must be finite)", base::sanitise(field)));
       row.push_back(*value);
     }
     if (table.rows.empty()) usual_separator = separator;
@@ -166,8 +166,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     table.lines.push_back(line_number);
   }
   if (table.rows.empty()) {
-    throw InputError(
-        fmt::format("{}: no numbers (must be two or three columns of them)", base::shown(source)));
+    throw InputError(fmt::format("{}: no numbers (must be two or three columns of them)",
+                                 base::sanitise(source)));
   }
   if (table.names.empty() && comment.size() == table.columns()) table.names = lower_case(comment);
   if (!table.names.empty() && table.names.size() != table.columns()) {

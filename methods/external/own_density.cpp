@@ -63,8 +63,8 @@ std::string objection(const transform::GridDensity& grid, const DensityPoints& p
 // Balances are stated in the frame.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const PointIntegrals& integrals, double mass) {
-  const problem::Frame frame = problem::frame_of(problem.system);
-  const problem::Problem seen = problem::seen_from(frame, problem);
+  const problem::Frame frame = problem::wall_frame(problem.system);
+  const problem::Problem seen = problem::to_wall_coordinates(frame, problem);
   const auto& force = seen.system.force();
   const auto mean = [&](const auto& of) {
     return integrals.of([&](double y, double v) { return of(frame.x(y), frame.v(v)); }) / mass;
@@ -83,8 +83,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
       .impact_momentum = into(frame.mirrored),
       .right_momentum = virial.right_momentum,
       .mean_cubed_velocity = mean([](double, double v) { return v * v * v; })};
-  if (!problem::of_the_paper(problem)) {
-    momentum.size_of_force = mean([&](double x, double) { return std::abs(force(x)); });
+  if (!problem::is_paper_oscillator(problem)) {
+    momentum.mean_absolute_force = mean([&](double x, double) { return std::abs(force(x)); });
   }
   transform::BalanceResiduals residuals{.virial = problem::virial_balance(seen, virial).residual()};
   // Without a wall and a mean of the impulses both sides are 0.
@@ -102,10 +102,10 @@ transform::Identity identity_of(const OwnDensity& own, std::string_view method,
   transform::Identity identity{.id = own.label,
                                .method = std::string(method),
                                .order = own.order,
-                               .role = transform::Role::given,
+                               .role = transform::Role::external,
                                .family = std::string(method),
                                .trust = static_cast<int>(own.place),
-                               .look = given_look(own.place)};
+                               .plot_style = given_look(own.place)};
   if (own.equation) {
     identity.role = transform::Role::closure;
     identity.equation = own.equation;
@@ -118,9 +118,9 @@ transform::Identity identity_of(const OwnDensity& own, std::string_view method,
   return identity;
 }
 
-void note_rest(const problem::Problem& problem, transform::Observer& observer) {
+void note_rest(const problem::Problem& problem, transform::MetricBuilder& builder) {
   if (!problem::features(problem).rests_in_contact) return;
-  observer.text(
+  builder.text(
       "notes[0]",
       "the mass that rests in contact with a wall is no part of it, and counts as missing");
 }
@@ -176,11 +176,11 @@ Solution solution_of(const problem::Problem& problem, const Setting& setting, co
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
   solution.density = std::move(grid);
 
-  transform::Observer observer;
-  if (how.normalise) observer.result("normalised_by", mass);
-  observe(observer, balance_residuals(problem, integrals, solution.mass));
-  note_rest(problem, observer);
-  solution.observations = observer.take();
+  transform::MetricBuilder builder;
+  if (how.normalise) builder.result("normalised_by", mass);
+  add_metrics(builder, balance_residuals(problem, integrals, solution.mass));
+  note_rest(problem, builder);
+  solution.metrics = builder.take();
   if (own.equation && setting.residuals != nullptr) {
     // Whether it meets its equation nobody has asked.
     state_measured_error(*setting.residuals, how.accuracy, solution, {}, "");
@@ -191,7 +191,7 @@ Solution solution_of(const problem::Problem& problem, const Setting& setting, co
 Method own_function(const OwnDensity& own, const OwnFunction& how, const DensityPoints& points,
                     std::vector<double> values) {
   const double mass = require_density(own, points, values);
-  return {.identity = identity_of(own, transform::kGivenAsFunction, "given as a function"),
+  return {.identity = identity_of(own, transform::kExternalFunction, "given as a function"),
           .solve = [own, how, points, mass, values = std::move(values)](
                        const problem::Problem& problem, const Setting& setting) {
             return solution_of(problem, setting, own, how, points, values, mass);

@@ -49,7 +49,7 @@ Method own_function(const OwnDensity& own, const OwnFunction& how, const Density
 
 /// Says, as notes[0], that the mass which rests in contact (problem::Features) is no part of a
 /// density of one's own.
-void note_rest(const problem::Problem& problem, transform::Observer& observer);
+void note_rest(const problem::Problem& problem, transform::MetricBuilder& builder);
 
 /// The integral of values as own_function takes them.
 /// @throws InputError as own_function

@@ -66,10 +66,10 @@ void put_marginal(const std::vector<double>& edges, const std::vector<double>& v
     marginal.upper.push_back(density + 1.96 * error);
     errors.push_back({width, b, {error}});
   }
-  const auto [expected, in_99] = sampling_l1(errors);
+  const auto [expected, quantile_99] = sampling_l1(errors);
   auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
   (variable == Variable::y ? sampling.y : sampling.ydot) = expected;
-  (variable == Variable::y ? sampling.y_99 : sampling.ydot_99) = in_99;
+  (variable == Variable::y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
   solution.estimated_marginals.emplace_back(variable, std::move(marginal));
 }
 
@@ -99,23 +99,24 @@ Solution solution_of(const Samples& samples, const problem::Problem& problem,
   transform::GridDensity grid{axes.y_edges, axes.v_edges, {}};
   grid.averages.assign(grid.ny() * grid.nv(), 0.0);
   const double n = static_cast<double>(samples.size()), each = 1 / n;
-  const Samples counted = moving(samples, problem);
-  for (std::size_t k = 0; k < counted.size(); ++k) {
-    const auto i = bin_of(grid.y_edges, counted.y[k]), j = bin_of(grid.v_edges, counted.v[k]);
+  const Samples count_value = moving(samples, problem);
+  for (std::size_t k = 0; k < count_value.size(); ++k) {
+    const auto i = bin_of(grid.y_edges, count_value.y[k]),
+               j = bin_of(grid.v_edges, count_value.v[k]);
     if (!i || !j) continue;
     solution.mass += each;
     grid.averages[*i * grid.nv() + *j] += each / ((grid.y_edges[*i + 1] - grid.y_edges[*i]) *
                                                   (grid.v_edges[*j + 1] - grid.v_edges[*j]));
   }
   solution.density = std::move(grid);
-  put_marginal(axes.y_edges, counted.y, n, samples.independent, Variable::y, solution);
-  put_marginal(axes.v_edges, counted.v, n, samples.independent, Variable::ydot, solution);
+  put_marginal(axes.y_edges, count_value.y, n, samples.independent, Variable::y, solution);
+  put_marginal(axes.v_edges, count_value.v, n, samples.independent, Variable::ydot, solution);
   put_moments(samples, solution);
-  transform::Observer observer;
-  observer.work("samples", transform::counted(samples.size()))
+  transform::MetricBuilder builder;
+  builder.work("samples", transform::count_value(samples.size()))
       .work("independent", samples.independent);
-  note_rest(problem, observer);
-  solution.observations = observer.take();
+  note_rest(problem, builder);
+  solution.metrics = builder.take();
   return solution;
 }
 
@@ -141,7 +142,7 @@ Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<c
   }
   auto samples = std::make_shared<const Samples>(
       Samples{{y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});
-  return {.identity = identity_of(own, transform::kGivenAsFunction, "given as samples"),
+  return {.identity = identity_of(own, transform::kExternalFunction, "given as samples"),
           .solve =
               [samples](const problem::Problem& problem, const Setting& setting) {
                 return solution_of(*samples, problem, setting.axes);

@@ -17,7 +17,7 @@ using BernsteinCoefficients = std::vector<Interval>;  ///< the degree is size() 
 double binomial(int n, int j);
 
 /// Degree elevation: the coefficients of the same polynomial in a higher degree.
-BernsteinCoefficients elevated(std::span<const Interval> b, int degree);
+BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree);
 /// The product of two polynomials.
 BernsteinCoefficients product(std::span<const Interval> a, std::span<const Interval> b);
 /// The derivative by t.
@@ -26,11 +26,11 @@ BernsteinCoefficients derivative(std::span<const Interval> b);
 Interval value(std::span<const Interval> b, const Interval& t);
 
 /// Bernstein coefficients of sum_k a_k t^k, same degree.
-BernsteinCoefficients from_powers(std::span<const Interval> a);
+BernsteinCoefficients bernstein_from_powers(std::span<const Interval> a);
 /// Power coefficients a_k of a Bernstein form.
-BernsteinCoefficients to_powers(std::span<const Interval> b);
+BernsteinCoefficients powers_from_bernstein(std::span<const Interval> b);
 /// Bernstein coefficients of sum_k a_k (x - origin)^k on the segment x = from + t (to - from).
-BernsteinCoefficients on_segment(std::span<const double> a, const Interval& origin,
-                                 const Interval& from, const Interval& to);
+BernsteinCoefficients bernstein_on_segment(std::span<const double> a, const Interval& origin,
+                                           const Interval& from, const Interval& to);
 
 }  // namespace fpkcheck::numerics

@@ -13,7 +13,7 @@ struct Enclosure {
   double half_width() const { return (upper - lower) / 2; }
   bool contains(double x) const { return lower <= x && x <= upper; }
   /// The intersection of two enclosures of the same number.
-  Enclosure intersected(const Enclosure& other) const {
+  Enclosure intersection(const Enclosure& other) const {
     return {std::max(lower, other.lower), std::min(upper, other.upper)};
   }
 };

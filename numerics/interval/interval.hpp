@@ -66,20 +66,20 @@ template <class Work>
 #else
 [[gnu::noinline]]
 #endif
-auto called(const Work& work) {
+auto call_opaque(const Work& work) {
   return work();
 }
 template <class Work>
-auto rounded_upward(const Work& work) {
+auto with_upward_rounding(const Work& work) {
   const UpwardRounding upward;
-  return called(work);
+  return call_opaque(work);
 }
 
 inline Interval interval(const Enclosure& e) { return {e.lower, e.upper}; }
 inline Enclosure enclosure(const Interval& x) { return {x.lower(), x.upper()}; }
 
 /// [-x, x]
-inline Interval plus_minus(double x) { return {-x, x}; }
+inline Interval symmetric_interval(double x) { return {-x, x}; }
 /// The magnitude of an interval: its largest |x|.
 inline double magnitude(const Interval& x) { return std::max(-x.lower(), x.upper()); }
 

@@ -8,12 +8,12 @@ namespace fpkcheck::numerics {
 
 /// LU factors of a square matrix with partial pivoting. Eigen's class is compiled once, behind
 /// this.
-class Factors {
+class LuFactors {
  public:
-  explicit Factors(const Eigen::MatrixXd& matrix);
-  Factors(Factors&&) noexcept;
-  Factors& operator=(Factors&&) noexcept;
-  ~Factors();
+  explicit LuFactors(const Eigen::MatrixXd& matrix);
+  LuFactors(LuFactors&&) noexcept;
+  LuFactors& operator=(LuFactors&&) noexcept;
+  ~LuFactors();
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   double determinant() const;
@@ -26,10 +26,10 @@ class Factors {
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
 /// Indicators of a nearly singular square matrix.
-struct Regularity {
+struct SingularityIndicators {
   double smallest_singular_value;
   int determinant_sign;  ///< -1, 0 or 1
 };
-Regularity regularity(const Eigen::MatrixXd& matrix);
+SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix);
 
 }  // namespace fpkcheck::numerics

@@ -37,7 +37,7 @@ class Polynomial {
   }
   /// Substitutes y = origin + sign x and returns the polynomial of x (Horner's rule for
   /// polynomials).
-  constexpr Polynomial of_shifted(double origin, double sign) const {
+  constexpr Polynomial compose_affine(double origin, double sign) const {
     Coefficients q{};
     for (std::size_t n = kDegree + 1; n-- > 0;) {
       for (std::size_t m = kDegree; m > 0; --m) q[m] = origin * q[m] + sign * q[m - 1];

@@ -24,9 +24,9 @@ struct NewtonResult {
 /// Backtracking: returns the first of `first`, first/2, first/4, .. above `least` for which
 /// `accepts` returns true; 0 when there is none.
 template <class Accepts>
-double halved_until(double first, double least, const Accepts& accepts) {
-  for (double share = first; share > least; share /= 2) {
-    if (accepts(share)) return share;
+double backtrack(double first, double least, const Accepts& accepts) {
+  for (double step_fraction = first; step_fraction > least; step_fraction /= 2) {
+    if (accepts(step_fraction)) return step_fraction;
   }
   return 0;
 }
@@ -35,7 +35,7 @@ double halved_until(double first, double least, const Accepts& accepts) {
 ///
 ///     at(a)                 an iterate: `a` and `size`, the norm of R (finite where R exists)
 ///     step(iterate)         the Newton step at the iterate, with its `change` of a
-///     share(iterate, step)  the fraction of the step to take; 0 stops. Called when damped
+///     step_fraction(iterate, step)  the fraction of the step to take; 0 stops. Called when damped
 template <class Equations>
 NewtonResult newton(const Equations& equations, const Eigen::VectorXd& start,
                     const NewtonOptions& options) {
@@ -46,9 +46,10 @@ NewtonResult newton(const Equations& equations, const Eigen::VectorXd& start,
     if (polishing && !options.polish) break;
     const auto step = equations.step(here);
     // After convergence the full step is safe: only rounding errors remain.
-    const double share = polishing || !options.damped ? 1 : equations.share(here, step);
-    if (share == 0) break;
-    const Eigen::VectorXd a = here.a + share * step.change;
+    const double step_fraction =
+        polishing || !options.damped ? 1 : equations.step_fraction(here, step);
+    if (step_fraction == 0) break;
+    const Eigen::VectorXd a = here.a + step_fraction * step.change;
     here = equations.at(a);
     if (!std::isfinite(here.size)) break;
     ++best.iterations;

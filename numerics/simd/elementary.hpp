@@ -18,7 +18,7 @@ inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821
 /// m = 2 artanh s, s = (m - 1)/(m + 1).
 template <class Real>
 FPKCHECK_INLINE Real logarithm(const Real& x) {
-  using Bits = typename LanesOf<kWidth<Real>>::Bits;
+  using Bits = typename VectorTypes<kWidth<Real>>::Bits;
   constexpr std::int64_t kHalfRoot = 0x3fe6a09e667f3bcd;  // sqrt(1/2)
   Bits bits;
   __builtin_memcpy(&bits, &x, sizeof bits);
@@ -43,7 +43,7 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
 /// series to r^13.
 template <class Real>
 FPKCHECK_INLINE Real exponential(const Real& x) {
-  using Bits = typename LanesOf<kWidth<Real>>::Bits;
+  using Bits = typename VectorTypes<kWidth<Real>>::Bits;
   constexpr double kPerLn2 = 1.4426950408889634074;
   const Real shifted = x * kPerLn2 + kShift;
   const Real n = shifted - kShift;

@@ -9,18 +9,18 @@ namespace fpkcheck::simd {
 enum class InstructionSet { baseline, avx2, avx512 };
 
 /// A compiled SIMD variant: instruction set and number of lanes.
-struct LaneSet {
+struct CodeVariant {
   InstructionSet instructions;
   int width;
 };
 
 /// The variants that this program contains and this processor supports, the fastest last.
-std::vector<LaneSet> available_lanes();
+std::vector<CodeVariant> available_variants();
 
 /// Selects the version of a function that was compiled for an instruction set.
 template <class Function>
-Function* compiled_for(InstructionSet instructions, Function* baseline, Function* avx2,
-                       Function* avx512) {
+Function* select_variant(InstructionSet instructions, Function* baseline, Function* avx2,
+                         Function* avx512) {
   switch (instructions) {
     case InstructionSet::avx512:
       return avx512;

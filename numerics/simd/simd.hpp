@@ -17,7 +17,7 @@ namespace fpkcheck::simd {
 #define FPKCHECK_INLINE inline __attribute__((always_inline))
 
 template <int W>
-struct LanesOf {
+struct VectorTypes {
   static_assert(std::has_single_bit(static_cast<unsigned>(W)));
   // A typedef, since GCC 12 ignores the attribute in `using` where W is a parameter.
   typedef double Real __attribute__((vector_size(8 * W)));
@@ -26,7 +26,7 @@ struct LanesOf {
   typedef std::int32_t Index __attribute__((vector_size(4 * W)));
 };
 template <>
-struct LanesOf<1> {
+struct VectorTypes<1> {
   using Real = double;
   using Mask = bool;
   using Bits = std::int64_t;
@@ -60,11 +60,11 @@ FPKCHECK_INLINE Real where(const Mask& mask, const Real& a) {
 }
 
 template <class Real>
-FPKCHECK_INLINE Real smaller(const Real& a, const Real& b) {
+FPKCHECK_INLINE Real lanewise_min(const Real& a, const Real& b) {
   return a < b ? a : b;
 }
 template <class Real>
-FPKCHECK_INLINE Real larger(const Real& a, const Real& b) {
+FPKCHECK_INLINE Real lanewise_max(const Real& a, const Real& b) {
   return a > b ? a : b;
 }
 
@@ -83,7 +83,7 @@ FPKCHECK_INLINE bool any(const Mask& mask) {
 
 /// Broadcasts a number to all lanes.
 template <class Real>
-FPKCHECK_INLINE Real all_lanes(double x) {
+FPKCHECK_INLINE Real broadcast(double x) {
   return Real{} + x;
 }
 
@@ -106,10 +106,10 @@ FPKCHECK_INLINE void store(const Real& x, double* to) {
 }
 
 /// Truncates numbers in 0 .. 2^31 - 1 to integers.
-FPKCHECK_INLINE std::int32_t truncated(double x) { return static_cast<std::int32_t>(x); }
+FPKCHECK_INLINE std::int32_t truncate_to_index(double x) { return static_cast<std::int32_t>(x); }
 template <class Real>
-FPKCHECK_INLINE typename LanesOf<kWidth<Real>>::Index truncated(const Real& x) {
-  return __builtin_convertvector(x, typename LanesOf<kWidth<Real>>::Index);
+FPKCHECK_INLINE typename VectorTypes<kWidth<Real>>::Index truncate_to_index(const Real& x) {
+  return __builtin_convertvector(x, typename VectorTypes<kWidth<Real>>::Index);
 }
 
 }  // namespace fpkcheck::simd

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::numerics {
 
-inline constexpr int kDefaultDegree = 6;
+inline constexpr int kDefaultSplineDegree = 6;
 
 /// B-splines of degree p on [breaks.front(), breaks.back()] with simple inner knots and end knots
 /// of multiplicity p + 1. On the span from breaks[span] to breaks[span + 1] the functions span ..
@@ -14,7 +14,7 @@ inline constexpr int kDefaultDegree = 6;
 class SplineBasis {
  public:
   /// @param breaks increasing, at least two
-  explicit SplineBasis(std::vector<double> breaks, int degree = kDefaultDegree);
+  explicit SplineBasis(std::vector<double> breaks, int degree = kDefaultSplineDegree);
 
   int degree() const { return degree_; }
   int spans() const { return static_cast<int>(breaks_.size()) - 1; }
@@ -40,6 +40,6 @@ class SplineBasis {
 /// to x + finest; beyond `uniform_from` it is nearly constant:
 ///
 ///     cell width ~ (x + finest) / (1 + x/uniform_from),   0 < finest < uniform_from.
-std::vector<double> graded_breaks(double end, int cells, double finest, double even);
+std::vector<double> graded_breaks(double end, int cells, double finest, double uniform_from);
 
 }  // namespace fpkcheck::numerics

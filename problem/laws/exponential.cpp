@@ -14,7 +14,7 @@ constexpr double kSkewness = 2;
 
 }  // namespace
 
-ExponentialLaw ExponentialLaw::with(double mean, double deviation, const LawShape& shape) {
+ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation, const LawShape& shape) {
   const double skewness = shape.skewness.value_or(kSkewness);
   if (std::abs(skewness) != kSkewness) {
     throw InputError(
@@ -44,9 +44,9 @@ double ExponentialLaw::cumulative(double y) const {
   return e > 0 ? std::exp(-e) : 1;
 }
 
-std::vector<double> ExponentialLaw::smooth_pieces() const {
-  constexpr double kReach = 46;
-  const double start = mean - scale, end = start + kReach * scale;
+std::vector<double> ExponentialLaw::density_breakpoints() const {
+  constexpr double kTailLength = 46;
+  const double start = mean - scale, end = start + kTailLength * scale;
   return scale > 0 ? std::vector{start, end} : std::vector{end, start};
 }
 

@@ -20,7 +20,7 @@ struct ExponentialLaw {
   static constexpr std::string_view kWidthName = "scale";
   /// The default skewness is 2.
   /// @throws InputError when the skewness is neither 2 nor -2
-  static ExponentialLaw with(double mean, double deviation, const LawShape& shape);
+  static ExponentialLaw from_moments(double mean, double deviation, const LawShape& shape);
   double width() const { return scale; }
   double standard_deviation() const;
 
@@ -29,7 +29,7 @@ struct ExponentialLaw {
   double density(double y) const;
   double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
-  std::vector<double> smooth_pieces() const;
+  std::vector<double> density_breakpoints() const;
   /// exp(-iu scale) / (1 - iu scale)
   std::complex<double> centred_characteristic_function(double u) const;
   /// Infinite for u scale >= 1.

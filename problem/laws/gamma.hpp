@@ -21,7 +21,7 @@ struct GammaLaw {
   static constexpr std::string_view kWidthName = "deviation";
   /// The default skewness is 1.
   /// @throws InputError when |skewness| is outside 0.01 .. 2 (above 2 the density is unbounded)
-  static GammaLaw with(double mean, double deviation, const LawShape& shape);
+  static GammaLaw from_moments(double mean, double deviation, const LawShape& shape);
   /// The deviation, times the sign of the skewness.
   double width() const;
   double standard_deviation() const { return deviation; }
@@ -35,7 +35,7 @@ struct GammaLaw {
   std::vector<Atom> atoms() const { return {}; }
   /// Break points, closer together near the end of the support, where the density behaves like a
   /// power.
-  std::vector<double> smooth_pieces() const;
+  std::vector<double> density_breakpoints() const;
   std::complex<double> centred_characteristic_function(double u) const;
   /// Infinite for u deviation skewness / 2 >= 1.
   double centred_moment_generating_function(double u) const;

@@ -16,7 +16,7 @@ namespace fpkcheck::problem {
 namespace {
 
 // 20 Gauss points integrate exp(i x) and exp(x) to rounding over a length of 6.
-constexpr double kSmooth = 6;
+constexpr double kSmoothLength = 6;
 
 bool has_atoms(const TabulatedLaw& law) {
   return law.standard->kind == AmplitudeTable::Kind::probability;
@@ -69,7 +69,7 @@ double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
 
 }  // namespace
 
-TabulatedLaw TabulatedLaw::with(double mean, double deviation, const LawShape& shape) {
+TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation, const LawShape& shape) {
   if (shape.table.empty()) {
     throw InputError(
         "impulse.table is missing: impulse.law = tabulated needs a CSV file with the columns "
@@ -80,7 +80,7 @@ TabulatedLaw TabulatedLaw::with(double mean, double deviation, const LawShape& s
         fmt::format("impulse.skewness = {}: a tabulated law has the skewness of its table; omit it",
                     *shape.skewness));
   }
-  AmplitudeTable table = amplitude_table_of_text(shape.table);
+  AmplitudeTable table = parse_table_literal(shape.table);
   const double centre = table.mean(), width = std::sqrt(table.variance());
   for (double& y : table.amplitude) y = (y - centre) / width;
   if (table.kind == AmplitudeTable::Kind::density) {
@@ -123,7 +123,7 @@ std::vector<Atom> TabulatedLaw::atoms() const {
   return atoms;
 }
 
-std::vector<double> TabulatedLaw::smooth_pieces() const {
+std::vector<double> TabulatedLaw::density_breakpoints() const {
   std::vector<double> pieces;
   if (has_atoms(*this)) return pieces;
   for (const double z : standard->amplitude) pieces.push_back(mean + scale * z);
@@ -134,13 +134,13 @@ std::vector<double> TabulatedLaw::smooth_pieces() const {
 std::complex<double> TabulatedLaw::centred_characteristic_function(double u) const {
   const double x = u * scale;
   return expectation(
-      *standard, [x](double z) { return std::polar(1.0, x * z); }, kSmooth / std::abs(x));
+      *standard, [x](double z) { return std::polar(1.0, x * z); }, kSmoothLength / std::abs(x));
 }
 
 double TabulatedLaw::centred_moment_generating_function(double u) const {
   const double x = u * scale;
   return expectation(
-      *standard, [x](double z) { return std::exp(x * z); }, kSmooth / std::abs(x));
+      *standard, [x](double z) { return std::exp(x * z); }, kSmoothLength / std::abs(x));
 }
 
 }  // namespace fpkcheck::problem

@@ -22,7 +22,7 @@ struct TabulatedLaw {
   static constexpr std::string_view kName = "tabulated";
   static constexpr std::string_view kWidthName = "scale";
   /// @throws InputError when the table is missing or invalid
-  static TabulatedLaw with(double mean, double deviation, const LawShape& shape);
+  static TabulatedLaw from_moments(double mean, double deviation, const LawShape& shape);
   double width() const { return scale; }
   double standard_deviation() const;
 
@@ -30,7 +30,7 @@ struct TabulatedLaw {
   double density(double y) const;
   double cumulative(double y) const;
   std::vector<Atom> atoms() const;
-  std::vector<double> smooth_pieces() const;
+  std::vector<double> density_breakpoints() const;
   std::complex<double> centred_characteristic_function(double u) const;
   double centred_moment_generating_function(double u) const;
   /// The law of Z.

@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/options/asked_name.hpp"
-#include "base/text/shown.hpp"
+#include "base/options/parse_enum.hpp"
+#include "base/text/sanitise.hpp"
 #include "compare/axes.hpp"
 #include "extension/options.hpp"
 #include "extension/saving.hpp"
@@ -131,7 +131,7 @@ void bind_problems(py::module_& module) {
           "text", [](const problem::Problem& one) { return problem::parameters_text(one); });
   module.def("case_names", [] {
     std::vector<std::string> names;
-    for (const auto* cases : {&problem::named_cases(), &problem::shipped_systems()}) {
+    for (const auto* cases : {&problem::paper_cases(), &problem::example_systems()}) {
       for (const auto& named : *cases) names.push_back(named.name);
     }
     return names;
@@ -140,7 +140,7 @@ void bind_problems(py::module_& module) {
   module.def(
       "load_case",
       [](const std::string& name_or_path, const std::vector<std::string>& settings) {
-        return problem::load_case(name_or_path, settings, problem::Naming::of_changes);
+        return problem::load_case(name_or_path, settings, problem::CaseNaming::with_overrides);
       },
       py::arg("name_or_path"), py::arg("settings"));
   module.def("problem_of", problem_of, py::arg("name"), py::arg("settings"));
@@ -162,9 +162,9 @@ methods::OwnDensity own_density(const std::string& label,
   if (order && *order < 1) {
     throw InputError(fmt::format("{} = {} (must be 1 or more)", of("order"), *order));
   }
-  if (equation) own.equation = base::asked_name<problem::Equation>(of("equation"), *equation);
+  if (equation) own.equation = base::parse_enum<problem::Equation>(of("equation"), *equation);
   // Trajectories alone are reflected exactly.
-  own.impact = base::asked_name<problem::Impact>(of("impact"), impact,
+  own.impact = base::parse_enum<problem::Impact>(of("impact"), impact,
                                                  std::span(problem::kImpactNames).first(2));
   return own;
 }

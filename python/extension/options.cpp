@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::python {
 namespace {
@@ -44,14 +44,14 @@ void require_known(const methods::Registry& registry, const std::string& option)
 
 // Of the type that the parameter takes.
 Value fitting(const base::Parameter& parameter, const NamedValue& given) {
-  const std::string label = fmt::format("options: {} =", base::shown(given.name));
+  const std::string label = fmt::format("options: {} =", base::sanitise(given.name));
   if (const auto* text = std::get_if<std::string>(&given.value)) {
-    return value_from(parameter, *text, label);
+    return parse_value(parameter, *text, label);
   }
-  const auto value = parameter.accepted(given.value);
+  const auto value = parameter.converted_value(given.value);
   if (!value) {
-    throw InputError(
-        fmt::format("{} {} (must be {})", label, base::text_of(given.value), parameter.allowed()));
+    throw InputError(fmt::format("{} {} (must be {})", label, base::text_of(given.value),
+                                 parameter.requirement()));
   }
   return *value;
 }

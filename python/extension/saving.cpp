@@ -8,8 +8,8 @@
 #include <future>
 #include <mutex>
 
-#include "base/process/files_in_hand.hpp"
 #include "base/process/stop.hpp"
+#include "base/process/write_guard.hpp"
 #include "methods/builtin.hpp"
 #include "report/report.hpp"
 #include "results/directory.hpp"
@@ -35,7 +35,7 @@ void let_hdf5_be_silent_here() {
 std::vector<std::string> written(const std::filesystem::path& directory, const results::Run& run) {
   const std::lock_guard lock(files_mutex());
   let_hdf5_be_silent_here();
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   const auto prepared = results::make_writable(directory);
   return report::write_report(directory, run);
 }

@@ -16,10 +16,10 @@ namespace fpkcheck::report {
 /// without a budget.
 /// @param format if rows exceed the width, the tail is omitted first, then the parts from the end
 ///               of the chain
-std::string budget_table(const results::Case& one, const TextFormat& format);
+std::string budget_table(const results::Case& case_result, const TextFormat& format);
 
 /// The displayed columns of this table; none without a budget.
-std::vector<Column> budget_columns(const results::Case& one, const TextFormat& format);
+std::vector<Column> budget_columns(const results::Case& case_result, const TextFormat& format);
 
 /// The short name of a part, for a narrow header: "trunc.".
 std::string part_header(const std::string& part);

@@ -12,7 +12,7 @@
 namespace fpkcheck::report {
 
 /// The curves of a marginal density, in drawing order.
-struct FigureSide {
+struct MarginalCurves {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
   /// Ranges over the solutions with status ok, or over all solutions if none is ok. The ranges of
@@ -27,8 +27,8 @@ struct FigureContent {
   /// Whether differences are between averages over smooth bins. There the reference has small
   /// errors, and absolute differences are shown on a logarithmic axis.
   bool smooth_differences = false;
-  std::vector<FigureSide> sides;  ///< y and ydot, without a marginal that has no curve
-  std::size_t left_out = 0;       ///< number of solutions with curves that are not shown
+  std::vector<MarginalCurves> marginals;  ///< y and ydot, without a marginal that has no curve
+  std::size_t hidden_count = 0;           ///< number of solutions with curves that are not shown
 };
 
 /// Ranges of the differences of these curves. A logarithmic axis contains the differences of all
@@ -38,7 +38,7 @@ FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarith
 
 /// The curves of a case.
 /// @param shown ids of the solutions to show; all solutions if not given
-FigureContent figure_content(const results::Case& one,
+FigureContent figure_content(const results::Case& case_result,
                              const std::optional<std::set<std::string>>& shown = {});
 
 }  // namespace fpkcheck::report

@@ -11,7 +11,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/process/stop.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 
@@ -25,7 +25,7 @@ std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
   return start == std::string::npos
              ? "no message"
-             : base::shown(text.substr(start, text.find('\n', start) - start));
+             : base::sanitise(text.substr(start, text.find('\n', start) - start));
 }
 
 std::string bytes_of(const fs::path& file) {
@@ -36,8 +36,8 @@ std::string bytes_of(const fs::path& file) {
 // Runs gnuplot on a script.
 // @param target file that gnuplot writes
 // @param picture file named in messages
-void let_draw(const std::string& gnuplot, const fs::path& script, const std::string& format,
-              const fs::path& target, const fs::path& picture) {
+void run_script(const std::string& gnuplot, const fs::path& script, const std::string& format,
+                const fs::path& target, const fs::path& picture) {
   const auto outcome = run_gnuplot(gnuplot,
                                    {"format=" + gnuplot_string(format),
                                     "target=" + gnuplot_string(fs::absolute(target).string())},
@@ -54,7 +54,7 @@ void let_draw(const std::string& gnuplot, const fs::path& script, const std::str
 
 // Sets the printed size of an SVG. gnuplot measures an SVG in pixels and does not scale tics and
 // marks, so that the picture itself is drawn for a screen.
-std::string in_millimetres(std::string svg, double across) {
+std::string set_printed_size(std::string svg, double across) {
   int width = 0, height = 0;
   const auto at = svg.find(" width=\"");
   if (at == std::string::npos ||
@@ -68,18 +68,18 @@ std::string in_millimetres(std::string svg, double across) {
 }
 
 /// A new temporary directory, removed by the destructor.
-class Workplace {
+class TemporaryDirectory {
  public:
-  Workplace() {
+  TemporaryDirectory() {
     std::string name = (fs::temp_directory_path() / "fpkcheck-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) {
       throw std::runtime_error("cannot create a temporary directory: check TMPDIR");
     }
     path_ = name;
   }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-  ~Workplace() {
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  ~TemporaryDirectory() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
   }
@@ -93,18 +93,18 @@ class Workplace {
 // writes the name with its directory. Here the graphics are STEM-tex.pdf without directory, for
 // LaTeX's \graphicspath.
 void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
-  const Workplace workplace;
-  const fs::path drawn = workplace.path() / "drawn.tex", art = workplace.path() / "drawn.pdf";
-  let_draw(gnuplot, script, "tex", drawn, picture);
+  const TemporaryDirectory directory;
+  const fs::path drawn = directory.path() / "drawn.tex", graphics = directory.path() / "drawn.pdf";
+  run_script(gnuplot, script, "tex", drawn, picture);
   const std::string included = picture.stem().string() + "-tex.pdf";
   std::string text = bytes_of(drawn);
-  const std::string name = (workplace.path() / "drawn").string();
+  const std::string name = (directory.path() / "drawn").string();
   if (const auto at = text.find(name); at != std::string::npos) {
     text.replace(at, name.size(), included);
   }
   base::PendingFiles files;
   files.add(picture, text);
-  files.add(picture.parent_path() / included, bytes_of(art));
+  files.add(picture.parent_path() / included, bytes_of(graphics));
   files.commit();
 }
 
@@ -118,15 +118,15 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
     return;
   }
   base::replace_file(picture, [&](const fs::path& temporary) {
-    let_draw(gnuplot, script, format, temporary, picture);
+    run_script(gnuplot, script, format, temporary, picture);
     if (format != name(FigureFormat::svg) || width == FigureWidth::screen) return;
-    const std::string svg = in_millimetres(bytes_of(temporary), millimetres(width));
+    const std::string svg = set_printed_size(bytes_of(temporary), printed_width(width));
     std::ofstream(temporary, std::ios::binary | std::ios::trunc) << svg;
   });
 }
 
-std::vector<std::string> draw_all(const std::string& gnuplot, const fs::path& figures,
-                                  const std::string& stem, const FigureOptions& options) {
+std::vector<std::string> draw_formats(const std::string& gnuplot, const fs::path& figures,
+                                      const std::string& stem, const FigureOptions& options) {
   // Draws one format; returns a warning if this failed.
   const auto attempt = [&](FigureFormat format) -> std::vector<std::string> {
     try {
@@ -155,7 +155,7 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
   base::write_file(figures / (stem + ".gp"), script);
   try {
     if (base::stop_requested()) return {};
-    auto warnings = draw_all(gnuplot, figures, stem, options);
+    auto warnings = draw_formats(gnuplot, figures, stem, options);
     return base::stop_requested() ? std::vector<std::string>() : warnings;
   } catch (const GnuplotMissing& missing) {
     return {fmt::format("no picture: {}; install gnuplot, then run `cd {} && gnuplot {}.gp`",

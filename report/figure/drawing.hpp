@@ -24,8 +24,9 @@ void draw(const std::string& gnuplot, const std::filesystem::path& script,
 /// Draws STEM.gp in all formats of the options, in the directory of the script.
 /// @return a warning for each picture that was not drawn
 /// @throws GnuplotMissing
-std::vector<std::string> draw_all(const std::string& gnuplot, const std::filesystem::path& figures,
-                                  const std::string& stem, const FigureOptions& options);
+std::vector<std::string> draw_formats(const std::string& gnuplot,
+                                      const std::filesystem::path& figures, const std::string& stem,
+                                      const FigureOptions& options);
 
 /// Writes STEM.gp into a directory and draws it in all formats of the options.
 /// @return a warning for each picture that was not drawn; a single warning without gnuplot

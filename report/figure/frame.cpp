@@ -14,14 +14,14 @@ constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
 // require at least 7.
 constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
 // Resolution of a PNG for print, in dpi.
-constexpr double kPrintedDots = 300;
+constexpr double kPrintResolution = 300;
 
 // Points per pixel of the layout on paper, and in a PDF for the screen, whose letters have the same
 // size.
-constexpr double kPoint = kLetterPoints / kLetterPixels;
+constexpr double kPointsPerPixel = kLetterPoints / kLetterPixels;
 
-double dots(FigureWidth medium) {
-  return medium == FigureWidth::screen ? 1 : kPoint * kPrintedDots / kPointsPerInch;
+double png_scale(FigureWidth medium) {
+  return medium == FigureWidth::screen ? 1 : kPointsPerPixel * kPrintResolution / kPointsPerInch;
 }
 
 std::string svg_terminal(const FigureSize& size) {
@@ -31,7 +31,7 @@ std::string svg_terminal(const FigureSize& size) {
 }
 
 std::string png_terminal(const FigureSize& size) {
-  const double scale = dots(size.medium);
+  const double scale = png_scale(size.medium);
   const std::string scaled =
       scale == 1 ? ""
                  : fmt::format(" fontscale {0:.4g} linewidth {0:.4g} pointscale {0:.4g}", scale);
@@ -44,18 +44,20 @@ std::string png_terminal(const FigureSize& size) {
 // Sizes in inches. Cairo draws lines at half their width, hence the factor 2.
 std::string cairo_scale(const FigureSize& size) {
   return fmt::format("size {:.4f},{:.4f} linewidth {:.4g} pointscale {:.4g}",
-                     size.width * kPoint / kPointsPerInch, size.height * kPoint / kPointsPerInch,
-                     2 * kPoint, kPoint);
+                     size.width * kPointsPerPixel / kPointsPerInch,
+                     size.height * kPointsPerPixel / kPointsPerInch, 2 * kPointsPerPixel,
+                     kPointsPerPixel);
 }
 
 }  // namespace
 
 int figure_width(FigureWidth medium, int on_screen) {
   if (medium == FigureWidth::screen) return on_screen;
-  return static_cast<int>(millimetres(medium) / kMillimetresPerInch * kPointsPerInch / kPoint);
+  return static_cast<int>(printed_width(medium) / kMillimetresPerInch * kPointsPerInch /
+                          kPointsPerPixel);
 }
 
-double millimetres(FigureWidth medium) {
+double printed_width(FigureWidth medium) {
   switch (medium) {
     case FigureWidth::screen:
       return 0;
@@ -67,7 +69,7 @@ double millimetres(FigureWidth medium) {
   return 0;
 }
 
-std::string figure_output(const std::string& file_stem, const FigureSize& size) {
+std::string output_commands(const std::string& file_stem, const FigureSize& size) {
   return fmt::format(
       "# Drawn by: gnuplot {0}.gp, or gnuplot -e \"format='svg'\" {0}.gp; likewise pdf, and tex\n"
       "# for LaTeX: {0}.tex with a {0}.pdf that it includes\n"
@@ -98,7 +100,7 @@ std::string figure_output(const std::string& file_stem, const FigureSize& size) 
       "  }}\n"
       "}}\n"
       "set output target\n\n",
-      file_stem, gnuplot_string(file_stem), svg_terminal(size), cairo_scale(size), kPoint,
+      file_stem, gnuplot_string(file_stem), svg_terminal(size), cairo_scale(size), kPointsPerPixel,
       kLetterPoints, png_terminal(size), size.width, size.height, 1.2 * kLetterPoints);
 }
 

@@ -22,12 +22,12 @@ struct FigureSize {
 int figure_width(FigureWidth medium, int on_screen);
 
 /// Printed width in mm; 0 on a screen.
-double millimetres(FigureWidth medium);
+double printed_width(FigureWidth medium);
 
 /// The first commands of a gnuplot script, which set terminal and output. The script draws
 /// FILE_STEM.png, or with the gnuplot variable format='svg', 'pdf' or 'tex' that format, and
 /// refuses other formats. The variable `target` sets another file name.
-std::string figure_output(const std::string& file_stem, const FigureSize& size);
+std::string output_commands(const std::string& file_stem, const FigureSize& size);
 
 /// The title above all panels, broken into lines.
 struct FigureTitle {

@@ -25,7 +25,7 @@ extern char** environ;
 namespace fpkcheck::report {
 namespace {
 
-[[noreturn]] void fail(int error, const char* what) {
+[[noreturn]] void throw_system_error(int error, const char* what) {
   throw std::system_error(error, std::generic_category(), what);
 }
 
@@ -36,7 +36,7 @@ class ErrorPipe {
  public:
   ErrorPipe() {
     // Close on exec: a second child of another thread must not inherit the ends.
-    if (pipe2(ends_.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_system_error(errno, "pipe");
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
@@ -57,7 +57,7 @@ class ErrorPipe {
 
   /// Reads to the end of the output and returns its beginning. Nothing after the deadline or a stop
   /// request.
-  std::optional<std::string> read_to_the_end(Clock::time_point deadline) {
+  std::optional<std::string> read_until_end(Clock::time_point deadline) {
     constexpr std::size_t kMost = 10000;  // callers report only the first line
     close(ends_[1]);                      // the read returns end of file only without open writers
     ends_[1] = -1;
@@ -85,19 +85,19 @@ class ErrorPipe {
 
 /// Spawn attributes that reset SIGPIPE: this program ignores the signal, and a child would inherit
 /// that.
-class UsualSignals {
+class DefaultSignals {
  public:
-  UsualSignals() {
-    sigset_t usual;
-    sigemptyset(&usual);
-    sigaddset(&usual, SIGPIPE);
+  DefaultSignals() {
+    sigset_t default_signals;
+    sigemptyset(&default_signals);
+    sigaddset(&default_signals, SIGPIPE);
     posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setsigdefault(&attributes_, &usual);
+    posix_spawnattr_setsigdefault(&attributes_, &default_signals);
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
   }
-  UsualSignals(const UsualSignals&) = delete;
-  UsualSignals& operator=(const UsualSignals&) = delete;
-  ~UsualSignals() { posix_spawnattr_destroy(&attributes_); }
+  DefaultSignals(const DefaultSignals&) = delete;
+  DefaultSignals& operator=(const DefaultSignals&) = delete;
+  ~DefaultSignals() { posix_spawnattr_destroy(&attributes_); }
 
   const posix_spawnattr_t* attributes() const { return &attributes_; }
 
@@ -106,30 +106,30 @@ class UsualSignals {
 };
 
 /// @return the exit code of the child, -1 if a signal ended the child; nothing while the child runs
-std::optional<int> look_after(pid_t child, int options) {
+std::optional<int> reap_child(pid_t child, int options) {
   int status = 0;
   pid_t ended = 0;
   do {
     ended = waitpid(child, &status, options);
   } while (ended < 0 && errno == EINTR);
-  if (ended < 0) fail(errno, "waitpid");
+  if (ended < 0) throw_system_error(errno, "waitpid");
   if (ended == 0) return std::nullopt;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 /// Waits for the exit of a child that has closed its output.
 /// @return the exit code; nothing after the deadline or a stop request
-std::optional<int> wait_for(pid_t child, Clock::time_point deadline) {
+std::optional<int> wait_for_exit(pid_t child, Clock::time_point deadline) {
   constexpr std::chrono::milliseconds kFirstPause(1), kLongestPause(20);
   for (auto pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
-    if (const auto exit_code = look_after(child, WNOHANG)) return exit_code;
+    if (const auto exit_code = reap_child(child, WNOHANG)) return exit_code;
     if (base::stop_requested() || Clock::now() > deadline) return std::nullopt;
     std::this_thread::sleep_for(pause);
   }
 }
 
 // A null-terminated array, for the C interface.
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+std::vector<char*> null_terminated_pointers(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (auto& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
@@ -147,33 +147,34 @@ std::vector<std::string> environment_without(std::string_view start) {
 }  // namespace
 
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
-                           const std::filesystem::path& script, std::chrono::milliseconds longest) {
+                           const std::filesystem::path& script,
+                           std::chrono::milliseconds time_limit) {
   std::string before;
   for (const auto& assignment : assignments) before += assignment + "; ";
   // No shell is involved, so that paths need no quotes. gnuplot runs a name that begins with '<' as
   // a command: the absolute path begins with '/'.
   std::vector<std::string> arguments{program, "-d", "-e", before,
                                      std::filesystem::absolute(script).string()};
-  auto argv = pointers_to(arguments);
+  auto argv = null_terminated_pointers(arguments);
   auto environment = environment_without("GNUTERM=");
-  auto envp = pointers_to(environment);
+  auto envp = null_terminated_pointers(environment);
 
   ErrorPipe error_pipe;
-  const UsualSignals signals;
+  const DefaultSignals signals;
   pid_t child = 0;
   const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(),
                                  signals.attributes(), argv.data(), envp.data());
   if (error == ENOENT || error == EACCES) return {false, -1, ""};
-  if (error != 0) fail(error, "cannot start gnuplot");
-  const auto deadline = Clock::now() + longest;
-  auto message = error_pipe.read_to_the_end(deadline);
-  const auto exit_code = message ? wait_for(child, deadline) : std::nullopt;
+  if (error != 0) throw_system_error(error, "cannot start gnuplot");
+  const auto deadline = Clock::now() + time_limit;
+  auto message = error_pipe.read_until_end(deadline);
+  const auto exit_code = message ? wait_for_exit(child, deadline) : std::nullopt;
   if (!exit_code) {
     kill(child, SIGKILL);
-    look_after(child, 0);
-    return {
-        true, -1,
-        fmt::format("time limit of {} s exceeded", std::chrono::duration<double>(longest).count())};
+    reap_child(child, 0);
+    return {true, -1,
+            fmt::format("time limit of {} s exceeded",
+                        std::chrono::duration<double>(time_limit).count())};
   }
   return {true, *exit_code, *std::move(message)};
 }
@@ -190,7 +191,7 @@ std::string gnuplot_string(const std::string& text) {
   return quoted + "'";
 }
 
-std::string without_marks(const std::string& text) {
+std::string escape_enhanced_text(const std::string& text) {
   constexpr std::string_view kMarks = "_^{}@&~\\";
   std::string escaped;
   for (const char c : text) {

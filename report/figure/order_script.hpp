@@ -8,10 +8,11 @@
 namespace fpkcheck::report {
 
 /// Whether a family has at least two orders with known distances to the reference.
-bool has_orders(const results::Case& one);
+bool has_several_orders(const results::Case& case_result);
 
 /// A gnuplot script that draws the L1 distances of families to the reference over the order
 /// (report/convergence.hpp).
-std::string order_script(const results::Case& one, const std::string& file_stem, FigureWidth width);
+std::string order_script(const results::Case& case_result, const std::string& file_stem,
+                         FigureWidth width);
 
 }  // namespace fpkcheck::report

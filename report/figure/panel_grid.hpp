@@ -10,14 +10,14 @@ struct PanelGrid {
   FigureWidth medium = FigureWidth::screen;
   int width = 1100;  ///< width of the picture
   int columns = 1, rows = 1;
-  int panel_height = 280;  ///< height of the axes
-  int title_height = 36;   ///< height of FigureTitle
-  int legend_height = 0;   ///< height of the legend at the bottom
-  int above = 44;          ///< height of the title of a panel
-  int below = 74;          ///< height of tics and axis label of a panel
-  int at_the_right = 15;   ///< right margin of the picture, for a common colour bar
-  int at_the_left = 0;     ///< left margin of the picture, for a common label of the rows
-  int beside = 12;         ///< right margin of each panel, for its own colour bar
+  int panel_height = 280;       ///< height of the axes
+  int title_height = 36;        ///< height of FigureTitle
+  int legend_height = 0;        ///< height of the legend at the bottom
+  int above = 44;               ///< height of the title of a panel
+  int below = 74;               ///< height of tics and axis label of a panel
+  int right_margin = 15;        ///< right margin of the picture, for a common colour bar
+  int left_margin = 0;          ///< left margin of the picture, for a common label of the rows
+  int panel_right_margin = 12;  ///< right margin of each panel, for its own colour bar
 
   /// Commands that separate labels and titles of neighbouring rows. The label offset for LaTeX is
   /// fixed, since gnuplot has no width for tic labels set by LaTeX.
@@ -25,9 +25,9 @@ struct PanelGrid {
       "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
       "set title offset 0,-0.4\nset cblabel offset 0.8,0\n";
   FigureSize size() const;
-  Place place(int row, int column) const;
+  PanelBox place(int row, int column) const;
   /// @param panel index of the panel, counted row by row
-  Place place(std::size_t panel) const {
+  PanelBox place(std::size_t panel) const {
     return place(static_cast<int>(panel) / columns, static_cast<int>(panel) % columns);
   }
 };

@@ -44,7 +44,7 @@ struct DrawnCurve {
   /// (compare::comparison_axes), whose large densities would compress all other values.
   std::vector<bool> broad_bins() const;
 
-  const transform::Look& look() const { return solution->identity.look; }
+  const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };
 
 /// Range of a logarithmic axis of differences in whole decades: from two decades below the smallest
@@ -58,7 +58,7 @@ double logarithmic_bottom(const FigureRanges& ranges, double floor = kSmallestDr
 inline double logarithmic_top(const FigureRanges& ranges) { return 3 * ranges.largest_density; }
 
 /// A note with the height of a spike that exceeds the linear panel; empty without such a spike.
-std::string beyond_the_top(const FigureRanges& ranges);
+std::string spike_note(const FigureRanges& ranges);
 
 /// Ranges that contain all the curves. Pass only reliable curves: a single outlier would compress
 /// all others.

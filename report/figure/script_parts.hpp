@@ -11,11 +11,11 @@
 namespace fpkcheck::report {
 
 /// The rectangle of the axes of a panel, in fractions of the picture.
-struct Place {
+struct PanelBox {
   double left, right, top, bottom;
 };
 /// Commands that set the position of a panel.
-std::string margins(const Place& place);
+std::string margin_commands(const PanelBox& place);
 
 /// A named data block of a script.
 /// @param rows each ended by a newline
@@ -26,7 +26,7 @@ std::string data_block(const std::string& name, const std::string& rows);
 double tic_step(double from, double to, int most_steps = 6);
 
 /// "p(y)" or "p(y')" in enhanced text.
-std::string density_of(transform::Variable variable);
+std::string density_symbol(transform::Variable variable);
 
 /// Point types of gnuplot: filled for status ok, else open.
 struct PointTypes {
@@ -36,16 +36,16 @@ struct PointTypes {
 PointTypes point_types(const std::string& symbol);
 
 /// The dash type of a plot style. "solid" for an invalid dash type, which a file may contain.
-std::string dash_type(const transform::Look& look);
+std::string dash_type(const transform::PlotStyle& look);
 
 /// Style of a series. Shapes of marks distinguish families, dashes their members, for grey print.
-struct SeriesLook {
+struct SeriesStyle {
   std::string colour;
   int filled, open;            ///< PointTypes
   std::string dash = "solid";  ///< dash type of the line
 };
 
 /// The styles of series of these solutions: colours, symbols and dashes of their plot styles.
-std::vector<SeriesLook> series_looks(std::span<const transform::Identity> identities);
+std::vector<SeriesStyle> series_styles(std::span<const transform::Identity> identities);
 
 }  // namespace fpkcheck::report

@@ -12,13 +12,13 @@ namespace fpkcheck::report {
 
 /// A paragraph that explains plots and tables and names the end of the chain; empty without a
 /// budget.
-std::string budget_introduction(const results::Case& one);
+std::string budget_introduction(const results::Case& case_result);
 
 /// A bar plot for each marginal. Empty without a budget.
 /// @param prefix of the ids of the plots
-std::vector<Plot> budget_plots(const results::Case& one, const std::string& prefix);
+std::vector<Plot> budget_plots(const results::Case& case_result, const std::string& prefix);
 
 /// Tables of the same numbers and of the tails.
-std::string budget_tables(const results::Case& one);
+std::string budget_tables(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

@@ -9,7 +9,7 @@ namespace fpkcheck::report {
 
 /// Fractions of its peak down to which a density is shown: on logarithmic scales (below, a
 /// simulation has few samples) and on linear scales.
-inline constexpr double kSeen = 1e-5, kBulk = 1.0 / 500;
+inline constexpr double kLogarithmicFraction = 1e-5, kLinearFraction = 1.0 / 500;
 
 /// Half-open ranges of cells in y and y'.
 struct CellWindow {

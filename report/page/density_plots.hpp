@@ -13,12 +13,12 @@ namespace fpkcheck::report {
 /// A plot for each marginal with three rows: the density on a linear and on a logarithmic axis, and
 /// the difference from the reference. The simulation is shown as points in a 95 % band.
 /// @param prefix of the ids of the plots
-std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix);
+std::vector<Plot> density_plots(const results::Case& case_result, const std::string& prefix);
 
 /// The same plots for given curves.
 /// @param content the curves of the case
 /// @param shown   ids of the initially visible solutions
-std::vector<Plot> density_plots(const results::Case& one, const FigureContent& content,
+std::vector<Plot> density_plots(const results::Case& case_result, const FigureContent& content,
                                 const std::set<std::string>& shown, const std::string& prefix);
 
 }  // namespace fpkcheck::report

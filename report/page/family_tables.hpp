@@ -10,6 +10,6 @@ namespace fpkcheck::report {
 /// and a row for each metric, with groups ("support.edge_density") below the others. Omitted are
 /// lists (coefficients, quantiles), metrics without a value in the family, and metrics that repeat
 /// an option.
-std::string family_tables(const results::Case& one);
+std::string family_tables(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

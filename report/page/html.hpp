@@ -7,14 +7,14 @@
 namespace fpkcheck::report {
 
 /// Escapes a text for HTML, between tags and within a quoted attribute.
-std::string escaped(std::string_view text);
+std::string escape_html(std::string_view text);
 
 /// <tag>text</tag>, with escapes in the text.
 std::string element(std::string_view tag, std::string_view text);
 
 /// A closed <details> element with this content; empty without content.
 /// @param id of the element, for links
-std::string folded(std::string_view id, std::string_view summary, const std::string& html);
+std::string details_html(std::string_view id, std::string_view summary, const std::string& html);
 
 /// Text of a cell without a value.
 inline constexpr std::string_view kNoValue = "\u2013";

@@ -10,7 +10,7 @@
 namespace fpkcheck::report {
 namespace {
 
-bool is_there(const std::optional<double>& value) { return value && std::isfinite(*value); }
+bool is_finite_number(const std::optional<double>& value) { return value && std::isfinite(*value); }
 
 // "1.2e-05" becomes "1.2e-5".
 std::string without_padded_exponent(std::string text) {
@@ -34,7 +34,7 @@ std::string without_bare_point(std::string text, int digits) {
 }  // namespace
 
 std::string number_text(const std::optional<double>& value, int digits) {
-  if (!is_there(value)) return std::string(kNoValue);
+  if (!is_finite_number(value)) return std::string(kNoValue);
   if (*value == 0) return "0";
   if (digits == 1) return without_padded_exponent(fmt::format("{:.0e}", *value));
   return without_padded_exponent(
@@ -53,7 +53,7 @@ std::string value_text(const base::Value& value, int digits) {
 std::string l1_cell(const std::optional<double>& l1) { return number_text(l1, 2); }
 
 std::string seconds_text(const std::optional<double>& seconds) {
-  if (!is_there(seconds)) return std::string(kNoValue);
+  if (!is_finite_number(seconds)) return std::string(kNoValue);
   if (*seconds < 10) return number_text(seconds, 2);
   return fmt::format("{:.{}f}", *seconds, *seconds < 100 ? 1 : 0);
 }

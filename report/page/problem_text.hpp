@@ -12,7 +12,7 @@ namespace fpkcheck::report {
 std::string problem_html(const results::Run& run);
 
 /// The parameters of a case that differ between the cases of the run: "μ = 1, λE[Y²] = 0.1".
-std::string what_varies(const results::Run& run, const results::Case& one);
+std::string varying_parameters(const results::Run& run, const results::Case& case_result);
 
 /// The glossary of this run: names of solutions, equations, impacts, columns, statuses.
 std::string glossary_html(const results::Run& run);

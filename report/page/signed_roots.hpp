@@ -19,6 +19,6 @@ SignedRoots signed_roots(std::span<const double> values, int levels);
 
 /// Differences of successive numbers, after the first number: small for smooth data, which
 /// compresses well.
-std::vector<int> steps_of(std::span<const int> values);
+std::vector<int> successive_differences(std::span<const int> values);
 
 }  // namespace fpkcheck::report

@@ -31,10 +31,10 @@ inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 Column status_column();
 
 /// The displayed columns: if all exceed the width, the least important columns are omitted.
-std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& format);
+std::vector<Column> fit_columns(std::vector<Column> columns, const TextFormat& format);
 
 /// Names of the columns of `all` that are not in `shown`: "L1 to fd-kf, energy"; empty if none.
-std::string left_out(const std::vector<Column>& all, const std::vector<Column>& shown);
+std::string omitted_columns(const std::vector<Column>& all, const std::vector<Column>& shown);
 
 /// The columns side by side under their headers, one line per row. If the columns exceed the width,
 /// the least important are omitted.

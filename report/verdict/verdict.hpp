@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/verdict/standing.hpp"
+#include "report/verdict/agreement.hpp"
 
 namespace fpkcheck::report {
 
@@ -16,7 +16,8 @@ struct VerdictLine {
 
 /// The main result of a run, shown before all tables.
 struct Verdict {
-  std::vector<Record> records;  ///< rows of the matrix, for all solutions; point into the run
+  std::vector<AgreementRow>
+      agreement_rows;  ///< rows of the matrix, for all solutions; point into the run
   /// Paragraphs: contradictions with the guaranteed bounds, the reference and its accuracy, the
   /// solutions that reproduce it.
   std::vector<std::string> answer;
@@ -25,7 +26,7 @@ struct Verdict {
   /// densities.
   std::vector<VerdictLine> lines;
   /// The recommended method, the fastest method of sufficient accuracy, and the reasons.
-  std::vector<std::string> trust;
+  std::vector<std::string> recommendation;
 };
 
 Verdict verdict(const results::Run& run);

@@ -62,7 +62,7 @@ TEST(Completion, KnowsSubjectsAndWhatIsAskedForByHelp) {
 
 TEST(Completion, KnowsCasesMethodsAndKeys) {
   const auto cases = completed({"run", ""});
-  for (const auto& named : problem::named_cases()) EXPECT_TRUE(has(cases, named.name));
+  for (const auto& named : problem::paper_cases()) EXPECT_TRUE(has(cases, named.name));
   EXPECT_TRUE(has(cases, kFiles));
   EXPECT_EQ(completed({"report", ""}), Words{kDirectories});
   EXPECT_EQ(completed({"check", ""}), Words{kFiles});

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base/files/whole_file.hpp"
+#include "base/files/atomic_file.hpp"
 #include "base/process/stop.hpp"
 #include "methods/builtin.hpp"
 #include "workflows/study/toy_methods.hpp"
@@ -253,7 +253,7 @@ TEST_F(Program, ASecondRunLeavesNothingOfTheFirst) {
                      "--out", out})
                 .exit_code,
             kDone);
-  const fs::path partial = base::partial_beside(fs::path(out) / "figures" / "case2.png");
+  const fs::path partial = base::partial_path(fs::path(out) / "figures" / "case2.png");
   const std::string mine = partial.string();
   constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
   std::ofstream(mine.substr(0, mine.rfind('-') + 1) + kNobody) << "stopped";

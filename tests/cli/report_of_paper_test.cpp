@@ -13,10 +13,10 @@
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/paper/claims.hpp"
-#include "workflows/paper/files.hpp"
+#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/judge.hpp"
 #include "workflows/paper/judged_run.hpp"
-#include "workflows/paper/table.hpp"
 
 /// `report` of a directory that `paper` left.
 namespace fpkcheck::cli {

@@ -135,7 +135,7 @@ std::vector<Solution> without(std::vector<Solution> solutions, const std::string
   return solutions;
 }
 
-TEST(Budget, EachPartIsTheDistanceOfTwoNeighboursInTheChain) {
+TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
   const auto axes = comparison_axes(tests::paper_case(1));
   const auto budget = budget_of(chain_of_models(axes));
   ASSERT_EQ(budget.size(), 2u);
@@ -166,7 +166,7 @@ TEST(Budget, EachPartIsTheDistanceOfTwoNeighboursInTheChain) {
   expect_the_parts_bound_the_total(budget);
 }
 
-TEST(Budget, PartsAreKnownToTheDiscretisationErrorsOfTheirEnds) {
+TEST(Budget, PartsHaveTheDiscretisationErrorsOfTheirEndsAsUncertainty) {
   const auto budget = budget_of(chain_of_models());
   const auto& parts = budget[1].parts;  // y': twice the amplitudes
   const double inner =
@@ -177,10 +177,10 @@ TEST(Budget, PartsAreKnownToTheDiscretisationErrorsOfTheirEnds) {
   EXPECT_NEAR(parts[3].uncertainty.value(), 2 * inner * 0.001, 1e-12);
   EXPECT_FALSE(parts[4].uncertainty);
   EXPECT_EQ(parts[4].expected, 0.013);
-  EXPECT_EQ(parts[4].in_99, 0.021);
+  EXPECT_EQ(parts[4].quantile_99, 0.021);
 }
 
-TEST(Budget, LinksJoinWhereASolutionIsMissingOrNotOk) {
+TEST(Budget, LinksAreJoinedIfASolutionIsMissingOrNotOk) {
   auto solutions = chain_of_models();
   const auto parts_of = [](const std::vector<Solution>& some) {
     const auto budget = budget_of(some);
@@ -210,7 +210,7 @@ TEST(Budget, LinksJoinWhereASolutionIsMissingOrNotOk) {
   EXPECT_EQ(parts_of(solutions).size(), 4u);
 }
 
-TEST(Budget, AClosureOfAnotherEquationHasAnotherChain) {
+TEST(Budget, ChainDependsOnTheEquationOfTheClosure) {
   const auto axes = comparison_axes(tests::paper_case(1));
   auto solutions = chain_of_models(axes);
   solutions.insert(solutions.begin(),
@@ -248,12 +248,12 @@ TEST(Budget, TheTailUsesTheSameBinsForEveryPart) {
   EXPECT_TRUE(std::isnan(none[0].parts[0].tail));
 }
 
-TEST(Budget, NamesOfJoinedLinksAreReadBack) {
+TEST(Budget, NamesOfJoinedLinksAreParsed) {
   const std::vector<Link> links{Link::closure, Link::white_noise, Link::sampling};
   EXPECT_EQ(name(links), "closure + white noise + sampling");
-  EXPECT_EQ(links_named(name(links)), links);
-  EXPECT_THROW(links_named("closure + magic"), InputError);
-  EXPECT_THROW(links_named(""), InputError);
+  EXPECT_EQ(parse_links(name(links)), links);
+  EXPECT_THROW(parse_links("closure + magic"), InputError);
+  EXPECT_THROW(parse_links(""), InputError);
 }
 
 TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
@@ -270,8 +270,8 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
   EXPECT_EQ(closures[1].row(Variable::ydot), nullptr);
   EXPECT_EQ(part_names(closures), (Names{"closure", "impact", "truncation", "discretisation",
                                          "closure + impact", "sampling"}));
-  EXPECT_TRUE(budget[0].find("sampling")->beyond_the_equations());
-  EXPECT_FALSE(budget[0].find("truncation")->beyond_the_equations());
+  EXPECT_TRUE(budget[0].find("sampling")->is_reference_error());
+  EXPECT_FALSE(budget[0].find("truncation")->is_reference_error());
   EXPECT_EQ(budget[0].find("magic"), nullptr);
 }
 

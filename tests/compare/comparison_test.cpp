@@ -23,7 +23,7 @@ struct MadeUp {
   Comparison comparison = compare_solutions(axes, solutions);
 };
 
-TEST(Comparison, IsOfEveryPairWithADensityAgainstTheMoreTrusted) {
+TEST(Comparison, ContainsEveryPairOfSolutionsWithADensity) {
   const auto [axes, solutions, comparison] = MadeUp();
   // Seven of the eight solutions have a density.
   EXPECT_EQ(comparison.marginals.size(), 2 * 7u);
@@ -43,13 +43,13 @@ TEST(Comparison, IsOfEveryPairWithADensityAgainstTheMoreTrusted) {
   EXPECT_NE(pair->distances.kl, distances(kf.marginal, white.marginal).kl);
 }
 
-TEST(Comparison, IsOfWhatIsNotOkToo) {
+TEST(Comparison, ContainsSolutionsThatAreNotOk) {
   const auto [axes, solutions, comparison] = MadeUp();
   ASSERT_EQ(solutions[1].status, transform::Status::inadmissible);
   EXPECT_EQ(comparison.marginals[1].solution, solutions[1].id());
 }
 
-TEST(Comparison, UsesTheSimulationsOwnHistogram) {
+TEST(Comparison, UsesTheHistogramOfTheSimulation) {
   const auto [axes, solutions, comparison] = MadeUp();
   const auto& own = solutions.back().estimated_marginals.front().second;
   const auto& used = comparison.marginals[6];
@@ -59,7 +59,7 @@ TEST(Comparison, UsesTheSimulationsOwnHistogram) {
 }
 
 // Rounding makes a discretised tail negative. Solutions that are not ok keep the negative values.
-TEST(Comparison, LeavesNoNegativeProbabilityInABinOfAnOk) {
+TEST(Comparison, ClipsNegativeDensitiesOfOkSolutions) {
   const auto axes = comparison_axes(tests::paper_case(1));
   auto solutions = tests::made_up_solutions(axes);
   const auto find = [](const std::vector<SolutionMarginal>& marginals, const std::string& id) {
@@ -86,7 +86,7 @@ TEST(Comparison, LeavesNoNegativeProbabilityInABinOfAnOk) {
   }
 }
 
-TEST(Comparison, IsOverEvenBinsWhereThoseAtASpikeAreDivided) {
+TEST(Comparison, UsesUniformBinsForDistances) {
   const auto axes = comparison_axes(tests::make_problem({.rate = 0.02}));
   ASSERT_GT(axes.divisions, 0);
   const auto comparison = compare_solutions(axes, tests::made_up_solutions(axes));
@@ -96,11 +96,12 @@ TEST(Comparison, IsOverEvenBinsWhereThoseAtASpikeAreDivided) {
   EXPECT_EQ(one.marginal.edges, axes.y_edges);  // output keeps the divided bins
   const auto* pair = find_pair(comparison.pairs, one.solution, other.solution, Variable::y);
   ASSERT_NE(pair, nullptr);
-  EXPECT_EQ(pair->distances.l1, transform::l1(on_even_bins(axes, Variable::y, one.marginal),
-                                              on_even_bins(axes, Variable::y, other.marginal)));
+  EXPECT_EQ(pair->distances.l1,
+            transform::l1(merge_divided_bins(axes, Variable::y, one.marginal),
+                          merge_divided_bins(axes, Variable::y, other.marginal)));
 }
 
-TEST(Comparison, IsOfTheMarginalOfTheVariableItNames) {
+TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {
   // Two solutions with the same p(y) and different p(y').
   std::vector<Solution> two;
   for (const double quartic : {0.0, 0.1}) {
@@ -114,7 +115,7 @@ TEST(Comparison, IsOfTheMarginalOfTheVariableItNames) {
   EXPECT_GT(pairs[1].distances.l1, 1e-2);
 }
 
-TEST(Comparison, APairIsFoundFromBothSidesAndIsNoNumberWhereADensityIsNone) {
+TEST(Comparison, PairsAreSymmetricAndEmptyWithoutADensity) {
   auto made_up = MadeUp();
   const auto& pairs = made_up.comparison.pairs;
   EXPECT_EQ(l1_between(pairs, "mcs", "fd-kf", Variable::y),

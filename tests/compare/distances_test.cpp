@@ -94,7 +94,7 @@ TEST(Distances, ANegativeAverageCountsInL1AndIsZeroForTheDivergence) {
   EXPECT_NEAR(distances(b, a).kl, 1.1 * std::log(1.1) - 1.1 + 1, 1e-15);
 }
 
-TEST(Distances, OfWhatIsNotFiniteAreNotANumber) {
+TEST(Distances, OfNonFiniteDensitiesAreNaN) {
   const Marginal broken{{0, 1, 2}, {1, std::nan("")}, {}, {}}, b{{0, 1, 2}, {1, 0}, {}, {}};
   for (const auto& d : {distances(broken, b), distances(b, broken)}) {
     for (const double value : {d.l1, d.l2, d.sup, d.hellinger, d.kl}) {
@@ -104,7 +104,7 @@ TEST(Distances, OfWhatIsNotFiniteAreNotANumber) {
   }
 }
 
-TEST(Distances, OtherBinsOrAWrongShapeAreMisuse) {
+TEST(Distances, ThrowForDifferentBinsOrSizes) {
   const Marginal a{{0, 1, 2}, {1, 0}, {}, {}};
   EXPECT_THROW(distances(a, {{0, 1, 3}, {1, 0}, {}, {}}), std::invalid_argument);
   EXPECT_THROW(distances(a, {{0, 1, 2}, {1}, {}, {}}), std::invalid_argument);
@@ -128,14 +128,14 @@ TEST(TailDistance, IsTheMeanLogarithmByDecadesOfTheReference) {
   EXPECT_NEAR(tail[5].from, 1e-6, 1e-21);
 }
 
-TEST(TailDistance, LeavesOutNoiseAndWhatHasNoLogarithmAndCountsThem) {
+TEST(TailDistance, OmitsAndCountsNoisyAndNonpositiveBins) {
   const std::vector<double> edges{0, 1, 2, 3};
   // Half-widths of 40 %, 60 % and 40 % of the reference.
   const Marginal b{edges, {0.5, 0.5, 0.5}, {0.3, 0.2, 0.3}, {0.7, 0.8, 0.7}};
   const auto tail = distances({edges, {0.05, 5, -1}, {}, {}}, b).log10_tail.front();
   EXPECT_NEAR(tail.mean_abs, 1, 1e-14);
   EXPECT_EQ(tail.bins, 1);
-  EXPECT_EQ(tail.left_out, 2);
+  EXPECT_EQ(tail.bins_omitted, 2);
 }
 
 TEST(ComparisonAxes, CoverSevenDeviationsWithAnEdgeAtZeroVelocity) {

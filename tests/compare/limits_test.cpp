@@ -43,7 +43,7 @@ struct Budgets {
       BudgetPart sampling = part(Link::sampling, "fd-kf limit", "mcs", 5e-4);
       sampling.uncertainty.reset();
       sampling.expected = 6e-4;
-      sampling.in_99 = 8e-4;
+      sampling.quantile_99 = 8e-4;
       rows.push_back({.solution = id,
                       .variable = variable,
                       .reference = "mcs",
@@ -72,7 +72,7 @@ TEST(Limits, GroupClosuresByTheLargestPartAndByTheReference) {
             "epc-gaussian-n8 and epc-polar-n8.");
 }
 
-TEST(Limits, BothVariablesMustLieWithinTheErrorOfTheReference) {
+TEST(Limits, RequireBothVariablesWithinTheReferenceError) {
   Budgets one;
   one.add("epc-polar-n8", 4e-4, 2e-5, 7e-4);
   EXPECT_NE(one.limits().find("none above the sampling error of mcs"), std::string::npos);
@@ -82,7 +82,7 @@ TEST(Limits, BothVariablesMustLieWithinTheErrorOfTheReference) {
             "(54 % of the sum of the parts).");
 }
 
-TEST(Limits, WithoutASimulationTheDiscretisationErrorIsTheMeasure) {
+TEST(Limits, UseTheDiscretisationErrorWithoutASimulation) {
   Budgets one;
   one.add_solution("epc-polar-n8", Status::ok);
   one.rows.push_back({.solution = "epc-polar-n8",
@@ -107,7 +107,7 @@ TEST(Limits, WithoutASimulationTheDiscretisationErrorIsTheMeasure) {
       "sum of the parts).");
 }
 
-TEST(Limits, ADisagreementOfTheReferencesIsNotCalledSampling) {
+TEST(Limits, ReportADisagreementOfTheReferences) {
   const auto text = [](double l1) {
     Budgets one;
     one.add("epc-polar-n8", 1e-5, 2e-5, 7e-4);
@@ -123,7 +123,7 @@ TEST(Limits, ADisagreementOfTheReferencesIsNotCalledSampling) {
   EXPECT_EQ(text(1.1e-3).find("none above"), std::string::npos);
 }
 
-TEST(Limits, NothingToSayWithoutABudget) { EXPECT_EQ(Budgets().limits(), ""); }
+TEST(Limits, AreEmptyWithoutABudget) { EXPECT_EQ(Budgets().limits(), ""); }
 
 }  // namespace
 }  // namespace fpkcheck::compare

@@ -8,11 +8,11 @@ namespace fpkcheck::control_variates {
 namespace {
 
 /// Number of intervals of E[y^2] and E[y'^2] in `runs` runs that contain the exact value.
-int covered(const tests::PreparedCase& prepared, int runs) {
+int covered(const tests::PreparedCase& setup, int runs) {
   int count = 0;
   for (int seed = 1; seed <= runs; ++seed) {
-    const Result r = prepared.run(1e4, static_cast<std::uint64_t>(seed), 32);
-    const auto holds = [&](const Estimated& e, double truth) {
+    const Result r = setup.run(1e4, static_cast<std::uint64_t>(seed), 32);
+    const auto holds = [&](const EstimatePair& e, double truth) {
       return std::abs(e.controlled.mean - truth) <
              r.estimates.interval_factor * e.controlled.standard_error;
     };
@@ -27,10 +27,10 @@ int covered(const tests::PreparedCase& prepared, int runs) {
 // suites.
 constexpr int kRuns = 40, kFewest = 66;
 
-TEST(Coverage, OfTheIntervalsIsHonest) { EXPECT_GE(covered(tests::case_1(), kRuns), kFewest); }
+TEST(Coverage, OfTheIntervalsIsNominal) { EXPECT_GE(covered(tests::case_1(), kRuns), kFewest); }
 
-TEST(Coverage, OfTheIntervalsIsHonestWithWrongControlFunctions) {
-  const int count = covered(tests::case_1().wrong_by(1.1), kRuns);
+TEST(Coverage, OfTheIntervalsIsNominalWithWrongControlFunctions) {
+  const int count = covered(tests::case_1().with_scaled_control(1.1), kRuns);
   EXPECT_GE(count, kFewest);
   EXPECT_LT(count, 2 * kRuns);  // no coverage of 100 %, which means too wide intervals
 }

@@ -57,7 +57,7 @@ TEST(EnergyLaw, IsTheSameInAnyFrame) {
       tests::with_noise(System({.damping = 0.1, .stiffness = 1, .quadratic = 0.3, .cubic = 0.5},
                                {.right = 0.5, .right_restitution = 1}),
                         0.2);
-  const auto seen = tests::in_frame(p);
+  const auto seen = tests::in_wall_coordinates(p);
   const EnergyLaw here(p), there(seen);
   for (const double y : {-1.0, 0.2, 0.45}) {
     EXPECT_NEAR(here(y, 0.3), there(seen.frame.x(y), -0.3), 1e-12);

@@ -129,7 +129,7 @@ TEST(LinearDensity, LeansAsTheEnergyOfImpulsesAndDampingDemands) {
     const Problem p = tests::linear_problem({.damping = 0.4, .rate = 4, .law = law});
     const LinearDensity density(p);
     // The kink of |y| at 0 leaves an error of second order in the width: extrapolated.
-    const auto on_cells = [&](int ny) {
+    const auto average_over_cells = [&](int ny) {
       const Cells cells(density, ny, 400);
       const double v2 = p.impulses.intensity() / (2 * p.system.damping());
       const double w = cells.width_v * cells.width_v / 12;
@@ -137,8 +137,8 @@ TEST(LinearDensity, LeansAsTheEnergyOfImpulsesAndDampingDemands) {
                        2 * p.system.damping() *
                            cells.mean([&](double y, double v) { return y * (v * v - w - v2); })};
     };
-    const auto [cube, coarse] = on_cells(200);
-    const double fine = on_cells(400).second;
+    const auto [cube, coarse] = average_over_cells(200);
+    const double fine = average_over_cells(400).second;
     EXPECT_NEAR(cube, (4 * fine - coarse) / 3, 1e-8);
     EXPECT_GT(cube, 1e-4);
   }

@@ -21,7 +21,7 @@ namespace {
 
 // Cell averages of a function, by five Gauss points in each direction.
 template <class Function>
-Eigen::VectorXd averages_of(const Grid& grid, const Function& f) {
+Eigen::VectorXd cell_averages(const Grid& grid, const Function& f) {
   using Rule = boost::math::quadrature::gauss<double, 5>;
   Eigen::VectorXd averages(grid.size());
   for (int i = 0; i < grid.nx(); ++i) {
@@ -70,23 +70,23 @@ Solved stationary(const problem::Problem& p, Equation equation, int order, int n
   return {std::move(grid), *solution.averages};
 }
 
-class OrderOf : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Convergence, OrderOf, testing::Values(3, 5, 7),
+class ObservedOrder : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Convergence, ObservedOrder, testing::Values(3, 5, 7),
                          [](const auto& of) { return "Order" + std::to_string(of.param); });
 
-TEST_P(OrderOf, TheJointDensityUnderWhiteNoiseIsThatOfTheScheme) {
+TEST_P(ObservedOrder, JointDensityUnderWhiteNoiseHasTheOrderOfTheScheme) {
   const int order = GetParam();
   const auto p = tests::make_problem({.restitution = 1});
   const exact::WhiteNoiseDensity exact(p);
   const auto error = [&](int nx) {
     const auto [grid, averages] = stationary(p, Equation::white, order, nx, 2 * nx, 4.6, 5.0);
     return l1(grid,
-              averages - averages_of(grid, [&](double x, double v) { return 2 * exact(x, v); }));
+              averages - cell_averages(grid, [&](double x, double v) { return 2 * exact(x, v); }));
   };
   expect_order(error(20), error(30), error(45), 1.5, order - 0.6, order + 1.2);
 }
 
-TEST_P(OrderOf, MarginalsAndJointDensityUnderJumpsAreThatOfTheScheme) {
+TEST_P(ObservedOrder, MarginalsAndJointDensityUnderJumpsHaveTheOrderOfTheScheme) {
   const int order = GetParam();
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   static const exact::LinearDensity exact(p);
@@ -152,7 +152,7 @@ struct Manufactured {
   }
 };
 
-TEST_P(OrderOf, AManufacturedDensityWithLossesAtTheImpactIsThatOfTheScheme) {
+TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
   const int order = GetParam();
   for (const double r : {0.8, 0.5}) {
     const auto p = tests::make_problem({.cubic = 0.3, .restitution = r, .intensity = 0.5});
@@ -162,9 +162,9 @@ TEST_P(OrderOf, AManufacturedDensityWithLossesAtTheImpactIsThatOfTheScheme) {
       const Excitation excitation = white_noise(p.impulses);
       const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
       const Eigen::VectorXd density =
-          averages_of(grid, [&](double x, double v) { return exact.density(x, v); });
+          cell_averages(grid, [&](double x, double v) { return exact.density(x, v); });
       Eigen::VectorXd source =
-          averages_of(grid, [&](double x, double v) { return exact.rate(x, v); });
+          cell_averages(grid, [&](double x, double v) { return exact.rate(x, v); });
       // L q = source is solvable for a source of mass 0; the mass of this source is 0 except for
       // the truncation by the box.
       Eigen::VectorXd defect = source - op * density;
@@ -187,7 +187,7 @@ TEST_P(OrderOf, AManufacturedDensityWithLossesAtTheImpactIsThatOfTheScheme) {
 }
 
 // Without an exact solution: differences of moments on grids refined by sqrt(2).
-TEST(SelfConvergence, OfThePapersCasesIsOfFifthOrderOnGradedGrids) {
+TEST(SelfConvergence, ThePapersCasesHaveOrderFiveOnGradedGrids) {
   for (const double r : {0.98, 0.7}) {
     for (const int number : {1, 2, 4}) {  // case 3 equals case 2 in other units
       if (number != (r > 0.9 ? 1 : 4) && !tests::thorough()) continue;

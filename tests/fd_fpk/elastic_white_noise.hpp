@@ -14,7 +14,8 @@ namespace fpkcheck::tests {
 
 /// Options for the null vector on nx x nv cells. The walls of the box have equal energy, at 5.5
 /// standard deviations of the velocity from rest.
-inline fd_fpk::Options elastic_white_noise(const problem::Problem& p, int order, int nx, int nv) {
+inline fd_fpk::Options elastic_white_noise_exponent(const problem::Problem& p, int order, int nx,
+                                                    int nv) {
   constexpr double kDeviations = 5.5;
   const double v2 = exact::mean_square_velocity(p) * kDeviations * kDeviations;
   return {.equation = problem::Equation::white,
@@ -22,7 +23,7 @@ inline fd_fpk::Options elastic_white_noise(const problem::Problem& p, int order,
           .order = order,
           .nx = nx,
           .nv = nv,
-          .x1_max = problem::UndampedOrbits(p).swings(v2 / 2).back().right,
+          .x1_max = problem::UndampedOrbits(p).half_cycles(v2 / 2).back().right,
           .x2_max = std::sqrt(v2),
           .error_estimate = false};
 }

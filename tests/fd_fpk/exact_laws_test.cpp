@@ -26,7 +26,7 @@ struct Law {
 };
 
 void expect_law(const Problem& given, const Options& options, const Law& law) {
-  const auto [solution, summary] = solve(tests::in_frame(given), options);
+  const auto [solution, summary] = solve(tests::in_wall_coordinates(given), options);
   ASSERT_TRUE(solution.density) << solution.reason;
   ASSERT_TRUE(summary.error);
   const auto expect = [&](const char* what, const std::optional<double>& exact, double found,

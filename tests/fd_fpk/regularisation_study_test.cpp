@@ -56,7 +56,7 @@ TEST(RegularisationStudy, LiteralSchemeGrowsOnFineStepsAndItsNullVectorIsNoDensi
   EXPECT_FALSE(row_of(study, "1.1 l*", 4).growth(p));
 }
 
-TEST(RegularisationStudy, SaysWhatDoesNotExistForALaw) {
+TEST(RegularisationStudy, ReportsSchemesThatDoNotExistForALaw) {
   // A small variance about a large mean: so skew about zero that the Pade approximant has a pole.
   const auto skew = tests::make_problem({.mean = 0.29, .law = "two_point"});
   const auto study = study_regularisation(skew, {.divisions = {1}});
@@ -66,7 +66,7 @@ TEST(RegularisationStudy, SaysWhatDoesNotExistForALaw) {
   EXPECT_TRUE(row_of(study, "regularised", 1).l1_y);
 }
 
-TEST(RegularisationStudy, GoesWithoutEigenvaluesWhereTheMatrixIsLarge) {
+TEST(RegularisationStudy, OmitsEigenvaluesOfLargeMatrices) {
   const auto frequent = tests::make_problem({.rate = 40});
   const auto study = study_regularisation(frequent, {.divisions = {2}, .nx = 16});
   for (const auto& row : study.rows) {
@@ -83,7 +83,7 @@ TEST(RegularisationStudy, PadeApproximantDecaysOnFineSteps) {
   Options pade;
   pade.equation = Equation::km4_pade;
   for (const double step : {0.1, 0.04, 0.02}) {
-    EXPECT_FALSE(grows(largest_growth(p, pade, step), p.impulses)) << step;
+    EXPECT_FALSE(is_unstable(largest_growth(p, pade, step), p.impulses)) << step;
   }
 }
 

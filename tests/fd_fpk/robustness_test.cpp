@@ -11,7 +11,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // r from 0.3 to 1, lambda from 0.2 to 20, mu from 0 to 10, intensities from 0.1 to 1.
-TEST(Robustness, RandomProblemsAreResolvedToTheBarsOfMassEnergyAndSign) {
+TEST(Robustness, RandomProblemsMeetTheLimitsOfMassEnergyAndSign) {
   std::mt19937_64 engine(2026);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::generate_canonical<double, 53>(engine);
@@ -33,7 +33,7 @@ TEST(Robustness, RandomProblemsAreResolvedToTheBarsOfMassEnergyAndSign) {
   }
 }
 
-TEST(Robustness, ABoxOfMoreCellsThanCanBeCountedIsRefused) {
+TEST(Robustness, ABoxWithMoreCellsThanAnIntHoldsIsRefused) {
   for (const double y : {1e20, 1e300}) {
     const auto solution = solve(tests::paper_case(1), {.x1_max = y}).solution;
     EXPECT_EQ(solution.status, transform::Status::failed);

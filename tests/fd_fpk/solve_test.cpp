@@ -62,7 +62,7 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
   EXPECT_LT(fine, 4e-5);
 }
 
-TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
+TEST(Solve, StatesIdentityErrorsAndMetrics) {
   const auto p = tests::paper_case(1);
   Options options{.equation = Equation::km4,
                   .impact = Impact::delta,
@@ -70,12 +70,12 @@ TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
                   .error_estimate = false};
   const auto plain = solve(p, options);
   EXPECT_EQ(plain.solution.identity, identity(options));
-  EXPECT_EQ(plain.solution.observations, observations(plain.summary));
+  EXPECT_EQ(plain.solution.metrics, metrics(plain.summary));
   EXPECT_FALSE(plain.solution.error);
   options.error_estimate = true;
   const auto [solution, summary] = solve(p, options);
   EXPECT_EQ(solution.identity, identity(options));
-  EXPECT_EQ(solution.observations, observations(summary));
+  EXPECT_EQ(solution.metrics, metrics(summary));
   ASSERT_TRUE(solution.error && summary.error);
   EXPECT_EQ(solution.error->y_l1, summary.error->y_l1);
   EXPECT_EQ(solution.error->ydot_l1, summary.error->ydot_l1);
@@ -83,12 +83,12 @@ TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
   EXPECT_GT(solution.error->moments.v4, 0);
 }
 
-TEST(Solve, SaysWhatItSolvedOfAProblemWithoutASolutionToo) {
+TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
   const Options literal{.equation = Equation::km4, .regularisation_length = 0};
   const auto [solution, summary] = solve(tests::paper_case(1), literal);
   EXPECT_EQ(solution.id(), "fd-km4");
-  EXPECT_EQ(solution.observations, observations(summary));
-  EXPECT_GT(*number(solution.observations, "growth_rate"), 1.0);
+  EXPECT_EQ(solution.metrics, metrics(summary));
+  EXPECT_GT(*number(solution.metrics, "growth_rate"), 1.0);
 }
 
 TEST(Solve, JumpsReproduceTheExactCumulantsOfTheLinearOscillator) {
@@ -128,7 +128,7 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
   }
 }
 
-TEST(Solve, SteppingMeetsTheBarsOfMassEnergyAndStationarityOnThePapersCases) {
+TEST(Solve, SteppingMeetsTheLimitsOfMassEnergyAndStationarityForThePapersCases) {
   for (const int number : {1, 4}) {
     for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
       // Stepping is skipped when time is short, and this machine may be slow.
@@ -163,7 +163,7 @@ TEST(Solve, CasesTwoAndThreeAreOneProblem) {
   EXPECT_NEAR(three.moments.y4 * 100, two.moments.y4, 1e-7 * two.moments.y4);
 }
 
-TEST(Solve, TruncationCostsLittleAndWhiteNoiseMuch) {
+TEST(Solve, TruncationErrorIsSmallAndWhiteNoiseErrorLarge) {
   const auto p = tests::paper_case(1);
   const auto kf = solve(p, direct(Equation::kf)).solution;
   const auto km4 = solve(p, direct(Equation::km4)).solution;
@@ -174,7 +174,7 @@ TEST(Solve, TruncationCostsLittleAndWhiteNoiseMuch) {
   EXPECT_GT(l1(marginal(white, Variable::ydot, edges), reference), 2e-2);
 }
 
-TEST(Solve, LiteralTruncationOnAFineGridIsReportedAndNotStepped) {
+TEST(Solve, LiteralTruncationOnAFineGridIsIllPosedAndNotSolved) {
   const auto [solution, summary] =
       solve(tests::paper_case(1), {.equation = Equation::km4, .regularisation_length = 0});
   EXPECT_EQ(solution.status, Status::ill_posed);
@@ -212,8 +212,7 @@ TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
         ASSERT_TRUE(solution.density.has_value()) << solution.reason;
         EXPECT_LT(std::abs(*summary.balances.virial), 5e-5);
         EXPECT_LT(std::abs(*summary.balances.momentum), 5e-5);
-        EXPECT_EQ(transform::number(solution.observations, "balances.virial"),
-                  summary.balances.virial);
+        EXPECT_EQ(transform::number(solution.metrics, "balances.virial"), summary.balances.virial);
       }
     }
   }
@@ -228,7 +227,7 @@ TEST(Solve, WidensItsBoxForHeavyTails) {
 
 // Under heavy damping rare impulses cause a spike at the wall that no uniform grid of this size
 // resolves.
-TEST(Solve, DoesNotPassOffAnUnresolvedDensity) {
+TEST(Solve, AnUnresolvedDensityIsInadmissible) {
   for (const auto& p :
        {tests::make_problem({.damping = 3, .cubic = 0}), tests::make_problem({.rate = 0.02})}) {
     Options free = direct(Equation::kf);
@@ -295,7 +294,7 @@ TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
   EXPECT_NEAR(kf.solution.moments.y2, white.solution.moments.y2, 1e-7);
 }
 
-TEST(Solve, RefusesGridsThatCannotDoWithWhatIsNeeded) {
+TEST(Solve, RefusesGridsThatAreTooLargeOrTooCoarse) {
   Options many = direct(Equation::kf);
   many.refinement = 10;
   const auto huge = solve(tests::paper_case(1), many).solution;
@@ -307,7 +306,7 @@ TEST(Solve, RefusesGridsThatCannotDoWithWhatIsNeeded) {
   EXPECT_EQ(solve(tests::paper_case(1), long_step).solution.status, Status::failed);
 }
 
-TEST(Solve, SaysThatABoxIsTooSmall) {
+TEST(Solve, ReportsABoxThatIsTooSmall) {
   Options options = direct(Equation::kf);
   options.x1_max = 1.0;
   options.x2_max = 1.2;
@@ -316,7 +315,7 @@ TEST(Solve, SaysThatABoxIsTooSmall) {
   EXPECT_NE(solution.reason.find("box"), std::string::npos);
 }
 
-TEST(Solve, SaysThatAResidualWasNotReached) {
+TEST(Solve, ReportsAResidualAboveItsThreshold) {
   for (const auto stepper : {Stepper::cvode, Stepper::direct}) {
     const auto solution = solve(tests::paper_case(1), {.equation = Equation::white,
                                                        .stepper = stepper,
@@ -330,7 +329,7 @@ TEST(Solve, SaysThatAResidualWasNotReached) {
   }
 }
 
-TEST(Solve, RefusesOptionsThatCannotBeUsed) {
+TEST(Solve, RefusesInvalidOptions) {
   EXPECT_THROW(solve(tests::paper_case(1), {.order = 9}), InputError);
   EXPECT_THROW(solve(tests::paper_case(1), {.regularisation_length = 0.3}), InputError);
 }

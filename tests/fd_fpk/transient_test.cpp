@@ -59,7 +59,7 @@ TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
 
 // With accurate time steps the operator itself must be stable: no eigenvalue with a positive real
 // part. Operators with longer stencils have such eigenvalues, and are refused.
-TEST(Transient, OrdersThatAreAllowedHaveNoGrowingModes) {
+TEST(Transient, PermittedOrdersHaveNoGrowingModes) {
   const auto largest_real_part = [](const problem::Problem& problem, Equation equation, int order) {
     const Options options{
         .equation = equation, .order = order, .origin_refinement = 1, .nx = 16, .nv = 28};
@@ -79,7 +79,7 @@ TEST(Transient, OrdersThatAreAllowedHaveNoGrowingModes) {
 
 // On uniform cells the flux is 6 % too small. The initial density is bounded at the wall and has a
 // different rate.
-TEST(Transient, ImpactRateUnderNoiseWithLossesEndsInTheStationaryOne) {
+TEST(Transient, ImpactRateUnderNoiseWithLossesTendsToTheStationaryRate) {
   const auto p = tests::make_problem({.restitution = 0.5});
   const double s = 0.3, v = 0.35;
   const auto result =
@@ -102,7 +102,7 @@ TEST(Transient, ErrorsInTimeFallWithTheTolerance) {
   }
 }
 
-TEST(Transient, BeginsWithTheGaussianAskedFor) {
+TEST(Transient, StartsWithTheRequestedGaussian) {
   const auto result = integrate(linear(), coarse(Equation::kf), breathing(0.1, 1, 1e-4));
   const auto& start = result.snapshots.front();
   EXPECT_EQ(start.time, 0);
@@ -139,7 +139,7 @@ TEST(Transient, KeepsMassAndTheBalanceOfPowerUnderLosses) {
   }
 }
 
-TEST(Transient, EndsInTheStationaryDensity) {
+TEST(Transient, TendsToTheStationaryDensity) {
   const auto problem = tests::make_problem({.damping = 0.6, .restitution = 0.95});
   const auto transient = integrate(problem, coarse(Equation::kf),
                                    {.until = 40, .snapshots = 1, .relative_tolerance = 1e-5});
@@ -154,7 +154,7 @@ TEST(Transient, EndsInTheStationaryDensity) {
   EXPECT_LT(transform::l1(y, {transient.y_edges, end.y, {}, {}}), 1e-3);
 }
 
-TEST(Transient, BoxHoldsWhatAWideStartTurnsInto) {
+TEST(Transient, BoxContainsTheStatesAccessibleFromAWideStart) {
   // At large displacements of a hardening spring: later velocities exceed the stationary range.
   const auto problem = tests::make_problem({.cubic = 0.5, .restitution = 1});
   const auto result = integrate(problem, coarse(Equation::white),
@@ -167,7 +167,7 @@ TEST(Transient, BoxHoldsWhatAWideStartTurnsInto) {
   for (const auto& s : result.snapshots) EXPECT_LT(std::max(s.wall.x1, s.wall.x2), 1e-6);
 }
 
-TEST(Transient, SaysSoWhenTheBoxIsTooSmall) {
+TEST(Transient, ReportsABoxThatIsTooSmall) {
   const auto result = integrate(linear(), {.x1_max = 1.5, .x2_max = 5},
                                 {.until = 10, .snapshots = 10, .relative_tolerance = 1e-4});
   EXPECT_EQ(result.status, Status::failed);
@@ -183,7 +183,7 @@ TEST(Transient, DoesNotStepTheIllPosedEquation) {
 }
 
 // An initial density so narrow that cells of its width would number more than a million.
-TEST(Transient, CellsOfItsOwnAreNeverTooMany) {
+TEST(Transient, ANarrowStartDoesNotExceedTheCellLimit) {
   const auto result = integrate(
       linear(), {},
       {.until = 1e-4, .snapshots = 1, .start_displacement = 1e-2, .start_velocity = 1e-2});
@@ -191,7 +191,7 @@ TEST(Transient, CellsOfItsOwnAreNeverTooMany) {
   EXPECT_FALSE(result.snapshots.empty());
 }
 
-TEST(Transient, EndsWithTheTimeThereIs) {
+TEST(Transient, StopsAtTheDeadline) {
   const auto result =
       integrate(linear(), {.refinement = 0.3, .max_seconds = 1e-6}, {.until = 1, .snapshots = 1});
   EXPECT_EQ(result.status, Status::not_converged);
@@ -199,7 +199,7 @@ TEST(Transient, EndsWithTheTimeThereIs) {
   EXPECT_NE(result.reason.find("max_seconds"), std::string::npos) << result.reason;
 }
 
-TEST(Transient, RefusesWhatItCannotUse) {
+TEST(Transient, RefusesInvalidOptions) {
   EXPECT_THROW(integrate(linear(), {}, {.until = -1}), InputError);
   EXPECT_THROW(integrate(linear(), {.order = 7}, {.until = 1}), InputError);
 }

@@ -21,7 +21,7 @@ void expect_errors_below(double most, int nx) {
   for (const int number : {1, 2, 3, 4}) {
     const auto p = tests::make_problem(
         {.cubic = number <= 2 ? 0.1 : 1.0, .restitution = 1, .intensity = number % 2 ? 0.1 : 1.0});
-    const auto solution = solve(p, tests::elastic_white_noise(p, 7, nx, 2 * nx)).solution;
+    const auto solution = solve(p, tests::elastic_white_noise_exponent(p, 7, nx, 2 * nx)).solution;
     ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
     const auto [y, v] = tests::errors_of(solution, p);
     EXPECT_LE(y, most) << "case " << number;
@@ -33,7 +33,7 @@ TEST(WhiteNoise, ElasticMarginalsAreExactToAMillionthWithOrderSeven) {
   expect_errors_below(1e-6, 40);
 }
 
-TEST(WhiteNoise, AThousandCellsReachTwoHundredThousandths) { expect_errors_below(2e-5, 24); }
+TEST(WhiteNoise, AThousandCellsGiveAnErrorBelow2e5) { expect_errors_below(2e-5, 24); }
 
 // -d log p(0, -+u) / d log u at about this speed, from averages of neighbouring cells of the first
 // column. Widths are proportional to u there, so that the difference between averages and values
@@ -77,13 +77,13 @@ TEST(WhiteNoise, WithLossesHasTheExactExponentAtTheWall) {
 }
 
 Grid cells_of(const transform::GridDensity& density) {
-  return {Line(density.y_edges, Beyond::boundary), Line(density.v_edges)};
+  return {Axis(density.y_edges, EndCondition::boundary), Axis(density.v_edges)};
 }
 
 // Impacts slower than h contribute int_0^h u^(1 - beta) du to the flux: order 2 - beta in the speed
 // to which cells are graded, proportional to 1 / (origin_refinement - 1). With cells of x1 graded
 // like those of x2 the order is 0.3 at r = 0.6, not 1.27.
-TEST(WhiteNoise, ImpactFluxConvergesByTheExponentAtTheWall) {
+TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
   for (const double r : {0.5, 0.6, 0.3}) {
     if (r != 0.5 && !tests::thorough()) continue;
     SCOPED_TRACE(r);
@@ -119,7 +119,7 @@ TEST(WhiteNoise, ImpactRateOfAutomaticGridsIsCloseToTheLimitOfTheFlux) {
   }
 }
 
-TEST(WhiteNoise, WithLossesConvergesWithTheOrderOfTheSchemeInTheMoments) {
+TEST(WhiteNoise, MomentsConvergeWithTheOrderOfTheSchemeUnderLosses) {
   const auto p = tests::make_problem({.restitution = 0.6});
   const auto moments_at = [&](double refinement) {
     Options options = white();
@@ -139,7 +139,7 @@ TEST(WhiteNoise, WithLossesConvergesWithTheOrderOfTheSchemeInTheMoments) {
 
 // p(y) decreases from y = 0 upwards. Cells with too rapidly increasing widths cause a ripple of
 // several per cent that the moments do not show: here on the coarsest grid of an error estimate.
-TEST(WhiteNoise, WithLossesLeavesNoRippleInTheDisplacement) {
+TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
   Options options = white();
   options.error_estimate = true;
   const auto p = tests::make_problem({.restitution = 0.6});
@@ -160,7 +160,7 @@ TEST(WhiteNoise, WithLossesLeavesNoRippleInTheDisplacement) {
 
 // Four factorisations on uniform cells; 17 when errors of narrow cells had the same weight as those
 // of wide cells.
-TEST(WhiteNoise, WithLossesIsSteppedToStationarityWithFewFactorisations) {
+TEST(WhiteNoise, SteppingUnderLossesNeedsFewFactorisations) {
   const auto [solution, summary] = solve(tests::make_problem({.restitution = 0.6}),
                                          {.equation = Equation::white, .error_estimate = false});
   EXPECT_EQ(solution.status, transform::Status::ok) << solution.reason;
@@ -168,7 +168,7 @@ TEST(WhiteNoise, WithLossesIsSteppedToStationarityWithFewFactorisations) {
   EXPECT_LT(summary.stepped_against_direct, 1e-8);
 }
 
-TEST(WhiteNoise, CellsOfYAreTheCubeOfThoseOfVOnlyWhereTheDensityIsSingular) {
+TEST(WhiteNoise, CellsAreGradedCubicallyOnlyForASingularDensity) {
   const auto finest = [](double r, Options options) {
     const auto grid = grid_of(solve(tests::make_problem({.restitution = r}), options));
     return std::pair{grid.y_edges[1], grid.v_edges[grid.nv() / 2 + 1]};

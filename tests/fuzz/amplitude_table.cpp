@@ -9,10 +9,10 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
   return fuzz::only_input_errors([&] {
-    const auto table = problem::amplitude_table_of_csv(fuzz::text_of(data, size), "table.csv");
-    const std::string text = problem::text_of(table);
-    fuzz::require(problem::text_of(problem::amplitude_table_of_text(text)) == text);
-    const auto law = problem::ImpulseLaw::named("tabulated", 0.1, 0.5, {.table = text});
+    const auto table = problem::parse_amplitude_csv(fuzz::text_of(data, size), "table.csv");
+    const std::string text = problem::table_literal(table);
+    fuzz::require(problem::table_literal(problem::parse_table_literal(text)) == text);
+    const auto law = problem::ImpulseLaw::from_name("tabulated", 0.1, 0.5, {.table = text});
     fuzz::require(std::isfinite(law.moment(3)) && law.cumulative(0.1) >= 0);
   });
 }

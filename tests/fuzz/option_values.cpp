@@ -32,7 +32,7 @@ void select(const std::string& list, const std::vector<Setting>& settings) {
   for (const auto& solver : registry.solvers()) {
     for (const auto& [name, text] : settings) {
       const auto* parameter = solver.parameters->find(name);
-      if (parameter != nullptr) values.push_back({name, value_from(*parameter, text, name)});
+      if (parameter != nullptr) values.push_back({name, parse_value(*parameter, text, name)});
     }
   }
   registry.select(list, values);

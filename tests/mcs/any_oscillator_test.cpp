@@ -10,7 +10,7 @@
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "family.hpp"
-#include "mcs/offered.hpp"
+#include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "statistics.hpp"
 #include "transform/change_of_frame.hpp"
@@ -34,9 +34,9 @@ WallParameters left_wall(double at, double r) { return {.left = at, .left_restit
 /// judge L1 errors by standard errors, so the accuracy is low.
 Result simulated(const Problem& problem, double time, std::optional<double> white_step = {}) {
   Result result =
-      solve(tests::in_frame(problem),
+      solve(tests::in_wall_coordinates(problem),
             {.time = time, .accuracy = 0.1, .seed = 20261123, .white_step = white_step});
-  result.solution = transform::in_physical_coordinates(problem::frame_of(problem.system),
+  result.solution = transform::to_physical_coordinates(problem::wall_frame(problem.system),
                                                        std::move(result.solution));
   return result;
 }
@@ -118,7 +118,8 @@ TEST(AnyOscillator, IsSimulatedUnderWhiteNoiseInPlaceOfItsImpulses) {
   const Problem problem =
       with_impulses(System({.damping = 0.2, .stiffness = 1, .cubic = 0.5}, left_wall(-0.5, 1)),
                     gaussian_impulses(2, 0.3, 0.1));
-  const Result result = solve(tests::in_frame(problem), {.equation = Equation::white, .time = 1e5});
+  const Result result =
+      solve(tests::in_wall_coordinates(problem), {.equation = Equation::white, .time = 1e5});
   const exact::EnergyLaw law(problem);
   const auto& e = result.solution.standard_errors->moments;
   expect_near(result.solution.moments.y1, law.moment(1, 0), e.y1, "E[y]");
@@ -268,7 +269,7 @@ TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   EXPECT_LT(result.solution.mass - atom.probability, 0.06);
   EXPECT_TRUE(result.summary.y_quantiles.empty());
   expect_balance(result);
-  for (const auto& observation : result.solution.observations) {
+  for (const auto& observation : result.solution.metrics) {
     EXPECT_NE(observation.path, "impact_rate");  // the rate is infinite
   }
 }
@@ -315,7 +316,7 @@ TEST(AnyOscillator, UnderNoiseAtAWallWithLossesDoesNotDependOnTheKicks) {
 
 // The averaged law gives the initial masses of the wells. Transitions are rare, so the status
 // reports that the masses are still the initial ones.
-TEST(AnyOscillator, WithWellsThatAreHardlyLeftSaysThatItsStartIsNotForgotten) {
+TEST(AnyOscillator, WithRareTransitionsIsNotConverged) {
   const Problem problem =
       with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, kNoWall), 0.006);
   const auto solution = simulated(problem, 1e4).solution;
@@ -326,14 +327,15 @@ TEST(AnyOscillator, WithWellsThatAreHardlyLeftSaysThatItsStartIsNotForgotten) {
   EXPECT_GT(solution.standard_errors->moments.y1, 0.02);
 }
 
-TEST(AnyOscillator, IsNotOfferedWhereImpactsAccumulateUnderNoise) {
-  const Problem gap = tests::in_frame(with_impulses(
+TEST(AnyOscillator, IsNotSupportedWhereImpactsAccumulateUnderNoise) {
+  const Problem gap = tests::in_wall_coordinates(with_impulses(
       System({.damping = 0.1, .stiffness = 1}, left_wall(-0.5, 0.1)), gaussian_impulses(1, 0.1)));
-  EXPECT_EQ(objection(gap, {}), "");
-  EXPECT_NE(objection(gap, {.equation = Equation::white}).find("accumulate"), std::string::npos);
+  EXPECT_EQ(unsupported_reason(gap, {}), "");
+  EXPECT_NE(unsupported_reason(gap, {.equation = Equation::white}).find("accumulate"),
+            std::string::npos);
   Problem noisy = gap;
   noisy.noise.intensity = 0.1;
-  EXPECT_NE(objection(noisy, {}).find("accumulate"), std::string::npos);
+  EXPECT_NE(unsupported_reason(noisy, {}).find("accumulate"), std::string::npos);
   EXPECT_EQ(solve(noisy, {.time = 1e3}).solution.status, transform::Status::failed);
 }
 
@@ -343,7 +345,7 @@ TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {
                                   gaussian_impulses(1, 0.1));
   for (const double intensity : {0.0, 0.05}) {
     problem.noise.intensity = intensity;
-    const Problem seen = tests::in_frame(problem);
+    const Problem seen = tests::in_wall_coordinates(problem);
     const Result one = solve(seen, {.time = 1e4, .threads = 1, .streams = 20});
     const Result three = solve(seen, {.time = 1e4, .threads = 3, .streams = 20});
     EXPECT_EQ(one.solution.moments.y4, three.solution.moments.y4);
@@ -359,8 +361,9 @@ TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {
     // The checkpoint of another noise intensity is refused.
     Problem other = problem;
     other.noise.intensity = 0.06;
-    EXPECT_THROW(solve(tests::in_frame(other), {.time = 1e4, .streams = 20, .resume = file}),
-                 InputError);
+    EXPECT_THROW(
+        solve(tests::in_wall_coordinates(other), {.time = 1e4, .streams = 20, .resume = file}),
+        InputError);
     std::remove(file.c_str());
   }
 }

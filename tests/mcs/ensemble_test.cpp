@@ -76,7 +76,7 @@ TEST(Ensemble, DoesNotDependOnThreadsNorOnTheTimesBetween) {
   EXPECT_NEAR(simulate_ensemble(problem, watched).back().moments.y2, first, 1e-7);
 }
 
-TEST(Ensemble, RefusesWhatItCannotUse) {
+TEST(Ensemble, RefusesInvalidOptions) {
   const auto refused = [](auto change) {
     EnsembleOptions options = ensemble({1, 2});
     change(options);

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "base/input_error.hpp"
 #include "statistics.hpp"
 
 namespace fpkcheck::mcs {
@@ -70,8 +70,8 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
   const Result result = solve(tests::paper_case(1), options);
   const double mass = transform::mass(joint(result));
   EXPECT_NEAR(result.solution.mass, mass, 1e-15);
-  EXPECT_NEAR(result.summary.outside, 1 - mass, 1e-15);
-  EXPECT_GT(result.summary.outside, 0.1);
+  EXPECT_NEAR(result.summary.outside_fraction, 1 - mass, 1e-15);
+  EXPECT_GT(result.summary.outside_fraction, 0.1);
   // A marginal counts all samples of its variable, for any value of the other one.
   const double inside_y = integral(estimated(result, Variable::y));
   const double inside_v = integral(estimated(result, Variable::ydot));
@@ -86,7 +86,7 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
   EXPECT_NEAR(automatic.solution.mass, 1.0, 1e-6);
 }
 
-TEST(Solve, HistogramMomentsAndMarginalsTellTheSame) {
+TEST(Solve, HistogramMomentsAndMarginalsAgree) {
   const Result result = tests::simulate(tests::paper_case(4), 1e5);
   const auto y = transform::marginal(*result.solution.density, Variable::y, joint(result).y_edges);
   const auto v =
@@ -120,7 +120,7 @@ TEST(Solve, ElasticUnderFrequentSmallImpulsesApproachesTheWhiteNoiseDensity) {
   EXPECT_LT(v_distance, 2 * *result.solution.sampling->ydot);
 }
 
-TEST(Solve, SamplingErrorForetellsTheDistanceOfTwoRuns) {
+TEST(Solve, SamplingErrorPredictsTheDistanceOfTwoRuns) {
   const Result a = tests::simulate(tests::paper_case(1), 2e5, 11);
   const Result b = tests::simulate(tests::paper_case(1), 2e5, 12);
   // The distance of two runs is sqrt(2) times the error of one run. Errors of neighbouring bins are
@@ -131,7 +131,7 @@ TEST(Solve, SamplingErrorForetellsTheDistanceOfTwoRuns) {
   EXPECT_NEAR(v / (std::sqrt(2) * *a.solution.sampling->ydot), 1.0, 0.4);
 }
 
-TEST(Solve, AnEmptyBinHasAnUpperEnd) {
+TEST(Solve, AnEmptyBinHasAnUpperBound) {
   const Result result = tests::simulate(tests::paper_case(1), 1e4);
   const auto& v = estimated(result, Variable::ydot);
   EXPECT_EQ(v.density.front(), 0.0);
@@ -160,7 +160,7 @@ TEST(Solve, FillsInTheSolutionAndTheSummary) {
   EXPECT_EQ(result.solution.identity, identity(Options{}));
   EXPECT_EQ(result.solution.status, transform::Status::ok);
   EXPECT_GT(result.solution.seconds, 0.0);
-  EXPECT_EQ(result.solution.observations, observations(result.summary));
+  EXPECT_EQ(result.solution.metrics, metrics(result.summary));
   EXPECT_GT(result.solution.standard_errors->moments.y2, 0);
   EXPECT_GT(*result.solution.sampling->ydot_99, *result.solution.sampling->ydot);
   EXPECT_TRUE(result.summary.warnings.empty());
@@ -198,7 +198,7 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
   EXPECT_EQ(calls, 1);
 }
 
-TEST(Solve, EndsEarlyWhenAskedToAndReportsWhatWasReached) {
+TEST(Solve, EndsOnAStopRequestAndReturnsThePresentEstimates) {
   Options options;
   options.time = 1e4;
   int asked = 0;
@@ -212,7 +212,7 @@ TEST(Solve, EndsEarlyWhenAskedToAndReportsWhatWasReached) {
   EXPECT_NEAR(result.solution.mass, 1, 1e-3);
 }
 
-TEST(Solve, GoesOnUntilTheSamplesOrTheErrorAskedForAreReached) {
+TEST(Solve, RunsUntilTheRequestedSamplesOrErrorAreReached) {
   Options options;
   options.samples = 3e4;
   const Result by_samples = solve(tests::paper_case(1), options);
@@ -255,7 +255,7 @@ TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
   }
 }
 
-TEST(Solve, ProcessesThatShareTheStreamsGoOnForOneTime) {
+TEST(Solve, ProcessesThatShareTheStreamsNeedAFixedTime) {
   Options options{.target_error = 1e-3};
   options.team.parts = 2;
   EXPECT_THROW(require_solvable(tests::paper_case(1), options), InputError);

@@ -7,7 +7,7 @@
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
 #include "family.hpp"
-#include "mcs/offered.hpp"
+#include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 #include "statistics.hpp"
@@ -26,12 +26,12 @@ const problem::SystemCoefficients kLinear{.damping = 0.1, .stiffness = 1};
 
 // The problems of cases/gap.ini, two_walls.ini and preload.ini, in wall coordinates.
 Problem gap() {
-  return tests::in_frame(
+  return tests::in_wall_coordinates(
       with_impulses(System(kLinear, WallParameters{.left = -0.5, .left_restitution = 0.9}),
                     gaussian_impulses(1, 0.1)));
 }
 Problem two_walls() {
-  return tests::in_frame(with_impulses(
+  return tests::in_wall_coordinates(with_impulses(
       System(kLinear,
              {.left = -0.5, .left_restitution = 0.7, .right = 1, .right_restitution = 0.9}),
       gaussian_impulses(2, 0.2)));
@@ -112,11 +112,11 @@ TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulati
   const System system({.damping = 0.2, .stiffness = 1, .cubic = 0.3},
                       WallParameters{.left = -0.3, .left_restitution = 0.7});
   const Problem problem =
-      tests::in_frame(with_impulses(system, problem::ImpulseTrain({.arrival_rate = 1,
-                                                                   .law = "exponential",
-                                                                   .intensity = 0.1,
-                                                                   .mean = 0.1,
-                                                                   .skewness = -2})));
+      tests::in_wall_coordinates(with_impulses(system, problem::ImpulseTrain({.arrival_rate = 1,
+                                                                              .law = "exponential",
+                                                                              .intensity = 0.1,
+                                                                              .mean = 0.1,
+                                                                              .skewness = -2})));
   const auto plain = solve(problem, {.time = 4e6, .seed = 1}).solution;
   const Result split = solve(problem, {.time = 4e5, .seed = 2, .tails = true});
   ASSERT_TRUE(split.solution.is_ok()) << split.solution.reason;
@@ -136,7 +136,7 @@ TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulati
 }
 
 // Branches at rest contribute with their weights.
-TEST(TailsOfAnyOscillator, LeaveTheTimeAtRestAsItIs) {
+TEST(TailsOfAnyOscillator, PreserveTheProbabilityOfRest) {
   const auto plain = solve(preload(), {.time = 4e5, .seed = 1}).solution;
   const auto split = solve(preload(), {.time = 1e5, .seed = 2, .tails = true}).solution;
   ASSERT_EQ(plain.atoms.size(), 1u);
@@ -196,20 +196,20 @@ TEST(TailsOfAnyOscillator, DoNotDependOnThreadsAndGoOnFromACheckpoint) {
   EXPECT_EQ(resumed.v4, one.v4);
 }
 
-TEST(TailsOfAnyOscillator, AreNotOfferedWhereTheEnergyRisesBetweenImpulses) {
+TEST(TailsOfAnyOscillator, AreNotSupportedWhereTheEnergyRisesBetweenImpulses) {
   const Options tails{.tails = true};
   for (const Problem& problem : {gap(), two_walls(), preload()}) {
-    EXPECT_EQ(objection(problem, tails), "");
-    EXPECT_NE(objection(problem, {.equation = Equation::white, .tails = true}), "");
+    EXPECT_EQ(unsupported_reason(problem, tails), "");
+    EXPECT_NE(unsupported_reason(problem, {.equation = Equation::white, .tails = true}), "");
   }
   Problem noisy = gap();
   noisy.noise.intensity = 0.1;
-  EXPECT_NE(objection(noisy, tails).find("noise"), std::string::npos);
+  EXPECT_NE(unsupported_reason(noisy, tails).find("noise"), std::string::npos);
   EXPECT_THROW(solve(noisy, {.time = 1e3, .tails = true}), InputError);
   const Problem ring =
       with_impulses(System({.damping = -0.1, .van_der_pol = 0.1, .stiffness = 1}, {.none = true}),
                     gaussian_impulses(1, 0.1));
-  EXPECT_NE(objection(ring, tails).find("damping"), std::string::npos);
+  EXPECT_NE(unsupported_reason(ring, tails).find("damping"), std::string::npos);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(BudgetOfARun, IsBoundedByItsPartsInEveryRow) {
     EXPECT_EQ(row.parts.size(), moment ? 3u : 5u) << row.solution;
     for (const auto& part : row.parts) {
       if (part.name() == "sampling") {
-        EXPECT_LT(part.l1, 1.5 * part.in_99.value());
+        EXPECT_LT(part.l1, 1.5 * part.quantile_99.value());
       } else if (part.name() != "discretisation") {
         EXPECT_GT(part.l1, part.uncertainty.value()) << row.solution << " " << part.name();
       }

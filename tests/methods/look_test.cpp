@@ -14,7 +14,7 @@ namespace fpkcheck::methods {
 namespace {
 
 using Rgb = std::array<double, 3>;
-using transform::Look;
+using transform::PlotStyle;
 
 // Linear light of "#RRGGBB".
 Rgb light_of(const std::string& colour) {
@@ -65,7 +65,7 @@ double apart(const Rgb& a, const Rgb& b) {
 /// What a case's picture and a sweep may show together.
 struct Shown {
   std::string id, family;
-  Look look;
+  PlotStyle plot_style;
 };
 std::vector<Shown> all_looks() {
   std::vector<Shown> all;
@@ -73,7 +73,7 @@ std::vector<Shown> all_looks() {
   for (const auto* family : registry.families()) {
     for (const auto& id : family->usual) {
       const auto method = registry.by_id(id);
-      all.push_back({id, family->name, method->identity.look});
+      all.push_back({id, family->name, method->identity.plot_style});
     }
   }
   for (std::size_t place = 0; place < 3; ++place) {
@@ -83,28 +83,28 @@ std::vector<Shown> all_looks() {
 }
 
 // Marks on a line tell it from another; of points there is no line.
-bool same_without_colour(const Look& a, const Look& b) {
+bool same_without_colour(const PlotStyle& a, const PlotStyle& b) {
   constexpr double kBroad = 2;  // times as wide is another line
   return a.as_points == b.as_points && a.symbol == b.symbol && a.dash == b.dash &&
          a.width < kBroad * b.width && b.width < kBroad * a.width;
 }
 
-TEST(Look, OfEveryFamilyHasAMarkOfItsOwn) {
+TEST(PlotStyle, OfEveryFamilyHasAMarkOfItsOwn) {
   std::set<std::string> families, marks;
-  for (const auto& [id, family, look] : all_looks()) {
+  for (const auto& [id, family, plot_style] : all_looks()) {
     const bool is_new = families.insert(family).second;
-    EXPECT_EQ(marks.insert(look.symbol).second, is_new) << id << " " << look.symbol;
+    EXPECT_EQ(marks.insert(plot_style.symbol).second, is_new) << id << " " << plot_style.symbol;
   }
   EXPECT_EQ(families.size(), 6u);
 }
 
-TEST(Look, OfAnyTwoIsToldApartInGreyAndByADeuteranope) {
+TEST(PlotStyle, OfAnyTwoIsToldApartInGreyAndByADeuteranope) {
   constexpr double kApart = 15;  // of 100 between black and white
   const auto all = all_looks();
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!same_without_colour(all[i].look, all[j].look)) continue;
-      const Rgb a = light_of(all[i].look.colour), b = light_of(all[j].look.colour);
+      if (!same_without_colour(all[i].plot_style, all[j].plot_style)) continue;
+      const Rgb a = light_of(all[i].plot_style.colour), b = light_of(all[j].plot_style.colour);
       EXPECT_GT(apart(in_grey(a), in_grey(b)), kApart) << all[i].id << " " << all[j].id;
       EXPECT_GT(apart(to_a_deuteranope(a), to_a_deuteranope(b)), kApart)
           << all[i].id << " " << all[j].id;
@@ -113,7 +113,7 @@ TEST(Look, OfAnyTwoIsToldApartInGreyAndByADeuteranope) {
 }
 
 // The schemes of a study of grids differ in dash as well.
-TEST(Look, OfAnOrderOfTheSchemeIsOneOfFiniteDifferences) {
+TEST(PlotStyle, OfAnOrderOfTheSchemeIsOneOfFiniteDifferences) {
   std::set<std::string> dashes;
   for (std::size_t place = 0; place < 4; ++place) {
     EXPECT_EQ(scheme_look(place).symbol, equation_look({}).symbol);
@@ -121,10 +121,10 @@ TEST(Look, OfAnOrderOfTheSchemeIsOneOfFiniteDifferences) {
   }
 }
 
-TEST(Look, IsSeenOnWhite) {
-  for (const auto& [id, family, look] : all_looks()) {
+TEST(PlotStyle, IsSeenOnWhite) {
+  for (const auto& [id, family, plot_style] : all_looks()) {
     constexpr double kSeen = 20;
-    EXPECT_GT(apart(in_grey(light_of(look.colour)), in_grey({1, 1, 1})), kSeen) << id;
+    EXPECT_GT(apart(in_grey(light_of(plot_style.colour)), in_grey({1, 1, 1})), kSeen) << id;
   }
 }
 

@@ -74,9 +74,9 @@ TEST(OwnErrors, OfAMirroredProblemAreOnThePhysicalAxes) {
   solution.moments = {law.moment(1, 0), law.moment(2, 0), law.moment(4, 0),
                       law.moment(0, 1), law.moment(0, 2), law.moment(0, 4)};
   one.solutions.push_back(solution);
-  const auto cells =
-      transform::on_cells(std::get<transform::SmoothDensity>(*solution.density),
-                          tests::uniform_edges(-6.5, 0.5, 35), tests::uniform_edges(-6, 7, 65));
+  const auto cells = transform::average_over_cells(
+      std::get<transform::SmoothDensity>(*solution.density), tests::uniform_edges(-6.5, 0.5, 35),
+      tests::uniform_edges(-6, 7, 65));
   one.joints.push_back({"one", cells});
   add_own_errors(one, ProblemResiduals(known), 1);
   ASSERT_EQ(one.own_errors.size(), 1u);

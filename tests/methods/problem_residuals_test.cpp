@@ -105,14 +105,14 @@ TEST(MeasuredError, IsTheSameOnPhysicalAxesAndInTheFrame) {
   EXPECT_GT(solution.error->ydot_l1, 0.05);  // 1 - sqrt(0.9) of a Gaussian, nearly
   EXPECT_LT(solution.error->ydot_l1, 0.1);
 
-  const auto seen = tests::in_frame(known);
-  Solution in_frame = solution;
-  in_frame.density = transform::in_coordinates_of(seen.frame, *solution.density);
-  state_measured_error(ProblemResiduals(seen), 0.1, in_frame, seen.frame);
-  ASSERT_TRUE(in_frame.error);
-  EXPECT_NEAR(in_frame.error->y_l1, solution.error->y_l1, 1e-12);
-  EXPECT_NEAR(in_frame.error->moments.y1, solution.error->moments.y1, 1e-12);
-  EXPECT_NEAR(in_frame.error->moments.y4, solution.error->moments.y4, 1e-12);
+  const auto seen = tests::in_wall_coordinates(known);
+  Solution in_wall_coordinates = solution;
+  in_wall_coordinates.density = transform::to_wall_coordinates(seen.frame, *solution.density);
+  state_measured_error(ProblemResiduals(seen), 0.1, in_wall_coordinates, seen.frame);
+  ASSERT_TRUE(in_wall_coordinates.error);
+  EXPECT_NEAR(in_wall_coordinates.error->y_l1, solution.error->y_l1, 1e-12);
+  EXPECT_NEAR(in_wall_coordinates.error->moments.y1, solution.error->moments.y1, 1e-12);
+  EXPECT_NEAR(in_wall_coordinates.error->moments.y4, solution.error->moments.y4, 1e-12);
 }
 
 TEST(MeasuredError, IsRefusedWhereTheLawHasAnAtom) {
@@ -168,7 +168,7 @@ TEST(MeasuredError, IsTheDistanceToTheReferenceWhereResidualsGiveNone) {
   best.equation = problem::Equation::kf;
   best.impact = problem::Impact::map;
   std::vector<Solution> solutions{wells.solution(closure), wells.solution(best)};
-  solutions[1].error = transform::StatedError{.y_l1 = 0.004, .ydot_l1 = 0.003};
+  solutions[1].error = transform::ErrorEstimate{.y_l1 = 0.004, .ydot_l1 = 0.003};
   const ProblemResiduals residuals(wells.problem);
   state_measured_error(residuals, 0.02, solutions[0]);
   ASSERT_EQ(solutions[0].status, Status::inaccurate);

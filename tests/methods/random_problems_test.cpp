@@ -31,8 +31,8 @@ TEST(RandomProblems, AnswersAreWithinTheirStatedErrors) {
   for (const std::uint64_t number : numbers) {
     const auto p = tests::random_problem(number);
     SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
-    const auto axes = compare::even_axes(compare::comparison_axes(p));
-    const double decay = problem::slowest_decay(problem::equivalent_linearisation(p));
+    const auto axes = compare::uniform_axes(compare::comparison_axes(p));
+    const double decay = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
     const auto judge =
         mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
             .solution;
@@ -76,7 +76,7 @@ TEST(RandomProblems, DividedBinsCloseToRestAreAsGoodAsEvenOnes) {
     SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
     const auto axes = compare::comparison_axes(p);
     ASSERT_GT(axes.divisions, 0);
-    const double decay = problem::slowest_decay(problem::equivalent_linearisation(p));
+    const double decay = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
     const auto judge =
         mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
             .solution;

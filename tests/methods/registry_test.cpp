@@ -64,7 +64,7 @@ TEST(Registry, SolutionsAreWhoTheirMethodPromised) {
     EXPECT_EQ(solution.identity.order, method.identity.order) << method.id();
     EXPECT_EQ(solution.identity.formulation, method.identity.formulation) << method.id();
     EXPECT_TRUE(solution.density.has_value()) << method.id();
-    EXPECT_FALSE(solution.observations.empty()) << method.id();
+    EXPECT_FALSE(solution.metrics.empty()) << method.id();
   }
 }
 
@@ -84,9 +84,10 @@ TEST(Registry, EveryMethodSaysWhatItIsAndLooksLikeNoOther) {
     EXPECT_FALSE(who.family.empty()) << who.id;
     EXPECT_FALSE(who.meaning.empty()) << who.id;
     EXPECT_TRUE(who.equation && who.impact) << who.id;
-    EXPECT_NE(who.role, transform::Role::given) << who.id;
-    const std::string points = who.look.as_points ? "points" : "";
-    looks.emplace(who.look.colour + points, who.look.dash + std::to_string(who.look.width));
+    EXPECT_NE(who.role, transform::Role::external) << who.id;
+    const std::string points = who.plot_style.as_points ? "points" : "";
+    looks.emplace(who.plot_style.colour + points,
+                  who.plot_style.dash + std::to_string(who.plot_style.width));
   }
   EXPECT_EQ(looks.size(), methods.size());
 }

@@ -8,7 +8,7 @@
 #include "exact/energy_law.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/case_file.hpp"
 
 // Each shipped system (docs/systems.md): its exact law where one is known, else finite differences and

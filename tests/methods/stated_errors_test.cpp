@@ -35,7 +35,7 @@ Method silent(Role role, const std::string& id = "silent") {
                    .impact = problem::Impact::map,
                    .role = role},
       .solve = [](const problem::Problem& problem, const Setting&) { return answer_of(problem); }};
-  if (role == Role::given) {
+  if (role == Role::external) {
     method.identity.equation = {};
     method.identity.impact = {};
   }
@@ -43,7 +43,7 @@ Method silent(Role role, const std::string& id = "silent") {
 }
 
 TEST(StatedErrors, WhoStatesNoneIsNotOk) {
-  for (const auto role : {Role::given, Role::equation, Role::simulation}) {
+  for (const auto role : {Role::external, Role::equation, Role::simulation}) {
     const auto solutions =
         run_cases({tests::paper_case(1)}, {silent(role)}, 1, {}).front().solutions;
     EXPECT_EQ(solutions.front().status, Status::inaccurate) << name(role);
@@ -63,7 +63,7 @@ TEST(StatedErrors, OfAClosureWithoutAReferenceIsWhatItsResidualsMeasure) {
 
 TEST(StatedErrors, OfWhatStatesNoneIsItsDistanceToTheReference) {
   const auto solutions = run_cases({tests::paper_case(1)},
-                                   {silent(Role::given, "one"), silent(Role::closure, "another"),
+                                   {silent(Role::external, "one"), silent(Role::closure, "another"),
                                     *builtin().by_id("fd-kf", {})},
                                    1, {})
                              .front()
@@ -80,12 +80,12 @@ TEST(StatedErrors, OfWhatStatesNoneIsItsDistanceToTheReference) {
 
 TEST(StatedErrors, ThatAreNoNumbersAreNone) {
   Solution solution = answer_of(tests::paper_case(1));
-  solution.error = transform::StatedError{.y_l1 = 1e-3, .ydot_l1 = 1e-3};
-  transform::hold_to(1e-2, "it is off", solution);
+  solution.error = transform::ErrorEstimate{.y_l1 = 1e-3, .ydot_l1 = 1e-3};
+  transform::require_accuracy(1e-2, "it is off", solution);
   EXPECT_EQ(solution.status, Status::ok);
   solution.error->ydot_l1 = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(transform::states_error(solution));
-  transform::hold_to(1e-2, "it is off", solution);
+  EXPECT_FALSE(transform::has_error_estimate(solution));
+  transform::require_accuracy(1e-2, "it is off", solution);
   EXPECT_EQ(solution.status, Status::inaccurate);
 }
 
@@ -96,7 +96,7 @@ void check(const problem::Problem& problem, const Solution& solution) {
     EXPECT_FALSE(solution.reason.empty());
     return;
   }
-  EXPECT_TRUE(transform::states_error(solution));
+  EXPECT_TRUE(transform::has_error_estimate(solution));
   const bool exact = problem.system.restitution() == 1;
   if (!exact || !solution.error || solution.identity.role != Role::equation) return;
   constexpr double kLow = 2.5, kRounding = 1e-6;

@@ -69,11 +69,11 @@ transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell
   solution.moments = marginals.moments;
   solution.mass = marginals.mass;
   solution.density = density;
-  solution.observations = transform::Observer()
-                              .result("width.y", a)
-                              .result("width.ydot", b)
-                              .work("strokes", std::int64_t{1})
-                              .take();
+  solution.metrics = transform::MetricBuilder()
+                         .result("width.y", a)
+                         .result("width.ydot", b)
+                         .work("strokes", std::int64_t{1})
+                         .take();
   return solution;
 }
 
@@ -85,10 +85,10 @@ methods::Solver toy_solver() {
                                       .role = transform::Role::closure,
                                       .meaning = "A bell of about the right width.",
                                       .usual = {"toy-bell-n2", "toy-bell-n4"},
-                                      .look =
+                                      .plot_style =
                                           [](const transform::Identity&) {
-                                            return transform::Look{.colour = "#12AB34",
-                                                                   .dash = "(1,1)"};
+                                            return transform::PlotStyle{.colour = "#12AB34",
+                                                                        .dash = "(1,1)"};
                                           }}},
                         .parameters = nullptr,
                         .usual_options = {},
@@ -177,9 +177,9 @@ TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
   results::add_run(files, directory.path(), run_);
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});
-  auto again = check::run_again(baseline, "fpkcheck check", 1, {});
+  auto again = check::repeat_run(baseline, "fpkcheck check", 1, {});
   EXPECT_TRUE(check::check(baseline.run, again, {}).agrees());
-  auto& width = again.cases[0].solutions[1].observations[0];
+  auto& width = again.cases[0].solutions[1].metrics[0];
   ASSERT_EQ(width.path, "width.y");
   width.value = std::get<double>(width.value) * (1 + 1e-6);
   const auto moved = check::check(baseline.run, again, {}).moved();

@@ -43,7 +43,7 @@ TEST(CaseFile, ReadsEveryKeyAndBothKindsOfComment) {
   EXPECT_EQ(p.impulses.law().moment(1), 0.1);
 }
 
-TEST(CaseFile, ReadsWhatEditorsLeaveInFiles) {
+TEST(CaseFile, AcceptsByteOrderMarkAndSpaces) {
   EXPECT_EQ(read("\xEF\xBB\xBF" + kGood).system.stiffness(), 2.0);
   EXPECT_EQ(read(kGood, {"system.cubic= +7 "}).system.coefficients().cubic, 7.0);
   EXPECT_NE(message(kGood, {"system.cubic=1e400"}).find("out of the range"), std::string::npos);
@@ -60,7 +60,7 @@ TEST(CaseFile, OverridesReplaceAndComplete) {
 
 std::string name_of(const std::vector<std::string>& overrides, const std::string& text = kGood) {
   std::istringstream ini(text);
-  return read_case(ini, "a", "a.ini", overrides, Naming::of_changes).name;
+  return read_case(ini, "a", "a.ini", overrides, CaseNaming::with_overrides).name;
 }
 
 TEST(CaseFile, IsNamedByWhatTheOverridesChange) {
@@ -77,7 +77,7 @@ TEST(CaseFile, IsNamedByWhatTheOverridesChange) {
   EXPECT_EQ(read(kGood, {"system.restitution=0.8"}).name, "a");
 }
 
-TEST(CaseFile, WhoseChangesWouldMakeNoNameIsNamedByTheirNumber) {
+TEST(CaseFile, IsNamedByNumberOfChangesWhenNameIsTooLong) {
   std::vector<std::string> all;
   for (const char* key : {"system.damping", "system.stiffness", "system.cubic",
                           "system.restitution", "impulse.rate", "impulse.intensity"}) {
@@ -118,12 +118,12 @@ TEST(CaseFile, NamesTheLine) {
   EXPECT_EQ(message(kGood, {"system.cubic=1e31"}).find("case a.ini: system.cubic = 1e+31"), 0u);
 }
 
-TEST(CaseFile, AKeyIsOverriddenOnce) {
+TEST(CaseFile, RejectsDuplicateOverrides) {
   EXPECT_EQ(message(kGood, {"system.cubic=7", "system.cubic=8"}),
             "--set system.cubic is given twice; keep one");
 }
 
-TEST(CaseFile, WhatAMessageRepeatsIsCutAndEscaped) {
+TEST(CaseFile, SanitisesTextInMessages) {
   const std::string much(1000000, 'x');
   for (const auto& bad :
        {message(kGood, {"system.cubic=\x1b[31m" + much}),
@@ -145,7 +145,7 @@ TEST(CaseFile, NoSuchCaseListsTheNamedOnes) {
 }
 
 // Tables, JSON, netCDF and figures contain the name, and none of them can represent every byte.
-TEST(CaseFile, AFileWhoseNameCannotBeShownIsRefused) {
+TEST(CaseFile, RejectsUnprintableFileNames) {
   const auto directory = std::filesystem::path(testing::TempDir());
   const auto refusal = [&](const std::string& stem) -> std::string {
     const auto file = directory / (stem + ".ini");
@@ -166,11 +166,11 @@ TEST(CaseFile, AFileWhoseNameCannotBeShownIsRefused) {
 }
 
 TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
-  ASSERT_EQ(named_cases().size(), 4u);
+  ASSERT_EQ(paper_cases().size(), 4u);
   const double cubic[] = {0.1, 0.1, 1.0, 1.0};
   const double intensity[] = {0.1, 1.0, 0.1, 1.0};
   for (int n = 0; n < 4; ++n) {
-    const Problem p = load_case(named_cases()[n].name);
+    const Problem p = load_case(paper_cases()[n].name);
     EXPECT_EQ(p.system.damping(), 0.1);
     EXPECT_EQ(p.system.stiffness(), 1.0);
     EXPECT_EQ(p.system.restitution(), 0.98);
@@ -182,8 +182,8 @@ TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
 
 // Case 1 is the template of other case files.
 TEST(CaseFile, OfCase1NamesEveryLaw) {
-  const std::string& text = find_named_case("case1")->text;
-  for (const auto& law : ImpulseLaw::known()) {
+  const std::string& text = find_builtin_case("case1")->text;
+  for (const auto& law : ImpulseLaw::known_names()) {
     EXPECT_NE(text.find(law), std::string::npos) << law;
   }
 }

@@ -18,8 +18,8 @@ WallParameters left(double position, double restitution) {
 std::string refusal(const SystemCoefficients& coefficients, const WallParameters& walls = kNone,
                     double mean_impulse = 0) {
   try {
-    require_stationary(tests::with_impulses(System(coefficients, walls),
-                                            tests::gaussian_impulses(1, 1, mean_impulse)));
+    require_stationary_density(tests::with_impulses(System(coefficients, walls),
+                                                    tests::gaussian_impulses(1, 1, mean_impulse)));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -29,7 +29,7 @@ std::string refusal(const SystemCoefficients& coefficients, const WallParameters
 const std::string kLeft = "does not confine the mass on the left", kRight = "on the right";
 const std::string kEnergy = "dissipate no energy";
 
-TEST(Confinement, IsWhatTheSpringDoesAtOpenEnds) {
+TEST(Confinement, NeedsRestoringForceAtOpenEnds) {
   EXPECT_EQ(refusal({.damping = 0.1, .stiffness = -1, .cubic = 1}), "accepted");
   EXPECT_NE(refusal({.damping = 0.1, .stiffness = 1, .cubic = -1}).find(kLeft), std::string::npos);
   EXPECT_NE(refusal({.damping = 0.1, .stiffness = 1, .cubic = -1}, left(0, 1)).find(kRight),
@@ -48,7 +48,7 @@ TEST(Confinement, CountsTheMeanOfTheImpulsesAsAForce) {
   EXPECT_NE(refusal(lighter, left(0, 1), 0.5).find(kRight), std::string::npos);
 }
 
-TEST(Confinement, NeedsWhatTakesEnergyFromLargeMotions) {
+TEST(Confinement, NeedsDissipationAtLargeAmplitudes) {
   const SystemCoefficients undamped{.damping = 0, .stiffness = 1};
   EXPECT_NE(refusal(undamped).find(kEnergy), std::string::npos);
   EXPECT_NE(refusal(undamped, left(0, 1)).find(kEnergy), std::string::npos);
@@ -74,7 +74,7 @@ TEST(Confinement, ComparesNegativeAndPositiveDampingAtLargeEnergies) {
       std::string::npos);
 }
 
-TEST(Confinement, HoldsInAnyUnits) {
+TEST(Confinement, IsIndependentOfUnits) {
   // Lengths multiplied by 1e6, times by 1e-5.
   const double l = 1e6, t = 1e-5;
   EXPECT_EQ(refusal({.damping = -1 / t, .van_der_pol = 1 / (t * l * l), .stiffness = 1 / (t * t)}),

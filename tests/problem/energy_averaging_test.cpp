@@ -27,27 +27,27 @@ TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {
   const UndampedOrbits orbits(p);
   ASSERT_EQ(orbits.minima(), std::vector<double>{0});
   const double energy = 0.7;
-  const auto swings = orbits.swings(energy);
-  ASSERT_EQ(swings.size(), 1u);
-  EXPECT_NEAR(swings[0].right, std::sqrt(2 * energy) / 2, 1e-13);
-  const Orbit orbit = orbits.orbit(swings[0], energy);
+  const auto half_cycles = orbits.half_cycles(energy);
+  ASSERT_EQ(half_cycles.size(), 1u);
+  EXPECT_NEAR(half_cycles[0].right, std::sqrt(2 * energy) / 2, 1e-13);
+  const Orbit orbit = orbits.orbit(half_cycles[0], energy);
   EXPECT_NEAR(orbit.period, std::numbers::pi, 1e-12);
   // The enclosed area: 2 pi energy / frequency
   EXPECT_NEAR(orbit.action, energy * std::numbers::pi, 1e-12);
   EXPECT_NEAR(orbit.loss, 0.2 * orbit.action, 1e-13);
-  EXPECT_NEAR(orbit.time_y2 / orbit.period, energy / 4, 1e-12);
+  EXPECT_NEAR(orbit.time_integral_y2 / orbit.period, energy / 4, 1e-12);
 }
 
-TEST(UndampedOrbits, LoseAtEachWallThatTheyReach) {
+TEST(UndampedOrbits, DissipateAtEachWallTheyReach) {
   // Free flight in a box: at speed u each wall is hit once per period 2 L / u.
   const Problem p = tests::with_noise(
       System({}, {.left = -1, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9}), 1);
   const UndampedOrbits orbits(p);
   const double u = 1.3;
-  const auto swings = orbits.swings(u * u / 2);
-  ASSERT_EQ(swings.size(), 1u);
-  EXPECT_TRUE(swings[0].at_left && swings[0].at_right);
-  const Orbit orbit = orbits.orbit(swings[0], u * u / 2);
+  const auto half_cycles = orbits.half_cycles(u * u / 2);
+  ASSERT_EQ(half_cycles.size(), 1u);
+  EXPECT_TRUE(half_cycles[0].at_left && half_cycles[0].at_right);
+  const Orbit orbit = orbits.orbit(half_cycles[0], u * u / 2);
   EXPECT_NEAR(orbit.period, 6 / u, 1e-12);
   EXPECT_NEAR(orbit.action, 6 * u, 1e-12);
   EXPECT_NEAR(orbit.loss, ((1 - 0.49) + (1 - 0.81)) * u * u / 2, 1e-14);
@@ -59,8 +59,8 @@ TEST(UndampedOrbits, OfTwoWellsMergeAboveTheSaddle) {
   ASSERT_EQ(orbits.minima().size(), 2u);
   EXPECT_NEAR(orbits.minima()[0], -1, 1e-12);
   EXPECT_NEAR(orbits.lowest_potential(), -0.25, 1e-12);
-  EXPECT_EQ(orbits.swings(-0.1).size(), 2u);
-  EXPECT_EQ(orbits.swings(0.1).size(), 1u);
+  EXPECT_EQ(orbits.half_cycles(-0.1).size(), 2u);
+  EXPECT_EQ(orbits.half_cycles(0.1).size(), 1u);
 }
 
 TEST(UndampedOrbits, PressedToAWallHaveTheirMinimumThere) {
@@ -78,7 +78,7 @@ TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {
   const Problem p =
       tests::with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, kNone), 0.05);
   const EnergyAveraging averaging(p);
-  ASSERT_FALSE(averaging.unconfined());
+  ASSERT_FALSE(averaging.unconfined_reason());
   double total = 0;
   for (const auto& band : averaging.bands()) {
     // Tolerance: half a band
@@ -88,7 +88,7 @@ TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {
   EXPECT_NEAR(total, 1, 1e-12);
 }
 
-TEST(EnergyAveraging, OfALimitCycleHasItsLeastOnIt) {
+TEST(EnergyAveraging, HasItsMinimumOnTheLimitCycle) {
   // y'' + (R - 1) y' + y, R = y^2 + y'^2 = 2h: Phi = (R^2/2 - R) / Q.
   const Problem p = tests::with_noise(
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, kNone), 0.4);
@@ -101,7 +101,7 @@ TEST(EnergyAveraging, OfALimitCycleHasItsLeastOnIt) {
 
 TEST(EnergyAveraging, RelaxesAsTheEnergyOfALinearOscillatorDoes) {
   const Problem p = tests::with_noise(System({.damping = 0.1, .stiffness = 4}, kNone), 1);
-  EXPECT_NEAR(EnergyAveraging(p).relaxation(), 0.1, 0.002);
+  EXPECT_NEAR(EnergyAveraging(p).relaxation_rate(), 0.1, 0.002);
 }
 
 TEST(EnergyAveraging, RelaxesTheMassesOfWellsByKramersLaw) {
@@ -113,7 +113,7 @@ TEST(EnergyAveraging, RelaxesTheMassesOfWellsByKramersLaw) {
       tests::with_noise(System({.damping = c, .stiffness = -1, .cubic = 1}, kNone), 2 * c * T);
   const double omega = std::sqrt(2.0), action = 4.0 / 3;
   const double rate = omega / (2 * std::numbers::pi) * c / T * action * std::exp(-barrier / T) / 2;
-  EXPECT_NEAR(EnergyAveraging(p).relaxation() / (2 * rate), 1, 0.2);
+  EXPECT_NEAR(EnergyAveraging(p).relaxation_rate() / (2 * rate), 1, 0.2);
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ TEST(EquivalentLinearisation, GivesTheFiguresOfTheTrialRunsForCase1) {
 }
 
 TEST(EquivalentLinearisation, SlowestDecayIsThatOfTheRootsOfTheCharacteristicPolynomial) {
-  EXPECT_NEAR(slowest_decay({.damping = 0.2, .stiffness = 1}), 0.1, 1e-15);
-  EXPECT_NEAR(slowest_decay({.damping = 5, .stiffness = 4}), 1.0, 1e-14);  // (s + 1)(s + 4)
-  EXPECT_NEAR(slowest_decay({.damping = 1e9, .stiffness = 1}), 1e-9, 1e-20);
+  EXPECT_NEAR(slowest_decay_rate({.damping = 0.2, .stiffness = 1}), 0.1, 1e-15);
+  EXPECT_NEAR(slowest_decay_rate({.damping = 5, .stiffness = 4}), 1.0, 1e-14);  // (s + 1)(s + 4)
+  EXPECT_NEAR(slowest_decay_rate({.damping = 1e9, .stiffness = 1}), 1e-9, 1e-20);
 }
 
 TEST(EquivalentLinearisation, CountsImpulsesInItsSlowestDecay) {

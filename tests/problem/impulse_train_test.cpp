@@ -48,7 +48,7 @@ TEST(ImpulseTrain, MirroredTwiceIsItself) {
   }
 }
 
-TEST(ImpulseTrain, RefusesWhatIsNoTrain) {
+TEST(ImpulseTrain, RejectsInvalidParameters) {
   EXPECT_THROW(ImpulseTrain(train(0, 0.1, 0)), InputError);
   EXPECT_THROW(ImpulseTrain(train(1, 0, 0)), InputError);
   EXPECT_THROW(ImpulseTrain(train(1, 0.1, 0.4)), InputError);  // mean^2 > E[Y^2]

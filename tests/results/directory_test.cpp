@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "base/files/atomic_file.hpp"
 #include "base/files/pending_files.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/input_error.hpp"
 #include "temporary_directory.hpp"
 
@@ -127,7 +127,7 @@ TEST(RunDirectory, WhereAFileStandsIsRefused) {
 // Of somebody else, of a run that is at work, and of one that was stopped.
 TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
   const tests::TemporaryDirectory directory;
-  const std::string own = base::partial_beside(directory.path() / "f").filename().string();
+  const std::string own = base::partial_path(directory.path() / "f").filename().string();
   const std::string before_pid = own.substr(0, own.rfind('-') + 1);
   constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
   const std::vector<std::string> stay{".movie.mkv.partial-download",

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using tests::contains;
 using transform::Kind;
-using transform::Observer;
+using transform::MetricBuilder;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -51,20 +51,20 @@ results::Run full_run() {
   results::Run run = tests::made_up_run();
   auto& solutions = run.cases[0].solutions;
   solutions[0].options = {{"order", std::int64_t{2}}, {"tail", std::string("cut")}, {"nx", {}}};
-  solutions[0].observations = Observer()
-                                  .result("order", std::int64_t{2})
-                                  .work("iterations", std::int64_t{7})
-                                  .result("coefficients[0].x1", std::int64_t{2})
-                                  .result("coefficients[0].a", -0.25)
-                                  .result("coefficients[1].x1", std::int64_t{0})
-                                  .result("support.edge_density", 1e-9)
-                                  .result("branch", {})
-                                  .text("leading_form", std::string("negative"))
-                                  .result("falls", true)
-                                  .empty_list("branches")
-                                  .take();
+  solutions[0].metrics = MetricBuilder()
+                             .result("order", std::int64_t{2})
+                             .work("iterations", std::int64_t{7})
+                             .result("coefficients[0].x1", std::int64_t{2})
+                             .result("coefficients[0].a", -0.25)
+                             .result("coefficients[1].x1", std::int64_t{0})
+                             .result("support.edge_density", 1e-9)
+                             .result("branch", {})
+                             .text("leading_form", std::string("negative"))
+                             .result("falls", true)
+                             .add_empty_list("branches")
+                             .take();
   solutions[6].error = {.y_l1 = 1e-5, .ydot_l1 = 2e-5, .moments = {1, 2, 3, 4, 5, 6}};
-  solutions[6].observations = Observer().result("error.observed_order", 4.9).take();
+  solutions[6].metrics = MetricBuilder().result("error.observed_order", 4.9).take();
   solutions[7].sampling = {.y = 1e-4, .ydot = {}, .y_99 = 2e-4, .ydot_99 = {}};
   run.cases[0].bounds = compare::Bounds{.reason = "wider than asked for",
                                         .seconds = 0.5,
@@ -85,14 +85,14 @@ TEST(Summary, AtomsAreReadBack) {
   auto& solution = run.cases[0].solutions.back();
   EXPECT_FALSE(summary_of(run)["cases"][0]["solutions"].back().contains("atoms"));
   solution.atoms = {{.y = -0.5, .probability = 0.25, .standard_error = 0.01},
-                    {.y = 0.5, .probability = 0.125, .stated_error = 0.02}};
+                    {.y = 0.5, .probability = 0.125, .error_estimate = 0.02}};
   const auto again = read(summary_text(run)).cases[0].solutions.back().atoms;
   ASSERT_EQ(again.size(), 2u);
   EXPECT_EQ(again[0].y, -0.5);
   EXPECT_EQ(again[0].probability, 0.25);
   EXPECT_EQ(again[0].standard_error, 0.01);
-  EXPECT_FALSE(again[0].stated_error);
-  EXPECT_EQ(again[1].stated_error, 0.02);
+  EXPECT_FALSE(again[0].error_estimate);
+  EXPECT_EQ(again[1].error_estimate, 0.02);
 }
 
 TEST(Summary, OfAnotherOscillatorIsReadBack) {
@@ -180,8 +180,8 @@ TEST(Summary, IsReadBackAsItWas) {
   EXPECT_TRUE(solution.has_density());
   EXPECT_FALSE(solution.density);
   EXPECT_FALSE(run.cases[0].solutions[3].has_density());
-  EXPECT_EQ(transform::number(solution.observations, "coefficients[0].a"), -0.25);
-  EXPECT_EQ(transform::word(solution.observations, "leading_form"), "negative");
+  EXPECT_EQ(transform::number(solution.metrics, "coefficients[0].a"), -0.25);
+  EXPECT_EQ(transform::word(solution.metrics, "leading_form"), "negative");
   EXPECT_EQ(run.cases[0].budget[0].parts[0].links.front(), compare::Link::closure);
 }
 
@@ -189,8 +189,8 @@ TEST(Summary, WhatIsNotFiniteOrNotKnownIsNull) {
   results::Run run = full_run();
   auto& one = run.cases[0];
   one.solutions[0].energy_residual = std::nan("");
-  one.solutions[0].observations =
-      Observer().result("residuals[0]", 1.0).result("residuals[1]", kInfinity).take();
+  one.solutions[0].metrics =
+      MetricBuilder().result("residuals[0]", 1.0).result("residuals[1]", kInfinity).take();
   one.pairs[0].distances.kl = kInfinity;
   one.budget[0].total_tail = std::nan("");
   const Json json = summary_of(run);
@@ -211,14 +211,14 @@ TEST(Summary, WhatIsNotFiniteOrNotKnownIsNull) {
 TEST(Summary, ObservationsMustNotClaimACommonFieldOrEachOther) {
   for (const char* path : {"status", "moments.y2", "sampling_l1.y"}) {
     results::Run run = full_run();
-    run.cases[0].solutions[0].observations = Observer().result(path, 1.0).take();
+    run.cases[0].solutions[0].metrics = MetricBuilder().result(path, 1.0).take();
     EXPECT_THROW(summary_text(run), std::logic_error) << path;
   }
   results::Run run = full_run();
-  run.cases[0].solutions[0].observations = Observer().result("nx", 1.0).result("nx", 2.0).take();
+  run.cases[0].solutions[0].metrics = MetricBuilder().result("nx", 1.0).result("nx", 2.0).take();
   EXPECT_THROW(summary_text(run), std::logic_error);
-  run.cases[0].solutions[0].observations =
-      Observer().result("nx", 1.0).result("nx.more", 2.0).take();
+  run.cases[0].solutions[0].metrics =
+      MetricBuilder().result("nx", 1.0).result("nx.more", 2.0).take();
   EXPECT_THROW(summary_text(run), std::logic_error);
 }
 

@@ -23,7 +23,7 @@ TEST(SmoothBins, SumToOne) {
   EXPECT_NEAR(cubic_spline(0), 2.0 / 3, 1e-15);
 }
 
-TEST(SmoothBins, WeighWhatLiesInFrontOfTheWall) {
+TEST(SmoothBins, HaveTheirWeightsInFrontOfTheWall) {
   for (int b = 0; b < kBins.count; ++b) {
     double sum = 0;
     constexpr double kStep = 1e-4;
@@ -36,12 +36,13 @@ TEST(SmoothBins, WeighWhatLiesInFrontOfTheWall) {
 }
 
 TEST(SmoothBins, AreAsWideAsTheirWeights) {
-  const Marginal of_y = marginal_of(kBins, std::vector<double>(8, 1.0));
+  const Marginal of_y = smooth_bin_marginal(kBins, std::vector<double>(8, 1.0));
   EXPECT_EQ(of_y.edges.front(), 0);
   EXPECT_NEAR(of_y.width(0), 0.2 / 24, 1e-15);
   EXPECT_NEAR(of_y.width(1), 0.1, 1e-15);
   for (std::size_t b = 3; b < 8; ++b) EXPECT_NEAR(of_y.centre(b), 0.2 * (double(b) - 1), 1e-14);
-  const Marginal of_v = marginal_of({.first = -0.4, .spacing = 0.2, .count = 5}, {1, 2, 3, 4, 5});
+  const Marginal of_v =
+      smooth_bin_marginal({.first = -0.4, .spacing = 0.2, .count = 5}, {1, 2, 3, 4, 5});
   for (std::size_t b = 0; b < 5; ++b) EXPECT_NEAR(of_v.centre(b), -0.4 + 0.2 * double(b), 1e-14);
 }
 
@@ -96,7 +97,7 @@ double mean_of_spike(double a, int bin) {
   return sum * end / kPoints;
 }
 
-TEST(SmoothAverages, HoldASpikeThatNarrowBinsHold) {
+TEST(SmoothAverages, ResolveASpikeThatNarrowBinsResolve) {
   // p = a x^(a - 1), unbounded at the wall, on bins that shrink towards the wall.
   const double a = 0.3;
   std::vector<double> edges{0};

@@ -5,7 +5,7 @@
 
 #include "report/text/format.hpp"
 #include "results/run.hpp"
-#include "workflows/check/figure.hpp"
+#include "workflows/check/quantity_change.hpp"
 #include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
@@ -13,11 +13,11 @@ namespace fpkcheck::check {
 /// The result of comparing a run with its baseline.
 struct Check {
   Tolerances tolerances;
-  std::vector<Figure> figures;  ///< all compared quantities, in the order of the baseline
-  std::size_t solutions;        ///< number of solutions of the baseline
+  std::vector<QuantityChange> changes;  ///< all compared quantities, in the order of the baseline
+  std::size_t solutions;                ///< number of solutions of the baseline
   std::vector<std::string> notes;
 
-  std::vector<Figure> moved() const;
+  std::vector<QuantityChange> moved() const;
   bool agrees() const;
 };
 
@@ -39,13 +39,13 @@ std::string check_json(const Check& check, const std::string& command, const std
 
 /// Counts of the compared quantities of one kind.
 struct KindSummary {
-  FigureKind kind;
+  QuantityKind kind;
   std::size_t count = 0;
   std::size_t moved = 0;
-  const Figure* largest = nullptr;  ///< within its tolerance, and closest to it
+  const QuantityChange* largest = nullptr;  ///< within its tolerance, and closest to it
 };
 
 /// Summaries of the kinds that occur, in the order of the enum. Their pointers refer to `check`.
-std::vector<KindSummary> by_kind(const Check& check);
+std::vector<KindSummary> summarise_by_kind(const Check& check);
 
 }  // namespace fpkcheck::check

@@ -22,7 +22,7 @@ struct Tolerances {
   double tail() const { return 100 * deterministic; }
   /// Bonferroni-adjusted threshold: the largest of n standard normal numbers exceeds it as rarely
   /// as a single number exceeds `standard_errors`.
-  double of_the_largest(std::size_t n) const;
+  double bonferroni_threshold(std::size_t n) const;
 };
 
 /// @throws InputError naming the option whose value is not a positive number

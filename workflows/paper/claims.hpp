@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "transform/marginal.hpp"
 
 /// Statements about the four cases in sections 3 and 4 of the paper whose method this project
@@ -28,7 +28,7 @@ enum class Relation {
   not_found
 };
 /// Names in files, and the condition that establishes the relation (workflows/paper/criteria.hpp).
-inline constexpr base::Named<Relation> kRelationNames[] = {
+inline constexpr base::EnumEntry<Relation> kRelationNames[] = {
     {Relation::agrees, "agrees", "L1 and tail are both within the limits of agreement"},
     {Relation::agrees_in_tail, "agrees_in_tail", "the tail is within the limit of agreement"},
     {Relation::differs, "differs", "L1 or tail exceeds the limit of agreement"},
@@ -41,7 +41,7 @@ inline constexpr base::Named<Relation> kRelationNames[] = {
      "L1 to the Gaussian of equivalent linearisation is 0 up to rounding"},
     {Relation::not_found, "not_found",
      "plain Newton steps from equivalent linearisation find no root"}};
-constexpr std::span<const base::Named<Relation>> names(Relation) { return kRelationNames; }
+constexpr std::span<const base::EnumEntry<Relation>> names(Relation) { return kRelationNames; }
 constexpr std::string_view name(Relation relation) { return base::name_of(relation); }
 
 /// A statement of the paper that numbers can decide.
@@ -62,13 +62,13 @@ struct Claim {
 const std::vector<Claim>& claims();
 
 /// Text of a claim, e.g. "n=6 agrees with MCS in p(y)".
-std::string words(const Claim& claim);
+std::string claim_text(const Claim& claim);
 
 /// Id of the paper's closure of this order.
 std::string closure_id(int order);
 
 /// Methods that the judgement of all claims requires, in the syntax of Registry::select.
-inline constexpr const char* kMethods =
+inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
 /// Name of a case of the paper in problem/named_cases.hpp.
 std::string case_name(int number);

@@ -20,6 +20,6 @@ inline constexpr double kAgreementInTail = 0.2;
 inline constexpr double kSameGaussianL1 = 1e-9;
 
 /// Largest error of the reference, as a fraction of kAgreementL1, with which claims are judged.
-inline constexpr double kReferencePart = 0.1;
+inline constexpr double kMaxReferenceErrorFraction = 0.1;
 
 }  // namespace fpkcheck::paper

@@ -23,10 +23,10 @@ struct Distance {
 /// @param missing set to the reason where there is no distance
 /// @return empty without the closure, its density, or a reference of sufficient accuracy
 ///         (workflows/paper/criteria.hpp)
-std::optional<Distance> distance_of(const results::Case& one, int order,
-                                    transform::Variable variable, std::string& missing);
+std::optional<Distance> distance_to_simulation(const results::Case& one, int order,
+                                               transform::Variable variable, std::string& missing);
 
 /// The maximum of each number of two distances.
-Distance worse(const Distance& one, const Distance& other);
+Distance maximum_of_each(const Distance& one, const Distance& other);
 
 }  // namespace fpkcheck::paper

@@ -8,9 +8,9 @@
 
 #include "report/page/html.hpp"
 #include "report/page/plot.hpp"
+#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/figures.hpp"
-#include "workflows/paper/files.hpp"
-#include "workflows/paper/table.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -33,9 +33,8 @@ std::string claims_table(std::span<const Judgement> judgements) {
                                           {"outcome", Align::left}};
   columns.back().is_status = true;
   for (const auto& row : rows(judgements)) {
-    const std::string* const cells[] = {&row.cases,       &row.figure,    &row.claim,
-                                        &row.l1,          &row.l1_wanted, &row.tail,
-                                        &row.tail_wanted, &row.outcome};
+    const std::string* const cells[] = {&row.cases,    &row.figure, &row.claim,      &row.l1,
+                                        &row.l1_limit, &row.tail,   &row.tail_limit, &row.outcome};
     for (std::size_t k = 0; k < columns.size(); ++k) {
       columns[k].cells.emplace_back(cells[k]->empty() ? report::kNoValue : *cells[k]);
     }
@@ -46,11 +45,11 @@ std::string claims_table(std::span<const Judgement> judgements) {
 // Quotations, for readers without the paper at hand.
 std::string quotes(std::span<const Judgement> judgements) {
   std::vector<std::string> lines;
-  for (const auto& one : judgements) {
-    lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", cases_text(one.claim),
-                                words(one.claim), one.claim.quote));
+  for (const auto& judgement : judgements) {
+    lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", cases_text(judgement.claim),
+                                claim_text(judgement.claim), judgement.claim.quote));
   }
-  return report::folded("claims-quotes", "Quotations of the claims", list_html(lines));
+  return report::details_html("claims-quotes", "Quotations of the claims", list_html(lines));
 }
 
 report::PageSection section(std::span<const Judgement> judgements, const results::Run& run) {
@@ -62,7 +61,7 @@ report::PageSection section(std::span<const Judgement> judgements, const results
   section.html += claims_table(judgements);
   for (const auto& sentence : criteria()) section.html += report::element("p", sentence);
   section.html +=
-      report::folded("claims-notes", "Notes on single claims", list_html(notes(judgements))) +
+      report::details_html("claims-notes", "Notes on single claims", list_html(notes(judgements))) +
       quotes(judgements);
   if (!section.groups.empty()) {
     section.html +=
@@ -84,7 +83,7 @@ report::Supplement supplement(std::span<const Judgement> judgements, const resul
           .pictures = figures(run, width)};
 }
 
-bool is_run_of_paper(const results::Run& run) {
+bool is_paper_run(const results::Run& run) {
   const std::string command = run.program.command + ' ';
   return command.starts_with("fpkcheck paper ") && run.stopped.empty();
 }

@@ -18,6 +18,6 @@ report::Supplement supplement(std::span<const Judgement> judgements, const resul
                               report::FigureWidth width, const report::TextFormat& format = {});
 
 /// Whether a run is a complete run of `fpkcheck paper`: then its report includes the claims.
-bool is_run_of_paper(const results::Run& run);
+bool is_paper_run(const results::Run& run);
 
 }  // namespace fpkcheck::paper

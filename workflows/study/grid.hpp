@@ -36,7 +36,7 @@ struct GridRow {
   double refinement = 1, origin_refinement = 1;
   int nx = 0, nv = 0;  ///< numbers of cells in y and y'
   transform::Solution solution;
-  std::optional<transform::Level> density = {};            ///< empty without a density
+  std::optional<transform::GridLevel> density = {};        ///< empty without a density
   std::optional<transform::ObservedOrders> observed = {};  ///< from this level and two before
   std::optional<MarginalL1> l1 = {};                       ///< distance to the limit
 };
@@ -44,14 +44,14 @@ struct GridRow {
 /// The Richardson limit of the grids of a scheme, from the last three levels.
 struct GridLimit {
   int order = 0;
-  std::string none = {};  ///< reason why there is no limit; empty where there is a limit
-  std::optional<transform::Level> density = {};
+  std::string failure = {};  ///< reason why there is no limit; empty where there is a limit
+  std::optional<transform::GridLevel> density = {};
   transform::Moments error = {};      ///< differences of the moments to the finest grid, absolute
   std::optional<MarginalL1> l1 = {};  ///< distance to the limit of the highest order
 };
 
 /// A closure or a simulation that is compared with the grids.
-struct OtherRow {
+struct ComparedMethodRow {
   transform::Solution solution;
   std::optional<MarginalL1> l1 = {};
 };
@@ -60,27 +60,27 @@ struct OtherRow {
 struct GridStudy {
   static constexpr const char* kName = "grid";
   problem::Problem problem;
-  transform::Identity grids;      ///< equation and impact of the finite volumes
-  std::vector<GridRow> rows;      ///< by order, then by level
-  std::vector<GridLimit> limits;  ///< by order
-  std::vector<OtherRow> others;   ///< empty without a limit
+  transform::Identity grids;              ///< equation and impact of the finite volumes
+  std::vector<GridRow> rows;              ///< by order, then by level
+  std::vector<GridLimit> limits;          ///< by order
+  std::vector<ComparedMethodRow> others;  ///< empty without a limit
   /// Accuracy of the limit: its distance to the limit of the next lower order.
-  std::optional<MarginalL1> known_to = {};
+  std::optional<MarginalL1> limit_accuracy = {};
 
-  const GridLimit& truth() const { return limits.back(); }
+  const GridLimit& reference_limit() const { return limits.back(); }
 };
 
 /// Solves a problem on grids of every order and level: by the null vector alone, one after the
 /// other, all on the box of the first grid. Then solves by the closures and simulations of the same
 /// equation (comparison_methods). The Richardson limit at the highest order is the reference of all
 /// distances. There is no limit where a density is missing or not ok, or where the observed order
-/// is below transform::kLeastOrderOfALimit; then no other method is run.
+/// is below transform::kMinOrderForLimit; then no other method is run.
 /// @throws InputError as validate
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::Registry& registry, const methods::ProgressListener& listener);
 
 /// True when there is a limit and the finest grid of no order failed; coarse grids may fail.
-bool reached(const GridStudy& study);
+bool has_converged(const GridStudy& study);
 
 /// The parts of a StudyOutput.
 std::string json(const GridStudy& study, const std::string& command);
@@ -93,6 +93,6 @@ std::string figure(const GridStudy& study, const std::string& file_stem,
 
 Record record(const GridRow& row);
 Record record(const GridLimit& limit);
-Record record(const OtherRow& row);
+Record record(const ComparedMethodRow& row);
 
 }  // namespace fpkcheck::study

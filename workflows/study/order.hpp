@@ -30,19 +30,19 @@ struct Branch {
     double norm;      ///< norm of the coefficients
     bool fold;        ///< the fraction has an extremum here
   };
-  std::string end;  ///< how the branch was left: a word, as in docs/glossary.md
-  double furthest;  ///< largest fraction
+  std::string end;          ///< how the branch was left: a word, as in docs/glossary.md
+  double largest_fraction;  ///< largest fraction
   std::vector<Point> points;
 };
 
 /// The branch in the metrics of a solution, under the path "branch"; empty without a branch.
-std::optional<Branch> branch(const transform::Observations& observations);
+std::optional<Branch> branch(const transform::Metrics& metrics);
 
 /// A closure of one formulation and order.
 struct OrderRow {
   std::string formulation;
   int order = 0;
-  bool to_converge = false;  ///< default variant of its family that solves the full problem
+  bool must_converge = false;  ///< default variant of its family that solves the full problem
   transform::Solution solution;
   std::optional<MarginalL1> l1 = {};  ///< distance to the reference
   /// Mean |log10 p - log10 reference| where the reference density is 1e-5 .. 1e-4.
@@ -64,7 +64,7 @@ OrderStudy study_orders(const problem::Problem& problem, const OrderStudyOptions
                         const methods::ProgressListener& listener);
 
 /// True when the reference is ok, and so is every closure with `must_converge`.
-bool reached(const OrderStudy& study);
+bool has_converged(const OrderStudy& study);
 
 /// The parts of a StudyOutput. JSON: id, status and reason of the reference; rows with the keys of
 /// summary.json for a solution (without identity, options and moments) and the distances.

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "report/table.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "workflows/study/order.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-using report::wrapped;
+using report::wrap_text;
 
 std::string name_of(const OrderRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
@@ -20,9 +20,9 @@ std::string name_of(const OrderRow& row) {
 
 // Sign of the leading form of Q_n itself, also where a confinement bounds the density.
 std::string leading_form(const OrderRow& row) {
-  const auto& observations = row.solution.observations;
-  auto form = transform::word(observations, "tail.polynomial_leading_form");
-  if (!form) form = transform::word(observations, "leading_form");
+  const auto& metrics = row.solution.metrics;
+  auto form = transform::word(metrics, "tail.polynomial_leading_form");
+  if (!form) form = transform::word(metrics, "leading_form");
   if (!form) return report::kAbsent;
   return *form == "negative" ? "falls" : "rises";
 }
@@ -34,25 +34,25 @@ std::string rows(const OrderStudy& study, const report::TextFormat& format) {
     rows[k].push_back({"leading", leading_form(study.rows[k])});
     rows[k].push_back({"ms", study.rows[k].solution.seconds * 1000});
   }
-  return table_of(rows,
-                  {{"", "formulation", "formulation", "", report::kAlwaysShown, true},
-                   {"", "n", "order", ""},
-                   {"", "status", "status", ""},
-                   {"", "steps", "iterations", "{:.0f}", 3},
-                   {"", "cond.", "condition", "{:.0e}", 1},
-                   {"", "residual", "residual", "{:.0e}", 4},
-                   {"", "Q_n", "leading", "", 2, true},
-                   {"", "edge", "support.edge_density", "{:.0e}", 2},
-                   {"", "to n-2", "distance_to_previous", "{:.5f}", 1},
-                   {l1, "p(y)", "l1_y", "{:.5f}"},
-                   {l1, "p(y')", "l1_ydot", "{:.5f}"},
-                   {"tail", "p(y)", "tail_y", "{:.2f}", 5},
-                   {"tail", "p(y')", "tail_ydot", "{:.2f}", 5},
-                   {"", "ms", "ms", "{:.0f}"}},
-                  format);
+  return table_text(rows,
+                    {{"", "formulation", "formulation", "", report::kAlwaysShown, true},
+                     {"", "n", "order", ""},
+                     {"", "status", "status", ""},
+                     {"", "steps", "iterations", "{:.0f}", 3},
+                     {"", "cond.", "condition", "{:.0e}", 1},
+                     {"", "residual", "residual", "{:.0e}", 4},
+                     {"", "Q_n", "leading", "", 2, true},
+                     {"", "edge", "support.edge_density", "{:.0e}", 2},
+                     {"", "to n-2", "distance_to_previous", "{:.5f}", 1},
+                     {l1, "p(y)", "l1_y", "{:.5f}"},
+                     {l1, "p(y')", "l1_ydot", "{:.5f}"},
+                     {"tail", "p(y)", "tail_y", "{:.2f}", 5},
+                     {"tail", "p(y')", "tail_ydot", "{:.2f}", 5},
+                     {"", "ms", "ms", "{:.0f}"}},
+                    format);
 }
 
-std::string end_text(const std::string& end) {
+std::string branch_end_text(const std::string& end) {
   if (end == "full_problem") return "reaches the full problem";
   if (end == "white_noise") return "returns to white noise at another root";
   if (end == "far_away") return "ends where its coefficients grow without bound";
@@ -69,12 +69,12 @@ std::string branch_sentence(const OrderRow& row, const Branch& branch) {
       "  {}: the branch of solutions from the exact density of white noise without impact losses "
       "{}{}, covers {:.1f} % of the way, and {}.",
       name_of(row), folds.empty() ? "has no fold" : "folds at ", fmt::join(folds, ", "),
-      100 * branch.furthest, end_text(branch.end));
+      100 * branch.largest_fraction, branch_end_text(branch.end));
 }
 
 // Mean factor by which the distances fall per step of two orders: a convergent closure converges
 // geometrically, so that a power of n would have no meaning.
-std::string fall_sentence(const OrderRow& first, const OrderRow& last) {
+std::string convergence_rate_sentence(const OrderRow& first, const OrderRow& last) {
   const double steps = (last.order - first.order) / 2.0;
   const auto factor = [&](double MarginalL1::*of) {
     return std::pow((*first.l1).*of / (*last.l1).*of, 1 / steps);
@@ -91,7 +91,7 @@ std::string convergence_sentence(const std::string& formulation,
   std::vector<std::string> orders;
   for (const OrderRow* row : good) orders.push_back(std::to_string(row->order));
   const OrderRow &first = *good.front(), &last = *good.back();
-  std::string text = fmt::format("{} is ok at n = {}", formulation, listed(orders));
+  std::string text = fmt::format("{} is ok at n = {}", formulation, join_with_and(orders));
   if (good.size() == 1) {
     return text + fmt::format(": L1 {:.2g} in p(y), {:.2g} in p(y').", first.l1->y, first.l1->ydot);
   }
@@ -100,7 +100,7 @@ std::string convergence_sentence(const std::string& formulation,
              "; from n = {} to {} the L1 distance changes from {:.2g} to {:.2g} in p(y) "
              "and from {:.2g} to {:.2g} in p(y').",
              first.order, last.order, first.l1->y, last.l1->y, first.l1->ydot, last.l1->ydot) +
-         fall_sentence(first, last);
+         convergence_rate_sentence(first, last);
 }
 
 std::string convergence(const OrderStudy& study, std::size_t width) {
@@ -111,7 +111,7 @@ std::string convergence(const OrderStudy& study, std::size_t width) {
     for (; row != study.rows.end() && row->formulation == formulation; ++row) {
       if (row->solution.is_ok() && row->l1) good.push_back(&*row);
     }
-    text += wrapped("  " + convergence_sentence(formulation, good), width, 2);
+    text += wrap_text("  " + convergence_sentence(formulation, good), width, 2);
   }
   return text;
 }
@@ -128,15 +128,15 @@ constexpr const char* kLegend =
 
 std::string table(const OrderStudy& study, const report::TextFormat& format) {
   const std::size_t width = format.width;
-  std::string text = wrapped(report::case_title(study.problem), width, 2) + rows(study, format);
+  std::string text = wrap_text(report::case_title(study.problem), width, 2) + rows(study, format);
   for (const auto& row : study.rows) text += reason_text(name_of(row), row.solution, width);
   text +=
       reason_text(fmt::format("The reference {} is", study.reference.id()), study.reference, width);
   for (const auto& row : study.rows) {
-    const auto followed = branch(row.solution.observations);
-    if (followed) text += wrapped(branch_sentence(row, *followed), width, 4);
+    const auto followed = branch(row.solution.metrics);
+    if (followed) text += wrap_text(branch_sentence(row, *followed), width, 4);
   }
-  return text + convergence(study, width) + '\n' + wrapped(kLegend, width);
+  return text + convergence(study, width) + '\n' + wrap_text(kLegend, width);
 }
 
 }  // namespace fpkcheck::study

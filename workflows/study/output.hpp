@@ -8,7 +8,7 @@
 namespace fpkcheck::study {
 
 /// Files and text of a study.
-struct Output {
+struct StudyOutput {
   std::string stem;    ///< stem of its files, e.g. "study-order"
   std::string json;    ///< STEM.json; null for missing numbers
   std::string csv;     ///< STEM.csv, with a header; empty for missing numbers
@@ -20,8 +20,8 @@ struct Output {
 /// @param format width of the text; less important columns are left out where rows do not fit
 /// @param width medium and width of the figure
 template <class Study>
-Output output(const Study& study, const std::string& command, const report::TextFormat& format,
-              report::FigureWidth width = report::FigureWidth::screen) {
+StudyOutput output(const Study& study, const std::string& command, const report::TextFormat& format,
+                   report::FigureWidth width = report::FigureWidth::screen) {
   const std::string stem = std::string("study-") + Study::kName;
   return {stem, json(study, command), csv(study), table(study, format), figure(study, stem, width)};
 }

@@ -31,7 +31,7 @@ void add_outcome(const transform::Solution& solution, const std::optional<Margin
                  Record& record);
 
 /// A column of a table: the values under one path.
-struct Shown {
+struct TableColumn {
   std::string group, header, path;
   const char* format;  ///< format of numbers, for fmt
   int importance = report::kAlwaysShown;
@@ -40,18 +40,18 @@ struct Shown {
 
 /// Table of the rows. Absent values and numbers that are not finite are a dash. The column "status"
 /// has its own kind.
-std::string table_of(const std::vector<Record>& rows, const std::vector<Shown>& columns,
-                     const report::TextFormat& format);
+std::string table_text(const std::vector<Record>& rows, const std::vector<TableColumn>& columns,
+                       const report::TextFormat& format);
 
 /// CSV of the rows, with a header. Absent values and numbers that are not finite are empty.
 /// @param columns paths separated by blanks; NAME=PATH where the header has another name
-std::string csv_of(const std::vector<Record>& rows, const std::string& columns);
+std::string csv_text(const std::vector<Record>& rows, const std::string& columns);
 
 /// JSON of a study: schema, program, study, the case as in summary.json, the fields of `itself`,
 /// and the named lists of rows.
-std::string json_of(const std::string& study, const problem::Problem& problem,
-                    const std::string& command, const Record& itself,
-                    const std::vector<std::pair<std::string, std::vector<Record>>>& lists);
+std::string study_json(const std::string& study, const problem::Problem& problem,
+                       const std::string& command, const Record& itself,
+                       const std::vector<std::pair<std::string, std::vector<Record>>>& lists);
 
 /// The record of each row.
 template <class Row>
@@ -66,7 +66,7 @@ std::vector<Record> records(const std::vector<Row>& rows) {
 std::string number_text(const std::optional<double>& number, const char* format);
 
 /// Joins items as in "2, 4 and 6".
-std::string listed(const std::vector<std::string>& items);
+std::string join_with_and(const std::vector<std::string>& items);
 
 /// For a solution that is not ok: "  NAME STATUS: REASON", wrapped; else empty.
 std::string reason_text(const std::string& name, const transform::Solution& solution,

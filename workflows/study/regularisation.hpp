@@ -30,11 +30,11 @@ struct RegularisationStudy {
 /// fd_fpk::study_regularisation with the growth rates of its rows.
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const methods::ProgressListener& listener);
-RegularisationStudy with_growth(const problem::Problem& problem,
-                                const fd_fpk::RegularisationStudy& found);
+RegularisationStudy add_growth_rates(const problem::Problem& problem,
+                                     const fd_fpk::RegularisationStudy& fd_study);
 
 /// True when on the finest step the default length has a density and no growth.
-bool reached(const RegularisationStudy& study);
+bool has_converged(const RegularisationStudy& study);
 
 /// The parts of a StudyOutput. JSON: the two lengths, and a row for each scheme and step;
 /// `growth_rate` is null where nothing grows.

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "report/table.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "workflows/study/regularisation.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-using report::wrapped;
+using report::wrap_text;
 
 // Text of the symbol's growth. Without growth the rate is 0: it tends to 0 for long waves.
 std::string symbol_text(const RegularisationRow& row, double fd_fpk::Growth::*of) {
@@ -31,7 +31,7 @@ std::string eigenvalue_text(const std::optional<std::complex<double>>& value) {
   return std::abs(im) > 1e-7 ? fmt::format("{}+-{:.3g}i", real, im) : real;
 }
 
-std::string fate_text(const RegularisationRow& row) {
+std::string time_behaviour_text(const RegularisationRow& row) {
   if (row.growth_rate) return fmt::format("x10 in {:.2g}", std::numbers::ln10 / *row.growth_rate);
   if (row.rightmost) return "settles";
   return row.symbol ? "no growth" : "";
@@ -54,37 +54,37 @@ std::string rows(const RegularisationStudy& study, const report::TextFormat& for
                     {"q", symbol_text(row, &fd_fpk::Growth::wavenumber)},
                     {"rightmost", eigenvalue_text(row.rightmost)},
                     {"next", eigenvalue_text(row.next)},
-                    {"in time", fate_text(row)},
+                    {"in time", time_behaviour_text(row)},
                     {"l1_y", l1_text(row.l1_y)},
                     {"l1_ydot", l1_text(row.l1_ydot)},
-                    {"least", transform::value_of(row.min_density)}});
+                    {"least", transform::optional_value(row.min_density)}});
   }
   constexpr int kAlways = report::kAlwaysShown;
-  return table_of(rows,
-                  {{"", "scheme", "scheme", "", kAlways, true},
-                   {"", "h", "h", "{:.3g}"},
-                   {"", "l", "l", "{:.3g}", 4},
-                   {"", "cells", "cells", "", 1},
-                   {"symbol", "rate", "rate", ""},
-                   {"symbol", "q", "q", ""},
-                   {"matrix", "rightmost", "rightmost", ""},
-                   {"matrix", "next", "next", "", 2},
-                   {"", "in time", "in time", "", kAlways, true},
-                   {"null vector", "L1 p(y)", "l1_y", "", 3},
-                   {"null vector", "L1 p(y')", "l1_ydot", ""},
-                   {"null vector", "least", "least", "{:.0e}"}},
-                  format);
+  return table_text(rows,
+                    {{"", "scheme", "scheme", "", kAlways, true},
+                     {"", "h", "h", "{:.3g}"},
+                     {"", "l", "l", "{:.3g}", 4},
+                     {"", "cells", "cells", "", 1},
+                     {"symbol", "rate", "rate", ""},
+                     {"symbol", "q", "q", ""},
+                     {"matrix", "rightmost", "rightmost", ""},
+                     {"matrix", "next", "next", "", 2},
+                     {"", "in time", "in time", "", kAlways, true},
+                     {"null vector", "L1 p(y)", "l1_y", "", 3},
+                     {"null vector", "L1 p(y')", "l1_ydot", ""},
+                     {"null vector", "least", "least", "{:.0e}"}},
+                    format);
 }
 
 // List of steps, e.g. "h = 0.158, 0.0791 and 0.0395".
-std::string list_of_steps(const std::vector<RegularisationRow>& rows) {
+std::string step_list(const std::vector<RegularisationRow>& rows) {
   std::vector<std::string> steps;
   for (const auto& row : rows) steps.push_back(step_text(row));
-  return "h = " + listed(steps);
+  return "h = " + join_with_and(steps);
 }
 
-std::vector<RegularisationRow> of_scheme(const RegularisationStudy& study,
-                                         const std::string& scheme, bool growing) {
+std::vector<RegularisationRow> rows_of_scheme(const RegularisationStudy& study,
+                                              const std::string& scheme, bool growing) {
   std::vector<RegularisationRow> chosen;
   for (const auto& row : study.rows) {
     const bool known = row.symbol.has_value();
@@ -98,9 +98,9 @@ std::vector<RegularisationRow> of_scheme(const RegularisationStudy& study,
 // States where the literal scheme grows. The exponent of h is that of the growth rate between the
 // two finest steps that grow.
 std::string literal_sentence(const RegularisationStudy& study) {
-  const auto growing = of_scheme(study, "literal", true);
+  const auto growing = rows_of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";
-  std::string text = fmt::format("The literal scheme, l = h, grows at {}", list_of_steps(growing));
+  std::string text = fmt::format("The literal scheme, l = h, grows at {}", step_list(growing));
   if (growing.size() > 1) {
     const auto &fine = growing.back(), &coarse = growing[growing.size() - 2];
     const double exponent =
@@ -123,14 +123,14 @@ std::string literal_sentence(const RegularisationStudy& study) {
 }
 
 std::string regularised_sentence(const RegularisationStudy& study) {
-  const auto growing = of_scheme(study, "regularised", true);
-  const auto settled = of_scheme(study, "regularised", false);
+  const auto growing = rows_of_scheme(study, "regularised", true);
+  const auto settled = rows_of_scheme(study, "regularised", false);
   std::string text =
       fmt::format("The fourth difference over the default length l = {:.3g}", study.default_length);
   if (settled.empty()) return text + " grows on every step.";
-  text += growing.empty() ? " grows on no step"
-                          : fmt::format(" grows at {} and not at {}", list_of_steps(growing),
-                                        list_of_steps(settled));
+  text += growing.empty()
+              ? " grows on no step"
+              : fmt::format(" grows at {} and not at {}", step_list(growing), step_list(settled));
   const RegularisationRow& finest = settled.back();
   if (finest.l1_y && finest.l1_ydot) {
     text += fmt::format(
@@ -142,18 +142,17 @@ std::string regularised_sentence(const RegularisationStudy& study) {
 }
 
 std::string threshold_sentence(const RegularisationStudy& study) {
-  const auto below = of_scheme(study, "0.9 l*", true), above = of_scheme(study, "1.1 l*", true);
+  const auto below = rows_of_scheme(study, "0.9 l*", true),
+             above = rows_of_scheme(study, "1.1 l*", true);
   std::string text = fmt::format("The threshold is l* = {:.3g}: ", study.shortest_length);
-  text += below.empty()
-              ? "10 % below it no matrix grows"
-              : fmt::format("10 % below it the matrices of {} grow", list_of_steps(below));
+  text += below.empty() ? "10 % below it no matrix grows"
+                        : fmt::format("10 % below it the matrices of {} grow", step_list(below));
   if (below.size() > 1) {
     text += fmt::format(", at a rate that is independent of the step ({:.3g} by the symbol)",
                         below.back().symbol->rate);
   }
-  text += above.empty()
-              ? "; 10 % above it no matrix grows."
-              : fmt::format("; 10 % above it the matrices of {} grow.", list_of_steps(above));
+  text += above.empty() ? "; 10 % above it no matrix grows."
+                        : fmt::format("; 10 % above it the matrices of {} grow.", step_list(above));
   return text;
 }
 
@@ -168,7 +167,7 @@ std::string remarks(const RegularisationStudy& study, std::size_t width) {
   }
   std::string text;
   for (const auto& remark : order) {
-    text += wrapped(fmt::format("  {}: {}", listed(rows_with[remark]), remark), width, 4);
+    text += wrap_text(fmt::format("  {}: {}", join_with_and(rows_with[remark]), remark), width, 4);
   }
   return text;
 }
@@ -184,13 +183,13 @@ constexpr const char* kRegularisationLegend =
 }  // namespace
 
 std::string table(const RegularisationStudy& study, const report::TextFormat& format) {
-  std::string text = wrapped(report::case_title(study.problem), format.width, 2) +
+  std::string text = wrap_text(report::case_title(study.problem), format.width, 2) +
                      rows(study, format) + remarks(study, format.width);
   for (const auto& sentence :
        {literal_sentence(study), regularised_sentence(study), threshold_sentence(study)}) {
-    text += wrapped("  " + sentence, format.width, 2);
+    text += wrap_text("  " + sentence, format.width, 2);
   }
-  return text + '\n' + wrapped(kRegularisationLegend, format.width);
+  return text + '\n' + wrap_text(kRegularisationLegend, format.width);
 }
 
 }  // namespace fpkcheck::study

@@ -11,15 +11,15 @@
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_problem.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::backward {
 namespace {
 
 WeakResiduals residuals_of(const problem::Problem& problem) {
-  return {problem, numerics::KnotSplines(numerics::widening_knots(0, 6, 4, 14)),
-          numerics::KnotSplines(numerics::widening_knots(-7, 7, 4, 28, 3))};
+  return {problem, numerics::QuinticBSplines(numerics::graded_knots(0, 6, 4, 14)),
+          numerics::QuinticBSplines(numerics::graded_knots(-7, 7, 4, 28, 3))};
 }
 
 /// A density without symmetry; 1e-11 of its peak at the ends.
@@ -28,9 +28,9 @@ double skew_bell(double y, double v) {
 }
 transform::SmoothDensity skew_density() { return {skew_bell, 6, 6.5}; }
 
-double function(const numerics::KnotSplines& splines, int i, double x, bool slope = false) {
+double function(const numerics::QuinticBSplines& splines, int i, double x, bool slope = false) {
   const auto at = splines.at(x);
-  if (i < at.first || i > at.first + numerics::KnotSplines::kDegree) return 0;
+  if (i < at.first || i > at.first + numerics::QuinticBSplines::kDegree) return 0;
   return slope ? at.slope[static_cast<std::size_t>(i - at.first)]
                : at.value[static_cast<std::size_t>(i - at.first)];
 }
@@ -55,7 +55,7 @@ double integral(const std::function<double(double)>& f, double a, double b,
 double mean_over_law(const problem::ImpulseLaw& law, const std::function<double(double)>& f) {
   double sum = 0;
   for (const auto& atom : law.atoms()) sum += atom.probability * f(atom.amplitude);
-  const auto pieces = law.smooth_pieces();
+  const auto pieces = law.density_breakpoints();
   for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
     sum += numerics::integrate_panels([&](double z) { return law.density(z) * f(z); }, pieces[k],
                                       pieces[k + 1], 12);
@@ -66,7 +66,7 @@ double mean_over_law(const problem::ImpulseLaw& law, const std::function<double(
 /// rho_ij by its definition, for the unnormalised density above. The jump operator acts on p
 /// instead of B_j: int p K B dv = int B(w) E[p(w - Y)] dw.
 double by_definition(const problem::Problem& problem, const WeakResiduals& splines, int i, int j) {
-  const numerics::KnotSplines &in_y = splines.y(), &in_v = splines.v();
+  const numerics::QuinticBSplines &in_y = splines.y(), &in_v = splines.v();
   const auto& system = problem.system;
   const auto inside = [](double y, double v) { return std::abs(v) < 6.5 ? skew_bell(y, v) : 0; };
   const auto over_v = [&](double y) {
@@ -98,7 +98,7 @@ double by_definition(const problem::Problem& problem, const WeakResiduals& splin
   return local + function(in_y, i, 0) * (out - in);
 }
 
-TEST(WeakResiduals, AreWhatTheirDefinitionSaysForEveryLaw) {
+TEST(WeakResiduals, MatchTheirDefinitionForEveryLaw) {
   for (const char* law : tests::kSymmetricLaws) {
     const auto problem = tests::make_problem(
         {.damping = 0.3, .restitution = 0.7, .rate = 1.7, .mean = 0.1, .law = law});
@@ -120,7 +120,8 @@ TEST(WeakResiduals, OfCellAveragesAreThoseOfTheFunction) {
   for (const double edge : tests::uniform_edges(0, 6.5, 80)) {
     if (edge > 0) v.push_back(edge);
   }
-  const auto grid = transform::on_cells(skew_density(), tests::uniform_edges(0, 6, 90), v);
+  const auto grid =
+      transform::average_over_cells(skew_density(), tests::uniform_edges(0, 6, 90), v);
   const auto of_grid = residuals(grid), of_function = residuals(skew_density());
   EXPECT_LT((of_grid.residuals - of_function.residuals).cwiseAbs().maxCoeff(), 1e-7);
   EXPECT_LT((of_grid.means - of_function.means).cwiseAbs().maxCoeff(), 1e-7);
@@ -137,7 +138,7 @@ TEST(WeakResiduals, SumToZeroAndMeansToOne) {
   }
 }
 
-TEST(WeakResiduals, OfPowersAreTheirBalances) {
+TEST(WeakResiduals, OfPowersAreTheBalances) {
   // L y = v and L v = -c v - g(y) + lambda E[Y]; impacts change v by (1 + r) u.
   const auto problem = tests::make_problem({.restitution = 0.7, .mean = 0.1});
   const auto residuals = residuals_of(problem);
@@ -181,7 +182,7 @@ TEST(WeakResiduals, VanishForTheExactSolutionWithTheGridsOrder) {
   }
 }
 
-TEST(WeakResiduals, RefuseWhatIsNoDensity) {
+TEST(WeakResiduals, RejectInvalidDensities) {
   const auto residuals = residuals_of(tests::make_problem());
   const auto refused = [&](const transform::Density& p) { EXPECT_THROW(residuals(p), InputError); };
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -20,23 +20,26 @@ problem::Problem pressed(const problem::SystemCoefficients& coefficients) {
 
 TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
   const auto impulses = tests::gaussian_impulses(1, 0.1);
-  EXPECT_TRUE(applies(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(applies(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(applies(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
+  EXPECT_TRUE(
+      is_pressed_on_one_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(
+      is_pressed_on_one_wall(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(
+      is_pressed_on_one_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
   // The force presses at the wall, but there is another well beyond the barrier.
-  EXPECT_FALSE(applies(
-      tests::in_frame(tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
-                                                  {.left = -0.5, .left_restitution = 0.7}),
-                                           impulses))));
+  EXPECT_FALSE(is_pressed_on_one_wall(tests::in_wall_coordinates(
+      tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
+                                  {.left = -0.5, .left_restitution = 0.7}),
+                           impulses))));
   const auto on_the_right =
       tests::with_impulses(System({.damping = 0.1, .constant = -0.5, .stiffness = 1},
                                   {.right = 0, .right_restitution = 0.7}),
                            impulses);
-  EXPECT_TRUE(applies(on_the_right));
-  EXPECT_TRUE(applies(tests::in_frame(on_the_right)));
+  EXPECT_TRUE(is_pressed_on_one_wall(on_the_right));
+  EXPECT_TRUE(is_pressed_on_one_wall(tests::in_wall_coordinates(on_the_right)));
   auto noisy = pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7});
   noisy.noise.intensity = 0.1;
-  EXPECT_FALSE(applies(noisy));
+  EXPECT_FALSE(is_pressed_on_one_wall(noisy));
 }
 
 TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
@@ -56,7 +59,7 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   const double g = 1.7, r = 0.6, rho_max = 2;
   const auto p = pressed({.constant = g, .stiffness = 0, .restitution = r});
   const Coordinates coordinates(p);
-  const auto points = rule(coordinates, rho_max, {24, 24, 24});
+  const auto points = quadrature_points(coordinates, rho_max, {24, 24, 24});
   double area = 0, first_moment = 0;
   for (Eigen::Index i = 0; i + 1 < points.size(); ++i) {
     const double y = points.y[i], v = points.v[i], rho = points.s[i];
@@ -94,8 +97,8 @@ TEST(ContactContour, LeadingFormIsTheSignOfTheHighestPowersAlongEveryPhase) {
   const LeadingForm rising = leading_form_of(Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
   EXPECT_FALSE(rising.negative);
   EXPECT_NEAR(std::abs(rising.worst.x2), 1, 1e-15);
-  EXPECT_GT(rising.rising_share, 0);
-  EXPECT_LT(rising.rising_share, 0.5);
+  EXPECT_GT(rising.rising_fraction, 0);
+  EXPECT_LT(rising.rising_fraction, 0.5);
   const LeadingForm turning = leading_form_of(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_NEAR(turning.rises_from, 2.5, 0.06);  // in deviations of v
 }

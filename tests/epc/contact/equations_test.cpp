@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
 using half_plane::Equations;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 
 constexpr int kContactWallPoints = 40;
 constexpr double kRhoMax = 2, kTemperature = 0.6, kRestitution = 0.6;
@@ -37,16 +37,16 @@ problem::Problem pressed_mass(const char* law) {
 Equations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
                                const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
-  const Points points =
-      rule(coordinates, kRhoMax, {points_each_way, points_each_way, kContactWallPoints});
+  const QuadraturePoints points = quadrature_points(
+      coordinates, kRhoMax, {points_each_way, points_each_way, kContactWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, kTemperature));
   return equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
 }
 
 // A small perturbation, such that the corner keeps its mass.
-VectorXd some_contact_density(const Equations& equations) {
+VectorXd perturbed_contact_coefficients(const Equations& equations) {
   const VectorXd a = tests::boltzmann_coefficients(equations, kTemperature);
-  return a + 0.1 * (tests::shaken(a) - a);
+  return a + 0.1 * (tests::perturbed(a) - a);
 }
 
 // Direct evaluation of dE[phi]/dt: differences of phi along y' = v, v' = -(f + g), jumps of a
@@ -58,7 +58,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const Coordinates coordinates(p);
   const auto& basis = equations.basis();
   const auto& all = equations.points();
-  const auto density = equations.density(some_contact_density(equations));
+  const auto density = equations.density(perturbed_contact_coefficients(equations));
   const Eigen::Index moving = all.size() - 1;
   const VectorXd y = all.y.head(moving), v = all.v.head(moving), mass = density.mass.head(moving);
   const auto at = [&](const VectorXd& at_y, const VectorXd& at_v) {
@@ -84,7 +84,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
     expected +=
         2 * probability * density.mass[moving] * (at(here, freed) - at(here, here)).transpose();
   }
-  const half_plane::Line wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const half_plane::QuadratureRule wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
   const VectorXd zero = VectorXd::Zero(wall.at.size());
   const MatrixXd change = at(zero, kRestitution * wall.at) - at(zero, -wall.at);
   expected += change.transpose() * wall.at.cwiseProduct(density.wall_mass);
@@ -101,10 +101,10 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
 TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
   const auto p = pressed_mass("gaussian");
   const Equations equations = contact_equations_of(p, 2, 24);
-  const VectorXd a = some_contact_density(equations);
+  const VectorXd a = perturbed_contact_coefficients(equations);
   const auto density = equations.density(a);
   const double at_rest = density.mass[density.mass.size() - 1];
-  const half_plane::Line wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const half_plane::QuadratureRule wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
   const auto exponent = [&](double rho, double v) {
     return equations.basis()
         .values(VectorXd::Constant(1, rho), VectorXd::Constant(1, v))
@@ -123,7 +123,7 @@ TEST(ContactEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = pressed_mass("laplace");
   for (const double level : {std::numeric_limits<double>::infinity(), 1.5}) {
     const Equations equations = contact_equations_of(p, 4, 24, half_plane::Confinement{level});
-    tests::expect_jacobian_is_derivative(equations, some_contact_density(equations));
+    tests::expect_jacobian_is_derivative(equations, perturbed_contact_coefficients(equations));
   }
 }
 

@@ -8,7 +8,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-TEST(Basis, CountsTheUnknownsOfThePaper) {
+TEST(Basis, HasTheNumberOfUnknownsOfThePaper) {
   // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; about half of them are point-symmetric.
   const Deviations sigma{1, 1};
   for (const auto& [order, general, symmetric] :
@@ -52,7 +52,7 @@ TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
 TEST(Basis, ScaledCoefficientsAndPolynomialsAreInverse) {
   const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
   const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(basis.size(), -1, 1);
-  EXPECT_LT((basis.scaled(basis.polynomial(a).terms()) - a).norm(), 1e-14);
+  EXPECT_LT((basis.scaled_coefficients(basis.polynomial(a).terms()) - a).norm(), 1e-14);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::gaussian {
@@ -35,13 +35,13 @@ Eigen::VectorXd random_coefficients(Eigen::Index size, double scale) {
 }
 
 // Residual (20) from exp(Q) and its derivatives by Cauchy's integral, independent of (22).
-class BruteForce {
+class DirectEvaluation {
  public:
   using Complex = std::complex<double>;
 
   /// @param force g(y), y >= 0
-  BruteForce(const problem::Problem& problem, const numerics::Polynomial& force, Equation equation,
-             Polynomial q)
+  DirectEvaluation(const problem::Problem& problem, const numerics::Polynomial& force,
+                   Equation equation, Polynomial q)
       : problem_(problem), force_(force), higher_(equation == Equation::km4), q_(std::move(q)) {}
 
   /// Delta / p~ of (20) without the term of the delta function.
@@ -106,7 +106,7 @@ double weight(double x, double sigma) {
 }
 
 // Projections (23) by panels over the four quadrants and along the wall.
-Eigen::VectorXd brute_force_residual(const BruteForce& brute, const Basis& basis) {
+Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute, const Basis& basis) {
   constexpr int kPanels = 4;
   const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
   const double far = 11;
@@ -149,9 +149,9 @@ TEST_P(ProjectionOf, EquationTwentyTwoEqualsBruteForceFromEquationTwenty) {
   const problem::Problem problem = skewed_problem();
   const Projection projection = make_projection(problem, 4, set);
   Eigen::VectorXd a = random_coefficients(projection.basis().size(), 0.05);
-  a += projection.basis().scaled({{2, 0, -0.5}, {0, 2, -0.4}});
-  const Eigen::VectorXd expected = brute_force_residual(
-      BruteForce(problem, problem.system.force(), equation, projection.basis().polynomial(a)),
+  a += projection.basis().scaled_coefficients({{2, 0, -0.5}, {0, 2, -0.4}});
+  const Eigen::VectorXd expected = directly_evaluated_residual(
+      DirectEvaluation(problem, problem.system.force(), equation, projection.basis().polynomial(a)),
       projection.basis());
   const Eigen::VectorXd residual = projection.residual(residual_coefficients(problem, equation), a);
   EXPECT_GT(expected.norm(), 0.1);
@@ -196,9 +196,9 @@ TEST(Projection, TakesEveryPowerOfTheSpring) {
     for (const MonomialSet set : {MonomialSet::point_symmetric, MonomialSet::general}) {
       const Projection projection = make_projection(problem, order, set);
       Eigen::VectorXd a = random_coefficients(projection.basis().size(), 0.05);
-      a += projection.basis().scaled({{2, 0, -0.5}, {0, 2, -0.4}});
-      const Eigen::VectorXd expected = brute_force_residual(
-          BruteForce(problem, force, Equation::km4, projection.basis().polynomial(a)),
+      a += projection.basis().scaled_coefficients({{2, 0, -0.5}, {0, 2, -0.4}});
+      const Eigen::VectorXd expected = directly_evaluated_residual(
+          DirectEvaluation(problem, force, Equation::km4, projection.basis().polynomial(a)),
           projection.basis());
       const Eigen::VectorXd residual = projection.residual(f, a);
       EXPECT_LT((residual - expected).norm(), 1e-8 * expected.norm()) << "n " << order;
@@ -220,7 +220,7 @@ TEST(Projection, SplitsTheForceByTheParityOfItsPowers) {
   EXPECT_EQ(f.even_force.coefficients(), numerics::Polynomial::Coefficients{});
 }
 
-TEST(Projection, OddMonomialsSeeNothingOfAPointSymmetricPolynomial) {
+TEST(Projection, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem problem = skewed_problem();
   const Projection half = make_projection(problem, 6, MonomialSet::point_symmetric);
   const Projection whole = make_projection(problem, 6, MonomialSet::general);
@@ -228,7 +228,7 @@ TEST(Projection, OddMonomialsSeeNothingOfAPointSymmetricPolynomial) {
   const Eigen::VectorXd a = random_coefficients(half.basis().size(), 0.1);
   const Eigen::VectorXd small = half.residual(f, a);
   const Eigen::VectorXd large =
-      whole.residual(f, whole.basis().scaled(half.basis().polynomial(a).terms()));
+      whole.residual(f, whole.basis().scaled_coefficients(half.basis().polynomial(a).terms()));
   ASSERT_EQ(half.basis().size(), 15);
   ASSERT_EQ(whole.basis().size(), 27);
   EXPECT_NEAR(large.norm(), small.norm(), 1e-12 * small.norm());
@@ -246,8 +246,8 @@ TEST(Projection, VanishesAtTheExactWhiteNoiseDensity) {
   const double beta = 0.1 / (0.1 / 2);
   for (const int order : {4, 6, 8, 12}) {
     const Projection projection = make_projection(problem, order, MonomialSet::general);
-    const Eigen::VectorXd a =
-        projection.basis().scaled({{2, 0, -beta / 2}, {0, 2, -beta / 2}, {4, 0, -beta * 0.5 / 4}});
+    const Eigen::VectorXd a = projection.basis().scaled_coefficients(
+        {{2, 0, -beta / 2}, {0, 2, -beta / 2}, {4, 0, -beta * 0.5 / 4}});
     EXPECT_LT(projection.residual(residual_coefficients(problem, Equation::white), a).norm(),
               1e-13);
   }

@@ -105,7 +105,7 @@ TEST(GaussianClosure, PaperCasesAtOrderFourAreRootsButNoDensities) {
   }
 }
 
-TEST(GaussianClosure, OrderEightOfThePaperCasesIsNotPassedOff) {
+TEST(GaussianClosure, OrderEightOfThePaperCasesIsNotOk) {
   for (int number = 1; number <= 4; ++number) {
     const auto [solution, summary] = solve(tests::paper_case(number), {.order = 8});
     EXPECT_NE(solution.status, Status::ok) << number;
@@ -218,17 +218,17 @@ TEST(GaussianClosure, ReportsAPointWhereTheEquationsAreMetIndependently) {
   const Projection projection(Basis(6, MonomialSet::general, deviations(p)));
   const Eigen::VectorXd residual =
       projection.residual(residual_coefficients(p, Equation::km4),
-                          projection.basis().scaled(result.summary.coefficients));
+                          projection.basis().scaled_coefficients(result.summary.coefficients));
   EXPECT_LT(residual.norm(), 1e-12);
 }
 
-TEST(GaussianClosure, SaysInWordsWhatTheRestrictionOfSupportCutsOff) {
+TEST(GaussianClosure, ReasonStatesTheProbabilityCutOff) {
   const auto [solution, summary] = solve(tests::paper_case(1), {.order = 4});
   EXPECT_NE(solution.reason.find("cuts off about 5.2e-04"), std::string::npos) << solution.reason;
   EXPECT_NE(solution.reason.find("from radius"), std::string::npos);
 }
 
-TEST(GaussianClosure, NearlyWithoutDampingIsNoMatterOfRounding) {
+TEST(GaussianClosure, ConvergesNearlyWithoutDamping) {
   // The intensity is proportional to the damping: E[v^2] is 0.5 as for damping 0.1.
   for (const double damping : {1e-5, 1e-7}) {
     const auto solution =

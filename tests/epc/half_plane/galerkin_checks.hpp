@@ -17,7 +17,8 @@ inline double temperature_of(const problem::Problem& p) {
 }
 
 /// Density C exp(-h/T) at points, as masses with sum 1.
-inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::Points& points, double temperature) {
+inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::QuadraturePoints& points,
+                                      double temperature) {
   const Eigen::VectorXd mass = points.weight.array() * (-points.energy.array() / temperature).exp();
   return mass / mass.sum();
 }
@@ -30,7 +31,7 @@ inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::Equations& 
 }
 
 /// Coefficients with a random perturbation, which removes all symmetries.
-inline Eigen::VectorXd shaken(Eigen::VectorXd a) {
+inline Eigen::VectorXd perturbed(Eigen::VectorXd a) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal(0, 0.05);
   for (double& x : a) x += normal(engine);

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 using half_plane::Basis;
 using half_plane::Confinement;
 using half_plane::Equations;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 using tests::make_problem;
 
 std::vector<double> rate_moments(const problem::Problem& p, int order, int last) {
@@ -27,15 +27,15 @@ std::vector<double> rate_moments(const problem::Problem& p, int order, int last)
 }
 
 constexpr int kWallPoints = 60;
-Points points_of(const EnergyDomain& domain) { return domain.rule(50, 60); }
+QuadraturePoints points_of(const EnergyDomain& domain) { return domain.quadrature_points(50, 60); }
 
 // Equations on a large domain, in a basis orthonormal under the elastic white-noise density.
 Equations equations_of(const problem::Problem& p, int order, int last_moment, double deviations,
                        bool confined = false) {
   const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
-  const EnergyDomain domain(p, level * (confined ? Confinement::reach() : 1));
-  const Points points = points_of(domain);
+  const EnergyDomain domain(p, level * (confined ? Confinement::support_ratio() : 1));
+  const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
   return equations(p, rate_moments(p, order, last_moment), domain,
                    confined ? Confinement{level} : Confinement{}, basis, points, kWallPoints);
@@ -82,7 +82,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
                                .mean = 0.2,
                                .law = "two_point"});
   const EnergyDomain domain(p, 20);
-  const Points points = points_of(domain);
+  const QuadraturePoints points = points_of(domain);
   VectorXd mass = (-points.v.array().square() - (points.y.array() - 0.4).square()).exp();
   mass = mass.cwiseProduct(points.weight);
   mass /= mass.sum();
@@ -126,7 +126,7 @@ TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidual) {
   for (const bool confined : {false, true}) {
     const Equations equations = equations_of(p, 4, 4, 5, confined);
     tests::expect_jacobian_is_derivative(equations,
-                                         tests::shaken(white_noise_exponent(p, equations)));
+                                         tests::perturbed(white_noise_exponent(p, equations)));
   }
 }
 
@@ -149,14 +149,14 @@ problem::Problem between_walls(double r_left, double r_right) {
 
 Equations equations_between(const problem::Problem& p, int order, double temperature) {
   const EnergyDomain domain(p, temperature * 50);
-  const Points points = points_of(domain);
+  const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
   return equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
 }
 
 // exp(-h/T), T = D/c = 2, between walls: stationary if both walls are elastic. At an inelastic wall
 // E[v^2] decreases by (1 - r^2) int u^3 p(wall, u) du = (1 - r^2) 2 T^2 p(wall, 0) per unit time.
-TEST(MomentEquations, EitherWallTakesItsOwnShare) {
+TEST(MomentEquations, EachWallDissipatesItsOwnPower) {
   const double temperature = 2;
   const auto energy_lost = [&](double r_left, double r_right) {
     const Equations equations = equations_between(between_walls(r_left, r_right), 2, temperature);
@@ -177,8 +177,8 @@ TEST(MomentEquations, EitherWallTakesItsOwnShare) {
 TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidualBetweenWalls) {
   const auto p = between_walls(0.7, 0.9);
   const Equations equations = equations_between(p, 4, 2);
-  tests::expect_jacobian_is_derivative(equations,
-                                       tests::shaken(tests::boltzmann_coefficients(equations, 2)));
+  tests::expect_jacobian_is_derivative(
+      equations, tests::perturbed(tests::boltzmann_coefficients(equations, 2)));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
 using half_plane::Equations;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 using tests::make_problem;
 
 constexpr int kWallPoints = 40;
@@ -28,14 +28,15 @@ Equations equations_of(const problem::Problem& p, int order, int points_each_way
                        const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
   const double rho_max = rho_max_of(p);
-  const Points points = rule(coordinates, rho_max, breaks_of(p.impulses.law(), rho_max),
-                             {points_each_way, points_each_way, kWallPoints});
+  const QuadraturePoints points =
+      quadrature_points(coordinates, rho_max, amplitude_breaks(p.impulses.law(), rho_max),
+                        {points_each_way, points_each_way, kWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, tests::temperature_of(p)));
   return equations(p, coordinates, rho_max, confinement, basis, points, kWallPoints);
 }
 
-VectorXd some_density(const problem::Problem& p, const Equations& equations) {
-  return tests::shaken(tests::boltzmann_coefficients(equations, tests::temperature_of(p)));
+VectorXd perturbed_coefficients(const problem::Problem& p, const Equations& equations) {
+  return tests::perturbed(tests::boltzmann_coefficients(equations, tests::temperature_of(p)));
 }
 
 // Direct evaluation of dE[phi]/dt: differences of phi along y' = v, v' = -c v - k y - mu y^3, jumps
@@ -54,7 +55,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     const Coordinates coordinates(p);
     const auto& basis = equations.basis();
     const auto& points = equations.points();
-    const auto density = equations.density(some_density(p, equations));
+    const auto density = equations.density(perturbed_coefficients(p, equations));
     const auto at = [&](const VectorXd& y, const VectorXd& v) {
       VectorXd rho(y.size()), theta(y.size());
       for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -77,7 +78,8 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
       expected += 2 * probability * (at(points.y, kicked) - at(points.y, points.v)).transpose() *
                   density.mass;
     }
-    const half_plane::Line wall = half_plane::legendre_rule(kWallPoints, 0, rho_max_of(p));
+    const half_plane::QuadratureRule wall =
+        half_plane::legendre_rule(kWallPoints, 0, rho_max_of(p));
     const VectorXd zero = VectorXd::Zero(wall.at.size());
     const VectorXd down = VectorXd::Constant(wall.at.size(), -M_PI / 2);
     const MatrixXd change = at(zero, 0.6 * wall.at) - basis.values(wall.at, down);
@@ -95,19 +97,19 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const double level : {std::numeric_limits<double>::infinity(), 8.0}) {
     const Equations equations = equations_of(p, 4, 24, half_plane::Confinement{level});
-    tests::expect_jacobian_is_derivative(equations, some_density(p, equations));
+    tests::expect_jacobian_is_derivative(equations, perturbed_coefficients(p, equations));
   }
 }
 
 // Amplitudes from which an impulse of the two-point law stops the mass at the wall.
 TEST(PolarEquations, BreakWhereAnAtomMayStopTheMass) {
-  const auto law = problem::ImpulseLaw::named("two_point", 0.2, 0.5);
-  EXPECT_EQ(breaks_of(law, 10).size(), 2u);
-  EXPECT_NEAR(breaks_of(law, 10)[0], 0.3, 1e-15);
-  EXPECT_NEAR(breaks_of(law, 10)[1], 0.7, 1e-15);
-  EXPECT_EQ(breaks_of(law, 0.5).size(), 1u);
-  EXPECT_EQ(breaks_of(problem::ImpulseLaw::named("two_point", 0, 0.5), 10).size(), 1u);
-  EXPECT_TRUE(breaks_of(problem::ImpulseLaw::named("gaussian", 0.2, 0.5), 10).empty());
+  const auto law = problem::ImpulseLaw::from_name("two_point", 0.2, 0.5);
+  EXPECT_EQ(amplitude_breaks(law, 10).size(), 2u);
+  EXPECT_NEAR(amplitude_breaks(law, 10)[0], 0.3, 1e-15);
+  EXPECT_NEAR(amplitude_breaks(law, 10)[1], 0.7, 1e-15);
+  EXPECT_EQ(amplitude_breaks(law, 0.5).size(), 1u);
+  EXPECT_EQ(amplitude_breaks(problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10).size(), 1u);
+  EXPECT_TRUE(amplitude_breaks(problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10).empty());
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(PolarTail, LeadingFormIsTheSignOfTheHighestPowerOfTheAmplitude) {
   const LeadingForm rising =
       leading_form_in_amplitude(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_FALSE(rising.negative);
-  EXPECT_EQ(rising.rising_share, 1);
+  EXPECT_EQ(rising.rising_fraction, 1);
   EXPECT_NEAR(rising.rises_from, 2.5, 0.06);  // in deviations of v
 }
 

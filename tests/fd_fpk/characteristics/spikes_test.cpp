@@ -90,7 +90,7 @@ TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareT
 // For small amplitudes P(y < b) ~ b^e, with e the impulses per time in which the motion decays by a
 // factor e. Innermost cells wider than the bins gave the first two bins 1 and 0.3 of the mass and
 // the next a negative mass, and an error of E[y] equal to the momentum residual.
-TEST(AlongCharacteristics, SpreadWhatIsNearRestAsTheMotionDecays) {
+TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   const double c = 1e-3, r = 0.9, rate = 1e-4;
   const auto p = tests::make_problem({.damping = c, .cubic = 0, .restitution = r, .rate = rate});
   const auto [solution, summary] = solve(p, {.stepper = Stepper::direct});
@@ -180,7 +180,7 @@ TEST(Solve, ChoosesTheTransportByTheProblem) {
   EXPECT_EQ(transport({.restitution = 0.2}), Transport::characteristics);
 }
 
-TEST(Options, CharacteristicsAreForTheExactEquation) {
+TEST(Options, CharacteristicsRequireKfAndImpactMap) {
   const auto refused = [](const Options& options) {
     EXPECT_THROW(validate(options), std::exception);
   };

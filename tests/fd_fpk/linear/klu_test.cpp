@@ -42,7 +42,7 @@ Solved solved(int n) {
 }
 
 // METIS uses random numbers that the whole process shares.
-TEST(Klu, GivesTheSameBitsBesideOthersAsAlone) {
+TEST(Klu, GivesTheSameBitsInParallelAsAlone) {
   constexpr int kCells = 90, kRounds = 5;
   const Solved alone = solved(kCells);
   for (int round = 0; round < kRounds; ++round) {

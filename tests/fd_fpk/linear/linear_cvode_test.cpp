@@ -30,7 +30,7 @@ const BdfControl kControl{.max_order = 2,
                           .relative_tolerance = 1e-7,
                           .absolute_tolerance = 1e-9,
                           .linear_tolerance = 1e-3,
-                          .most_steps = 5000};
+                          .max_steps = 5000};
 
 TEST(LinearCvode, FollowsTheExactSolution) {
   LinearCvode cvode(decay(), kStart, kControl);
@@ -46,15 +46,15 @@ TEST(LinearCvode, FollowsTheExactSolution) {
   EXPECT_GT(cvode.factorisations(), 0);
 }
 
-TEST(LinearCvode, StopsWithAMessageWhenItMayTakeNoMoreSteps) {
+TEST(LinearCvode, StopsWithAMessageAtTheMaximumNumberOfSteps) {
   BdfControl control = kControl;
-  control.most_steps = 5;
+  control.max_steps = 5;
   LinearCvode cvode(decay(), kStart, control);
   EXPECT_LT(cvode.advance(2).flag, 0);
   EXPECT_NE(cvode.message().find("mxstep"), std::string::npos) << cvode.message();
 }
 
-TEST(LinearCvode, AFactorisationThatFailsIsAFlagAndNoException) {
+TEST(LinearCvode, AFailedFactorisationReturnsAFlag) {
   LinearSystem system = decay();
   system.factor = [](double) { return false; };
   LinearCvode cvode(system, kStart, kControl);
@@ -66,7 +66,7 @@ struct ThrownByTheSystem {
 };
 
 // SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
-TEST(LinearCvode, WhatACallbackThrowsComesOutOfIt) {
+TEST(LinearCvode, ExceptionsOfCallbacksPropagate) {
   const auto number_of = [](const LinearSystem& system) {
     LinearCvode cvode(system, kStart, kControl);
     try {

@@ -23,7 +23,7 @@ class Preconditioners : public testing::Test {
 
   problem::Problem problem_ = tests::paper_case(1);
   Options options_{.nx = 16, .nv = 32};
-  double loss_ = problem::scales(problem_).slowest_decay;
+  double loss_ = problem::scales(problem_).slowest_decay_rate;
   Discretisation on_ = discretise(problem_, options_, initial_box(problem_, options_));
 };
 
@@ -41,7 +41,7 @@ TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
   EXPECT_GT((near - exact).norm(), 0);
 }
 
-TEST_F(Preconditioners, FactorForShortStepsAndForGoodAfterThem) {
+TEST_F(Preconditioners, FactorAgainForShortStepsAndAfterThem) {
   Preconditioner used = made(), fresh = made();
   ASSERT_TRUE(used.factor_stationary());
   const Eigen::VectorXd stationary = solved(used);

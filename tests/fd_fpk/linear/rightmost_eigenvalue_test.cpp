@@ -35,7 +35,7 @@ Discrete discrete(const problem::Problem& problem, Options options, double step,
           std::sqrt(linear.stiffness), on.grid};
 }
 
-TEST(RightmostEigenvalue, IsThatOfTheDenseMatrixForEveryEquation) {
+TEST(RightmostEigenvalue, AgreesWithADenseSolverForEveryEquation) {
   const double s = std::sqrt(0.1);
   struct Case {
     const char* name;
@@ -57,7 +57,7 @@ TEST(RightmostEigenvalue, IsThatOfTheDenseMatrixForEveryEquation) {
     const auto p = tests::make_problem({.restitution = restitution});
     const Discrete d = discrete(p, options, step);
     const auto expected = tests::dense_eigenvalues(d.op.assembled());
-    const bool growing = grows(d.symbol, p.impulses);
+    const bool growing = is_unstable(d.symbol, p.impulses);
     const int count = growing ? 1 : 2;
     const auto found =
         rightmost_eigenvalues(d.op, growing ? guess * d.symbol.rate : 0, d.frequency, count);
@@ -96,14 +96,14 @@ TEST(RightmostEigenvalue, OfAWellPosedOperatorIsZeroAndItsVectorTheStationaryDen
   ASSERT_EQ(found.values.size(), 2u) << found.failure;
   EXPECT_LT(std::abs(found.values[0]), 1e-11);
   const auto stationary =
-      factored_null_vector(d.op, gaussian_start(d.grid, p), d.frequency).averages;
+      null_vector_by_inverse_iteration(d.op, gaussian_start(d.grid, p), d.frequency).averages;
   ASSERT_TRUE(stationary);
   Eigen::VectorXd real = found.vector.real();
   real /= d.op.mass(real);
   EXPECT_LT((real - *stationary).cwiseAbs().maxCoeff(), 1e-9 * stationary->maxCoeff());
   // Densities are even under (z, z') -> (-z, -z'): of the linear oscillator's modes only sums of an
   // even number remain, and the slowest of them decays twice as fast as a single mode.
-  const double single = problem::slowest_decay(problem::equivalent_linearisation(p));
+  const double single = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
   EXPECT_NEAR(-found.values[1].real() / (2 * single), 1.0, 0.15);
 }
 

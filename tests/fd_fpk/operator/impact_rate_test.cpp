@@ -24,7 +24,7 @@ struct Rates {
 
 Rates rates(const Problem& given, Impact impact, double origin_refinement,
             double refinement = 0.7) {
-  const Problem p = tests::in_frame(given);
+  const Problem p = tests::in_wall_coordinates(given);
   const Options options{
       .impact = impact, .refinement = refinement, .origin_refinement = origin_refinement};
   const auto scales = problem::scales(p);
@@ -78,7 +78,7 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
       {.left = -0.5, .left_restitution = 0.8, .right = 0.5, .right_restitution = 0.6});
   // An arbitrary nonstationary density and its mirror image.
   const auto rate = [](const System& system, bool mirrored) {
-    const Problem p = tests::in_frame(tests::with_noise(system, 0.2));
+    const Problem p = tests::in_wall_coordinates(tests::with_noise(system, 0.2));
     const Options options{.refinement = 0.7, .origin_refinement = 16};
     const auto scales = problem::scales(p);
     const Discretisation on = discretise(p, options, initial_box(p, scales, options));

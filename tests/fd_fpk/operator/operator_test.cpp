@@ -89,11 +89,11 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
 
 // The density on the wall jumps at x2 = 0 by 1/r^2: stencils must not mix velocities before and
 // after the impact.
-TEST(Operator, TakesTheOutgoingFluxFromOutgoingVelocitiesAlone) {
+TEST(Operator, FluxIntoTheWallUsesVelocitiesTowardsItAlone) {
   const Grid grid = make_grid(20, 30, 3.0, 3.0);
-  const LineOperator flux(wall_flux(grid, 5));
+  const AxisOperator flux(wall_flux(grid, 5));
   for (int speed = 0; speed < flux.rows(); ++speed) {
-    for (LineOperator::InnerIterator entry(flux, speed); entry; ++entry) {
+    for (AxisOperator::InnerIterator entry(flux, speed); entry; ++entry) {
       EXPECT_LT(entry.col() % grid.nv(), grid.nv() / 2);
     }
   }

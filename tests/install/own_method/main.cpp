@@ -68,9 +68,9 @@ methods::Solver linear_solver() {
                                       .role = transform::Role::closure,
                                       .meaning = "The Gaussian of equivalent linearisation.",
                                       .usual = {"linear"},
-                                      .look =
+                                      .plot_style =
                                           [](const transform::Identity&) {
-                                            return transform::Look{.colour = "#808000"};
+                                            return transform::PlotStyle{.colour = "#808000"};
                                           }}},
                         .parameters = nullptr,
                         .usual_options = {},

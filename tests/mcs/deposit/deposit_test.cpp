@@ -84,7 +84,7 @@ struct Tally {
   void flight(const Flight& flight, double duration) {
     for (; until_sample < duration; until_sample += kInterval) {
       const auto [y, v] = flight.at(until_sample);
-      const double a = flight.own_acceleration(until_sample);
+      const double a = flight.polynomial_acceleration(until_sample);
       if (p > 0) sum += v * p * std::pow(y, p - 1) * std::pow(v, q);
       if (q > 0) sum += a * std::pow(y, p) * q * std::pow(v, q - 1);
       if (q >= 2) {  // E[(v + Y)^q] - v^q for q = 2, 3
@@ -105,7 +105,7 @@ struct Setting {
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
   DepositPlan plan{grid(), kRate, kInterval};
 
-  Stream advanced(std::uint32_t s, const simd::LaneSet& lanes) const {
+  Stream advanced(std::uint32_t s, const simd::CodeVariant& lanes) const {
     ImpulseSource source(problem.impulses, 21, s);
     const Impulse first = source.next();
     Stream stream{.branch = {.y = 0.3,
@@ -135,7 +135,7 @@ TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   const Setting setting;
   const double variance = setting.problem.impulses.law().moment(2);
   for (std::uint32_t s = 0; s < 3; ++s) {
-    const Stream stream = setting.advanced(s, simd::available_lanes().back());
+    const Stream stream = setting.advanced(s, simd::available_variants().back());
     for (const auto& [p, q] :
          {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
       Trajectory trajectory(setting.oscillator, ImpulseSource(setting.problem.impulses, 21, s),
@@ -156,9 +156,9 @@ TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
   // The two-point law has the same moments of the generator on all polynomials up to degree 3.
   Setting setting;
   const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
-  const Deposit lattice = setting.advanced(0, simd::available_lanes().back()).record.deposit;
+  const Deposit lattice = setting.advanced(0, simd::available_variants().back()).record.deposit;
   setting.plan.grid.shifts = {{-d, 0.5}, {d, 0.5}};
-  const Deposit shifted = setting.advanced(0, simd::available_lanes().back()).record.deposit;
+  const Deposit shifted = setting.advanced(0, simd::available_variants().back()).record.deposit;
   EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
   for (const auto& [p, q] : {std::pair{0, 2}, {1, 1}, {2, 2}, {0, 3}}) {
     const auto after = [&, power = q](double v) {
@@ -172,7 +172,7 @@ TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
 TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
   const Setting setting;
   const Deposit reference = setting.advanced(1, {simd::InstructionSet::baseline, 1}).record.deposit;
-  for (const simd::LaneSet& lanes : simd::available_lanes()) {
+  for (const simd::CodeVariant& lanes : simd::available_variants()) {
     SCOPED_TRACE(lanes.width);
     const Deposit deposit = setting.advanced(1, lanes).record.deposit;
     EXPECT_EQ(deposit.flow, reference.flow);
@@ -187,7 +187,7 @@ TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
 
 TEST(Deposit, CountsEverySampleInTheSmoothBins) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_lanes().back());
+  const Stream stream = setting.advanced(0, simd::available_variants().back());
   const Deposit& deposit = stream.record.deposit;
   const auto sum = [](const std::vector<double>& x) {
     return std::accumulate(x.begin(), x.end(), 0.0);
@@ -197,14 +197,14 @@ TEST(Deposit, CountsEverySampleInTheSmoothBins) {
   // The first moment of M(t) is its centre.
   double first = 0;
   for (std::size_t b = 0; b < deposit.y_bins.size(); ++b) {
-    first += deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - Deposit::kFrame));
+    first += deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - Deposit::kBinOffset));
   }
   EXPECT_NEAR(first, stream.record.powers[0], 1e-9);
 }
 
-TEST(Deposit, SeesImpactsAndImpulsesAsTheyWere) {
+TEST(Deposit, RecordsImpactsAndImpulses) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_lanes().back());
+  const Stream stream = setting.advanced(0, simd::available_variants().back());
   const auto [before, after, beyond] = stream.record.deposit.impacts;
   EXPECT_GT(stream.record.impacts, 3);
   EXPECT_NEAR(after / before, 0.6, 1e-14);
@@ -212,7 +212,7 @@ TEST(Deposit, SeesImpactsAndImpulsesAsTheyWere) {
   EXPECT_EQ(stream.record.deposit.impulses[0], static_cast<double>(stream.record.impulses));
 }
 
-TEST(Deposit, ChangesNothingElse) {
+TEST(Deposit, DoesNotChangeOtherResults) {
   const auto problem = tests::paper_case(1);
   const Options plain{.time = 2e4, .streams = 10};
   Options depositing = plain;

@@ -14,12 +14,12 @@ namespace {
 const double kMeanOfAbsolute = std::sqrt(2 / std::numbers::pi);
 
 // One bin, or fully correlated bins: the distance is the absolute value of one normal variable.
-TEST(SamplingL1, OfErrorsThatGoTogetherScattersMost) {
+TEST(SamplingL1, OfCorrelatedErrorsScattersMost) {
   const std::vector<std::vector<double>> together(50, std::vector<double>(16, 0.01));
   const double deviation = 50 * 0.01 * 4;
   const SamplingL1 distance = sampling_l1(together);
   EXPECT_NEAR(distance.expected, kMeanOfAbsolute * deviation, 1e-12);
-  EXPECT_NEAR(distance.in_99, 2.576 * deviation, 0.35 * deviation);
+  EXPECT_NEAR(distance.quantile_99, 2.576 * deviation, 0.35 * deviation);
 }
 
 // Independent bins: the distance is a sum of many terms and close to its mean.
@@ -30,12 +30,12 @@ TEST(SamplingL1, OfIndependentErrorsIsNearItsMean) {
   EXPECT_NEAR(distance.expected, kMeanOfAbsolute * 4, 1e-12);
   // The deviation of |x| is 0.603 of that of x; the 99 % quantile is 2.33 deviations above the
   // mean.
-  EXPECT_NEAR(distance.in_99, kMeanOfAbsolute * 4 + 2.33 * 0.603 * 0.01 * 20, 0.1);
+  EXPECT_NEAR(distance.quantile_99, kMeanOfAbsolute * 4 + 2.33 * 0.603 * 0.01 * 20, 0.1);
 }
 
 // The stated quantile against 20 runs: at most two of the forty distances from the mean of all runs
 // exceed the 99 % quantile.
-TEST(SamplingL1, ForetellsHowFarRunsGoAstray) {
+TEST(SamplingL1, PredictsTheErrorsOfIndependentRuns) {
   std::vector<Result> runs;
   constexpr int kRuns = 20;
   for (int k = 0; k < kRuns; ++k) {
@@ -59,7 +59,7 @@ TEST(SamplingL1, ForetellsHowFarRunsGoAstray) {
       }
       const auto which = run.solution.estimated_marginals[variable].first;
       ratio += distance / *expected(*run.solution.sampling, which) / (2 * kRuns);
-      beyond += distance > *in_99(*run.solution.sampling, which);
+      beyond += distance > *quantile_99(*run.solution.sampling, which);
     }
   }
   EXPECT_LE(beyond, 2);

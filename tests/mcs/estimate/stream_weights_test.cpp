@@ -30,7 +30,7 @@ TEST(StreamWeights, RecoverAMeanThatDependsLinearlyOnTheExcess) {
   EXPECT_NEAR(estimate.standard_error, 0.0, 1e-14);
 }
 
-TEST(StreamWeights, ArePlainWhenThereIsNothingToTellTheStreamsApart) {
+TEST(StreamWeights, ArePlainForEqualExcessPowers) {
   const StreamWeights weights(std::vector<double>(8, 0.0));
   for (std::size_t s = 0; s < weights.size(); ++s) EXPECT_DOUBLE_EQ(weights[s], 1.0 / 8);
   const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8};

@@ -136,7 +136,7 @@ TEST(ImpulseSource, PiecesAreTheQuantilesToTheirTails) {
   for (const double skewness : {0.01, 0.7, 1.9, 2.0}) {
     const problem::GammaLaw law{0, 1, skewness};
     const AmplitudePieces pieces =
-        interpolated([&](double p, double q) { return law.standardised_quantile(p, q); });
+        pieces_from_quantile([&](double p, double q) { return law.standardised_quantile(p, q); });
     for (const double p :
          {0x1p-44, 1e-12, 1e-5, 0.03, 0.24, 0.5, 0.8, 0.97, 1 - 1e-6, 1 - 0x1p-43, 1 - 0x1p-44}) {
       const double exact = law.standardised_quantile(p, 1 - p);

@@ -16,7 +16,7 @@ TEST(RandomBits, AreThoseOfPhilox) {
 
 TEST(Uniforms, LieWithinZeroAndOneAndGoOnFromAnyNumber) {
   const Uniforms all = uniforms(3, 7, Purpose::start, 0), later = uniforms(3, 7, Purpose::start, 4);
-  for (std::size_t k = 0; k < kBlock; ++k) {
+  for (std::size_t k = 0; k < kBlockSize; ++k) {
     for (const double u : {all.first[k], all.second[k], all.third[k]}) {
       EXPECT_GT(u, 0);
       EXPECT_LT(u, 1);

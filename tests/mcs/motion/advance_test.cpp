@@ -36,7 +36,7 @@ struct Group {
     }
   }
 
-  void advance(double time, const simd::LaneSet& lanes) {
+  void advance(double time, const simd::CodeVariant& lanes) {
     std::vector<Stream*> pointers;
     for (Stream& stream : streams) pointers.push_back(&stream);
     mcs::advance({.oscillator = oscillator,
@@ -66,7 +66,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   for (const Group& start : groups_of_all_kinds()) {
     Group reference(start);
     reference.advance(300, {simd::InstructionSet::baseline, 1});
-    for (const simd::LaneSet& lanes : simd::available_lanes()) {
+    for (const simd::CodeVariant& lanes : simd::available_variants()) {
       SCOPED_TRACE(lanes.width);
       Group group(start);
       group.advance(300, lanes);
@@ -108,7 +108,7 @@ struct Tally {
   void impulse(double v, double amplitude) { work += amplitude * (v + amplitude / 2); }
 };
 
-TEST(Advance, DoesWhatTheTrajectoryDoes) {
+TEST(Advance, AgreesWithTheScalarTrajectory) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = 3});
   for (const auto& oscillator :
        {Oscillator(problem.system),
@@ -116,7 +116,7 @@ TEST(Advance, DoesWhatTheTrajectoryDoes) {
     Group group(problem);
     group.oscillator = oscillator;
     constexpr double kTime = 30;
-    group.advance(kTime, simd::available_lanes().back());
+    group.advance(kTime, simd::available_variants().back());
     for (std::size_t s = 0; s < group.streams.size(); ++s) {
       const auto n = static_cast<double>(s);
       Trajectory trajectory(oscillator,
@@ -146,7 +146,7 @@ double total(const std::vector<double>& sums) {
 // Between two impacts there is one maximum more than minima.
 TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
   Group group(tests::paper_case(1));
-  group.advance(3000, simd::available_lanes().back());
+  group.advance(3000, simd::available_variants().back());
   for (const Stream& stream : group.streams) {
     EXPECT_GT(total(stream.record.troughs), 10);
     EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts,
@@ -166,7 +166,7 @@ TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
                                          .intensity = 0.1 * rate,
                                          .mean = mean * std::sqrt(0.1)}));
         const double time = tests::usually(40, 200) / std::min(rate, 1.0);
-        group.advance(time, simd::available_lanes().back());
+        group.advance(time, simd::available_variants().back());
         for (const Stream& stream : group.streams) {
           const auto impulses = static_cast<double>(stream.record.impulses);
           EXPECT_LE(stream.record.impacts, time * 2 + impulses);

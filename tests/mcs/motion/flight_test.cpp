@@ -46,7 +46,7 @@ TEST(Flight, FollowsTheExactLinearMotion) {
     const Oscillator oscillator = with_spring({2}, damping);
     const State start{1.3, -0.7};
     const Flight flight(oscillator, start);
-    const double t = flight.reach(0.7);
+    const double t = flight.max_step(0.7);
     // The first omitted term of y, 0.7^13 / 13!, is 2e-12 of the amplitude; that of v is 13/0.7
     // times larger.
     for (const double s : {t / 3, t}) {
@@ -61,7 +61,7 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
   const State start{1.2, 1.9};
   const Flight flight(oscillator, start);
   const auto error = [&](double phase) {
-    const double t = flight.reach(phase);
+    const double t = flight.max_step(phase);
     const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
     return std::hypot(end.y - exact.y, end.v - exact.v);
   };
@@ -81,7 +81,7 @@ TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
       const double y = std::sqrt(v) * std::sin(angle);
       const State start{std::abs(y), v * std::cos(angle)};
       const Flight flight(oscillator, start);
-      const double t = flight.reach(0.7);
+      const double t = flight.max_step(0.7);
       const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << v << " " << angle;
       EXPECT_NEAR(end.y, exact.y, 2e-6 * std::sqrt(v)) << v << " " << angle;
@@ -97,7 +97,7 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
     const State start{std::sin(w * before),
                       -0.05 * std::sin(w * before) - w * std::cos(w * before)};
     const Flight flight(oscillator, start);
-    const double time = impact_time(flight, flight.reach(0.7));
+    const double time = impact_time(flight, flight.max_step(0.7));
     // At 0.6, the far end of the flight, the error of the series is 1e-12.
     EXPECT_NEAR(time, before, before > 0.5 ? 1e-11 : 1e-14);
     EXPECT_NEAR(flight.at(time).y, 0.0, 1e-15);
@@ -107,7 +107,7 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
 TEST(Flight, FindsAGrazingImpact) {
   const Oscillator oscillator = paper_oscillator(4);
   const Flight flight(oscillator, {1e-12, -1e-9});
-  const double end = flight.reach(0.7);
+  const double end = flight.max_step(0.7);
   ASSERT_LT(flight.at(end).y, 0.0);
   EXPECT_NEAR(impact_time(flight, end), 1e-3, 1e-6);
 }
@@ -117,7 +117,7 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
   for (const double y : {1e-9, 1e-6, 1e-3, 0.1, 0.5}) {
     for (const double v : {-1e-9, -1e-6, -1e-3, -0.1, -1.0, -5.0, 1e-6, 0.02}) {
       const Flight flight(oscillator, {y, v});
-      const double end = flight.reach(1.2);
+      const double end = flight.max_step(1.2);
       if (flight.at(end).y >= 0) continue;
       const double time = impact_time(flight, end);
       EXPECT_LT(std::abs(flight.at(time).y), 1e-15 + 1e-14 * y) << y << " " << v;
@@ -132,7 +132,7 @@ TEST(Flight, FindsTheHighestPoint) {
     const Flight back(oscillator, {0.8, 0});
     const State start = back.at(-before);
     const Flight flight(oscillator, start);
-    const double end = flight.reach(0.9);
+    const double end = flight.max_step(0.9);
     const double top = flight.peak_time(end, flight.at(end));
     EXPECT_NEAR(top, before, 1e-4);
     EXPECT_NEAR(flight.at(top).y, 0.8, 1e-8);
@@ -144,7 +144,7 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
     const Oscillator oscillator = paper_oscillator(number);
     for (double v = 1e-300; v < 1e3; v *= 1e3) {
       const Flight flight(oscillator, {0, v});
-      EXPECT_GE(flight.at(flight.reach(1.0)).y, 0.0) << number << " " << v;
+      EXPECT_GE(flight.at(flight.max_step(1.0)).y, 0.0) << number << " " << v;
     }
   }
 }
@@ -156,8 +156,8 @@ TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
   any.is_duffing = false;
   for (const State& start : {State{0, 1}, State{1.2, 0.4}, State{20, -300}}) {
     const Flight a(duffing, start), b(any, start);
-    const double t = a.reach(0.9);
-    EXPECT_NEAR(b.reach(0.9), t, 1e-14 * t);
+    const double t = a.max_step(0.9);
+    EXPECT_NEAR(b.max_step(0.9), t, 1e-14 * t);
     EXPECT_NEAR(a.at(t).y, b.at(t).y, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.at(t).v, b.at(t).v, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.acceleration(start), b.acceleration(start), 1e-13 * std::abs(start.v + 1e4));
@@ -188,7 +188,7 @@ TEST(Flight, OfAnySpringIsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
     for (const double angle : {0.0, 0.7, 1.4, 2.1, 2.8}) {
       const State start{0.9 * y * std::sin(angle), v * std::cos(angle)};
       const Flight flight(oscillator, start);
-      const double t = flight.reach(0.7);
+      const double t = flight.max_step(0.7);
       const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << oscillator.degree << " " << v << " " << angle;
       EXPECT_NEAR(end.y, exact.y, 2e-6 * y) << oscillator.degree << " " << v << " " << angle;
@@ -203,18 +203,18 @@ TEST(Flight, OfAnySpringReachesNoFurtherThanItsSteepestPartAllows) {
       steepest = std::max(steepest, oscillator.force.derivative()(x));
     }
     const Flight flight(oscillator, {0, v});
-    const double frequency = 1 / flight.reach(1) - oscillator.damping;
+    const double frequency = 1 / flight.max_step(1) - oscillator.damping;
     EXPECT_GE(frequency, std::sqrt(steepest)) << oscillator.degree << " " << v;
     // The bound is least tight for terms of both signs.
     EXPECT_LE(frequency, 2.5 * std::sqrt(steepest)) << oscillator.degree << " " << v;
-    EXPECT_GE(flight.at(flight.reach(1.2)).y, 0.0) << oscillator.degree << " " << v;
+    EXPECT_GE(flight.at(flight.max_step(1.2)).y, 0.0) << oscillator.degree << " " << v;
   }
 }
 
 TEST(Flight, OfAnySpringFindsImpacts) {
   for (const auto& [oscillator, v, y] : motions_of_other_springs()) {
     const Flight flight(oscillator, {0.01 * y, -v});
-    const double end = flight.reach(1.2);
+    const double end = flight.max_step(1.2);
     ASSERT_LT(flight.at(end).y, 0.0) << oscillator.degree << " " << v;
     EXPECT_LT(std::abs(flight.at(impact_time(flight, end)).y), 1e-14 * y);
   }

@@ -84,7 +84,7 @@ TEST(Trajectory, AnImpactTakesItsShareOfTheEnergyAndTurnsTheVelocity) {
               (1 - r * r) / 2 * 4, 1e-7);
 }
 
-TEST(Trajectory, KeepsTheEnergyLedger) {
+TEST(Trajectory, SatisfiesTheEnergyBalance) {
   // d/dt E = -c v^2 along flights, by Simpson's rule; impulses and impacts add their energy.
   struct Ledger {
     const Oscillator& oscillator;
@@ -146,7 +146,7 @@ TEST(Trajectory, ImpulsesArriveAtTheTimesOfTheSourceWithItsAmplitudes) {
 TEST(Trajectory, DoesNotDependOnWhereItIsInterrupted) {
   const auto problem = tests::make_problem({.restitution = 0.7});
   Trajectory whole = trajectory_of(problem, {1, 0}), pieces = whole;
-  NoWitness nobody;
+  NullObserver nobody;
   whole.advance(30, nobody);
   for (int k = 0; k < 3000; ++k) pieces.advance(0.01, nobody);
   EXPECT_NEAR(whole.state().y, pieces.state().y, 1e-6);
@@ -157,7 +157,7 @@ TEST(Trajectory, HalvingTheStepChangesOnlyTheErrorOfTheSeries) {
   const auto problem = tests::paper_case(1);
   Trajectory coarse = trajectory_of(problem, {1, 0}, 0.7),
              fine = trajectory_of(problem, {1, 0}, 0.35);
-  NoWitness nobody;
+  NullObserver nobody;
   for (int k = 0; k < 20; ++k) {
     coarse.advance(10, nobody);
     fine.advance(10, nobody);

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 
@@ -54,9 +54,9 @@ class Checkpoint : public testing::Test {
 
 // Shutdown waits for files being written and reserves all files; no other thread may then write
 // any.
-TEST_F(Checkpoint, IsNotBegunWhenTheProcessIsToEnd) {
+TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
   const auto wait_in_vain = [&] {
-    base::reserve_files_for_this_thread();
+    base::reserve_writes_for_this_thread();
     std::thread([&] {
       Options options = brief(false);
       options.checkpoint = file_;
@@ -69,7 +69,7 @@ TEST_F(Checkpoint, IsNotBegunWhenTheProcessIsToEnd) {
   EXPECT_EXIT(wait_in_vain(), testing::ExitedWithCode(0), "");
 }
 
-TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
+TEST_F(Checkpoint, ResumesWithTheSameBits) {
   for (const bool tails : {false, true}) {
     SCOPED_TRACE(tails);
     Options options = brief(tails);
@@ -203,7 +203,7 @@ TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   EXPECT_EQ(std::filesystem::file_size(mine), 9u);
 }
 
-TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {
+TEST_F(Checkpoint, WriteErrorsAreWarningsOnly) {
   Options options = brief(false);
   const Result expected = solve(problem_, options);
   std::vector<std::string> told;
@@ -221,7 +221,7 @@ TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {
 
 // A directory of the same name appears and disappears. The first of two consecutive errors gives
 // the only warning.
-TEST_F(Checkpoint, IsWrittenAgainAsSoonAsThatIsPossible) {
+TEST_F(Checkpoint, RetriesAfterAWriteError) {
   std::vector<std::string> told;
   CheckpointWriter writer(file_, [&](const std::string& warning) { told.push_back(warning); });
   const Plan plan = make_plan(problem_, brief(false));
@@ -237,7 +237,7 @@ TEST_F(Checkpoint, IsWrittenAgainAsSoonAsThatIsPossible) {
   EXPECT_THROW(read_checkpoint(file_, "another", simulation), InputError);
 }
 
-TEST_F(Checkpoint, OfTheSameNameIsKeptUntilThereIsANewOne) {
+TEST_F(Checkpoint, ExistingFileIsKeptUntilTheFirstWrite) {
   interrupted(brief(false));
   const auto size = std::filesystem::file_size(file_);
   const CheckpointWriter writer(file_, {});

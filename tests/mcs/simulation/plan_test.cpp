@@ -9,13 +9,13 @@
 namespace fpkcheck::mcs {
 namespace {
 
-TEST(Plan, ChoosesWhatIsLeftOutFromTheEquivalentLinearisation) {
+TEST(Plan, ComputesDefaultsFromTheEquivalentLinearisation) {
   const auto problem = tests::paper_case(4);
   const auto linear = problem::equivalent_linearisation(problem);
   const Plan plan = make_plan(problem, {});
   const double time = plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
-  EXPECT_NEAR(time * problem::slowest_decay(linear), 1.6e6, 4e3);
-  EXPECT_NEAR(plan.burn_in * problem::slowest_decay(linear), 20, 1e-12);
+  EXPECT_NEAR(time * problem::slowest_decay_rate(linear), 1.6e6, 4e3);
+  EXPECT_NEAR(plan.burn_in * problem::slowest_decay_rate(linear), 20, 1e-12);
   EXPECT_EQ(plan.y_bins.bins(), 140u);
   EXPECT_EQ(plan.v_bins.bins(), 140u);
   EXPECT_EQ(plan.y_bins.edges().front(), 0.0);
@@ -50,7 +50,7 @@ TEST(Plan, OfFrequentImpulsesIsBoundedAndEnough) {
             0.1 * time_of(make_plan(without_wall(1e4), {})));
 }
 
-TEST(Plan, NamesWhatKeepsItsBurnInShort) {
+TEST(Plan, StatesTheCauseOfAShortBurnIn) {
   const auto limit = [](const problem::Problem& problem) {
     return make_plan(problem, {}).burn_in_limit;
   };

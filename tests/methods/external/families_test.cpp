@@ -15,8 +15,8 @@ namespace {
 Method guest(const std::string& label, std::optional<int> order) {
   Method method;
   method.identity.id = label;
-  method.identity.method = transform::kGivenInFile;
-  method.identity.family = transform::kGivenInFile;
+  method.identity.method = transform::kExternalFile;
+  method.identity.family = transform::kExternalFile;
   method.identity.order = order;
   return method;
 }
@@ -50,13 +50,13 @@ TEST(GuestFamilies, HaveOneColourAndADashForEachOrder) {
   join_families(guests);
   std::set<std::string> colours, dashes;
   for (std::size_t k = 1; k < guests.size(); ++k) {
-    colours.insert(guests[k].identity.look.colour);
-    dashes.insert(guests[k].identity.look.dash);
-    EXPECT_TRUE(transform::is_by_order(guests[k].identity));
+    colours.insert(guests[k].identity.plot_style.colour);
+    dashes.insert(guests[k].identity.plot_style.dash);
+    EXPECT_TRUE(transform::is_distinguished_by_order(guests[k].identity));
   }
   EXPECT_EQ(colours.size(), 1u);
   EXPECT_EQ(dashes.size(), 3u);
-  EXPECT_FALSE(transform::is_by_order(guests[0].identity));
+  EXPECT_FALSE(transform::is_distinguished_by_order(guests[0].identity));
 }
 
 }  // namespace

@@ -90,8 +90,8 @@ TEST_F(JointDensityFiles, ThatSayWhatTheySolveHaveABudget) {
   const auto& mine = one.solutions.front();
   EXPECT_EQ(mine.id(), "mine");
   EXPECT_EQ(mine.identity.role, transform::Role::closure);
-  EXPECT_TRUE(transform::is_guest(mine.identity));
-  EXPECT_EQ(transform::solves_text(mine.identity), "km4/delta");
+  EXPECT_TRUE(transform::is_external(mine.identity));
+  EXPECT_EQ(transform::equation_and_impact_text(mine.identity), "km4/delta");
   EXPECT_EQ(mine.identity.order, 6);
   EXPECT_EQ(mine.status, Status::ok) << mine.reason;
   EXPECT_NEAR(mine.moments.y2 / solution("fd-km4-delta").moments.y2, 1, 1e-4);
@@ -111,19 +111,19 @@ TEST_F(JointDensityFiles, ThatSayWhatTheySolveHaveABudget) {
 TEST_F(JointDensityFiles, WithoutAnEquationHaveDistancesAlone) {
   const auto one = case_with({points_of("fd-kf", "mine.csv")});
   const auto& mine = one.solutions.front();
-  EXPECT_EQ(mine.identity.role, transform::Role::given);
-  EXPECT_TRUE(transform::is_guest(mine.identity));
-  EXPECT_EQ(transform::solves_text(mine.identity), "given/-");
+  EXPECT_EQ(mine.identity.role, transform::Role::external);
+  EXPECT_TRUE(transform::is_external(mine.identity));
+  EXPECT_EQ(transform::equation_and_impact_text(mine.identity), "given/-");
   EXPECT_LT(*one.l1("mine", "fd-kf", Variable::y), 2e-4);
   EXPECT_LT(*one.l1("mine", "fd-kf", Variable::ydot), 2e-4);
   EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::BudgetRow::solution), 0);
-  EXPECT_EQ(transform::word(mine.observations, "files[0].form"), "joint points");
+  EXPECT_EQ(transform::word(mine.metrics, "files[0].form"), "joint points");
 }
 
 // A simulation reflects exactly, and an equation by the map: no part of a budget lies between.
 TEST_F(JointDensityFiles, OfExactImpactsHaveTheChainOfTheMap) {
   const auto one = case_with({points_of("fd-km4", "mine.csv") + ",equation=km4,impact=exact"});
-  EXPECT_EQ(transform::solves_text(one.solutions.front().identity), "km4/exact");
+  EXPECT_EQ(transform::equation_and_impact_text(one.solutions.front().identity), "km4/exact");
   EXPECT_EQ(one.budget.front().solution, "mine");
   EXPECT_EQ(one.budget.front().find("impact"), nullptr);
   EXPECT_EQ(one.budget.front().find("closure")->to, "fd-km4");
@@ -136,7 +136,7 @@ TEST_F(JointDensityFiles, OfARunAreItsDensities) {
   const auto one = case_with({file + ":a,solution=fd-kf", file + ",solution=fd-km4-delta"});
   EXPECT_EQ(one.solutions[0].id(), "a");
   EXPECT_EQ(one.solutions[1].id(), "given-fd-km4-delta");
-  EXPECT_EQ(transform::solves_text(one.solutions[1].identity), "km4/delta");
+  EXPECT_EQ(transform::equation_and_impact_text(one.solutions[1].identity), "km4/delta");
   EXPECT_LT(*one.l1("a", "fd-kf", Variable::y), 2e-5);
   EXPECT_LT(*one.l1("a", "fd-kf", Variable::ydot), 2e-5);
   EXPECT_LT(*one.l1("given-fd-km4-delta", "fd-km4-delta", Variable::y), 2e-5);
@@ -216,7 +216,7 @@ TEST_F(JointDensityFiles, MayBeAClosureOfASummary) {
           .front();
   const auto again = solve_by(method, problem, {axes, {}});
   EXPECT_EQ(again.id(), "given-epc-gaussian-n6");
-  EXPECT_EQ(transform::solves_text(again.identity), "km4/delta");
+  EXPECT_EQ(transform::equation_and_impact_text(again.identity), "km4/delta");
   EXPECT_EQ(again.identity.order, 6);
   EXPECT_EQ(again.status, Status::ok) << again.reason;
   EXPECT_NEAR(again.moments.v2 / solved.moments.v2, 1, 1e-7);

@@ -271,7 +271,7 @@ void expect_distances_as_announced(int points, int bins, bool centres) {
     for (std::size_t b = 0; b < on.size(); ++b) distance += std::abs(on.density[b] - 1) / bins;
     sum += distance;
     squares += distance * distance;
-    above += distance > announced.in_99;
+    above += distance > announced.quantile_99;
   }
   const double mean = sum / kFiles;
   const double chance = std::sqrt((squares / kFiles - mean * mean) / kFiles);
@@ -279,7 +279,8 @@ void expect_distances_as_announced(int points, int bins, bool centres) {
   EXPECT_NEAR(mean, announced.expected, 4 * chance + 0.08 * mean) << points << " " << bins;
   EXPECT_GE(mean, announced.expected - 4 * chance) << points << " " << bins;
   EXPECT_LE(above, 0.04 * kFiles) << points << " " << bins;
-  EXPECT_LT(announced.in_99, announced.expected * (1 + 4 / std::sqrt(std::min(points, bins))));
+  EXPECT_LT(announced.quantile_99,
+            announced.expected * (1 + 4 / std::sqrt(std::min(points, bins))));
 }
 
 TEST(GivenMarginal, IsAsFarFromTheTruthAsItsErrorsSay) {

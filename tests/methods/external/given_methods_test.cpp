@@ -67,7 +67,7 @@ class GivenMethods : public testing::Test {
 };
 
 double observed(const transform::Solution& solution, const std::string& path) {
-  return transform::number(solution.observations, path).value_or(NAN);
+  return transform::number(solution.metrics, path).value_or(NAN);
 }
 
 TEST_F(GivenMethods, AnExactFileIsNoDistanceFromWhatItIsOf) {
@@ -83,8 +83,8 @@ TEST_F(GivenMethods, AnExactFileIsNoDistanceFromWhatItIsOf) {
   EXPECT_GT(*one.l1("lab", "mcs", Variable::y), 1e-4);
 
   EXPECT_EQ(lab.identity.method, "file");
-  EXPECT_EQ(transform::solves_text(lab.identity), "given/-");
-  EXPECT_EQ(lab.identity.role, transform::Role::given);
+  EXPECT_EQ(transform::equation_and_impact_text(lab.identity), "given/-");
+  EXPECT_EQ(lab.identity.role, transform::Role::external);
   EXPECT_NEAR(lab.mass, 1, 1e-9);
   using transform::Moments;
   for (const auto moment : {&Moments::y1, &Moments::y2, &Moments::y4, &Moments::v2, &Moments::v4}) {
@@ -93,7 +93,7 @@ TEST_F(GivenMethods, AnExactFileIsNoDistanceFromWhatItIsOf) {
   EXPECT_TRUE(std::isnan(alone.moments.y2));
   EXPECT_FALSE(std::isnan(alone.moments.v2));
   EXPECT_TRUE(std::isnan(alone.energy_residual));
-  EXPECT_TRUE(contains(transform::word(lab.observations, "files[1].file").value(), "v.csv"));
+  EXPECT_TRUE(contains(transform::word(lab.metrics, "files[1].file").value(), "v.csv"));
 }
 
 TEST_F(GivenMethods, TheirErrorsExplainTheDifferenceOrNot) {
@@ -203,7 +203,7 @@ TEST_F(GivenMethods, AreReportedOnAgainFromTheSavedRun) {
   const fs::path saved = directory_.path() / "run";
   fs::create_directory(saved);
   report::write_report(saved, run);
-  const std::string again = report::report_again(saved, results::load_run(saved), 80).text;
+  const std::string again = report::rebuild_report(saved, results::load_run(saved), 80).text;
   EXPECT_EQ(again, report::table(run, 80));
   EXPECT_TRUE(contains(again, "given/-"));
   EXPECT_TRUE(contains(again, "given: an external density."));

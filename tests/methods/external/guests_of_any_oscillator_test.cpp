@@ -128,19 +128,19 @@ TEST(GuestsOfAnyOscillator, AreKnownAsFunctionsAre) {
     const exact::EnergyLaw law(problem);
     const auto own = solved(own_law(problem), problem);
     EXPECT_EQ(own.status, Status::ok) << own.reason;
-    EXPECT_NEAR(transform::number(own.observations, "normalised_by").value(), 1, 1e-6);
+    EXPECT_NEAR(transform::number(own.metrics, "normalised_by").value(), 1, 1e-6);
     EXPECT_NEAR(own.moments.y1, law.moment(1, 0), 1e-6);
     EXPECT_NEAR(own.moments.y2, law.moment(2, 0), 1e-6);
     EXPECT_NEAR(own.moments.v2, law.moment(0, 2), 1e-6);
     EXPECT_NEAR(own.energy_residual, 0, 1e-6);
-    EXPECT_NEAR(transform::number(own.observations, "balances.virial").value(), 0, 1e-6);
-    const auto momentum = transform::number(own.observations, "balances.momentum");
+    EXPECT_NEAR(transform::number(own.metrics, "balances.virial").value(), 0, 1e-6);
+    const auto momentum = transform::number(own.metrics, "balances.momentum");
     EXPECT_EQ(momentum.has_value(), name != "bistable" && name != "ring");
     EXPECT_NEAR(momentum.value_or(0), 0, 1e-6);
     for (const auto variable : transform::kVariables) {
       EXPECT_LT(far_from_the_law(own, problem, variable), 1e-6);
     }
-    EXPECT_FALSE(transform::word(own.observations, "notes[0]"));
+    EXPECT_FALSE(transform::word(own.metrics, "notes[0]"));
   }
 }
 
@@ -241,10 +241,10 @@ TEST_F(FilesOfAnyOscillator, OfMarginalsMayHaveAnySignOfY) {
     SCOPED_TRACE(from);
     const auto own = of(marginal_of(problem, from, to, false), problem);
     EXPECT_LT(far_from_the_law(own, problem, Variable::y), 1e-3);
-    EXPECT_EQ(transform::word(own.observations, "files[0].variable"), "y");
+    EXPECT_EQ(transform::word(own.metrics, "files[0].variable"), "y");
     // On to the walls from the centres of the cells: nothing ends there.
-    EXPECT_FALSE(transform::word(own.observations, "files[0].notes[0]"))
-        << *transform::word(own.observations, "files[0].notes[0]");
+    EXPECT_FALSE(transform::word(own.metrics, "files[0].notes[0]"))
+        << *transform::word(own.metrics, "files[0].notes[0]");
     EXPECT_NEAR(own.moments.y1, exact::EnergyLaw(problem).moment(1, 0), 1e-3);
     EXPECT_NEAR(own.mass, 1, 1e-3);
   }
@@ -263,7 +263,7 @@ TEST_F(FilesOfAnyOscillator, OfBothMarginalsHaveTheVirialOfTheFrame) {
     out.close();
     const auto methods = given_methods(std::vector{y + ":lab", path("v.csv") + ":lab"}, builtin());
     const auto own = solved(methods.front(), problem);
-    EXPECT_NEAR(transform::number(own.observations, "balances.virial").value(), 0, 2e-3);
+    EXPECT_NEAR(transform::number(own.metrics, "balances.virial").value(), 0, 2e-3);
   }
 }
 
@@ -276,7 +276,7 @@ TEST_F(FilesOfAnyOscillator, OfJointDensitiesToo) {
     EXPECT_EQ(own.status, Status::ok) << own.reason;
     EXPECT_LT(far_from_the_law(own, problem, Variable::y), 3e-3);
     EXPECT_LT(far_from_the_law(own, problem, Variable::ydot), 3e-3);
-    const auto momentum = transform::number(own.observations, "balances.momentum");
+    const auto momentum = transform::number(own.metrics, "balances.momentum");
     EXPECT_NEAR(momentum.value_or(0), 0, 2e-3);
   }
 }
@@ -371,13 +371,13 @@ TEST(GuestsOfAnyOscillator, AreWithoutTheMassAtRestAndSaySo) {
   const auto own = solved(own_samples({.label = "a"}, y, v), pressed);
   EXPECT_NEAR(own.mass, 0.75, 1e-12);
   EXPECT_EQ(own.estimated_marginals.front().second.density[0], 0);
-  EXPECT_TRUE(contains(transform::word(own.observations, "notes[0]").value(), "rests in contact"));
+  EXPECT_TRUE(contains(transform::word(own.metrics, "notes[0]").value(), "rests in contact"));
   // Under noise nothing rests.
   Problem lifted = pressed;
   lifted.noise.intensity = 0.1;
   const auto all = solved(own_samples({.label = "a"}, y, v), lifted);
   EXPECT_NEAR(all.mass, 1, 1e-12);
-  EXPECT_FALSE(transform::word(all.observations, "notes[0]"));
+  EXPECT_FALSE(transform::word(all.metrics, "notes[0]"));
 }
 
 }  // namespace

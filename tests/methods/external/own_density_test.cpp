@@ -62,10 +62,10 @@ TEST_F(OwnDensities, AreKnownAsTheFunctionIs) {
   EXPECT_NEAR(own.moments.v2, 0.5, 1e-8);
   EXPECT_NEAR(own.moments.v4, 0.75, 1e-7);
   EXPECT_NEAR(own.energy_residual, 0, 1e-8);
-  EXPECT_NEAR(transform::number(own.observations, "normalised_by").value(), 2.5, 1e-8);
-  EXPECT_NEAR(transform::number(own.observations, "balances.virial").value(), 0, 1e-7);
-  EXPECT_NEAR(transform::number(own.observations, "balances.momentum").value(), 0, 1e-7);
-  EXPECT_EQ(transform::solves_text(own.identity), "white/map");
+  EXPECT_NEAR(transform::number(own.metrics, "normalised_by").value(), 2.5, 1e-8);
+  EXPECT_NEAR(transform::number(own.metrics, "balances.virial").value(), 0, 1e-7);
+  EXPECT_NEAR(transform::number(own.metrics, "balances.momentum").value(), 0, 1e-7);
+  EXPECT_EQ(transform::equation_and_impact_text(own.identity), "white/map");
   const auto y = transform::marginal(own, Variable::y, axes_.y_edges);
   // An average over a bin is not the density at its centre.
   for (const std::size_t b : {0, 20, 70}) {
@@ -82,7 +82,7 @@ TEST_F(OwnDensities, AreClosuresWithABudgetWhereTheirEquationIsSaid) {
   const auto one = run_cases({problem_}, methods, 0, {}).front();
   const auto& own = *one.find("own");
   EXPECT_EQ(own.identity.role, transform::Role::closure);
-  EXPECT_EQ(one.find("nobody")->identity.role, transform::Role::given);
+  EXPECT_EQ(one.find("nobody")->identity.role, transform::Role::external);
   EXPECT_EQ(own.status, Status::ok);
   // Its error against the full problem is that of white noise.
   const double far = one.l1("own", "fd-kf", Variable::y).value();
@@ -153,7 +153,7 @@ TEST_F(OwnDensities, SamplesAreAsFarAsTheirErrorsSay) {
     const double far = l1(marginal(drawn, variable, edges), marginal(exact, variable, edges));
     const double expected = transform::expected(*drawn.sampling, variable).value();
     EXPECT_NEAR(far / expected, 1, 0.3);
-    EXPECT_LT(far, transform::in_99(*drawn.sampling, variable).value());
+    EXPECT_LT(far, transform::quantile_99(*drawn.sampling, variable).value());
   }
   EXPECT_NEAR(drawn.mass, 1, 1e-9);
   EXPECT_NEAR(drawn.moments.v2, 0.5, 4 * drawn.standard_errors->moments.v2);

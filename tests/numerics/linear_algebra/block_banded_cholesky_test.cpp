@@ -54,7 +54,7 @@ TEST(BlockBandedMatrix, IsScaledAndShiftedAsAMatrix) {
   EXPECT_LT((dense * x - Eigen::MatrixXd::Ones(21, 1)).norm(), 1e-12);
 }
 
-TEST(BlockBandedMatrix, SaysWhenItIsNotPositiveDefinite) {
+TEST(BlockBandedMatrix, ReportsIndefiniteMatrix) {
   Example example(-1);
   EXPECT_FALSE(example.banded.factorise());
 }

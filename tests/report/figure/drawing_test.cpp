@@ -45,7 +45,7 @@ TEST_F(Drawing, LeavesBothPicturesAndTheirScript) {
 }
 
 // gnuplot writes the name of the included graphics with the full path.
-TEST_F(Drawing, OfLatexIncludesWhatStandsBesideItByItsNameAlone) {
+TEST_F(Drawing, OfLatexIncludesGraphicsByFileName) {
   fs::create_directories(figures_);
   std::ofstream(figures_ / "stem.pdf") << "the picture in another format";
   const auto warnings =
@@ -60,7 +60,7 @@ TEST_F(Drawing, OfLatexIncludesWhatStandsBesideItByItsNameAlone) {
   EXPECT_TRUE(fs::is_empty(figures_));
 }
 
-TEST_F(Drawing, OfAnSvgForPrintSaysHowWideItIs) {
+TEST_F(Drawing, OfAnSvgForPrintStatesItsWidth) {
   const FigureOptions column{.formats = {FigureFormat::svg}, .width = FigureWidth::one_column};
   write_pictures(figures_, "stem", "plot x\n", column,
                  gnuplot("printf '<svg\\n width=\"400\" height=\"200\"\\n viewBox=\"0\">' > "
@@ -85,7 +85,7 @@ TEST_F(Drawing, ThatFailsIsAWarningForEachPictureAndLeavesTheEarlierOne) {
   EXPECT_FALSE(fs::exists(figures_ / "stem.svg"));
 }
 
-TEST_F(Drawing, WithoutGnuplotIsOneWarningThatSaysHowToDrawLater) {
+TEST_F(Drawing, WithoutGnuplotIsOneWarningWithACommand) {
   const auto warnings = write_pictures(figures_, "stem", "plot x\n", kBoth, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings[0], "'no-such-gnuplot' was not found")) << warnings[0];

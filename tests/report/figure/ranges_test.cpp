@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "report/figure/content.hpp"
 
 namespace fpkcheck::report {
@@ -12,21 +12,21 @@ namespace {
 
 using transform::Variable;
 
-TEST(FigureRanges, HoldWhatTheLogarithmShows) {
-  const auto one = tests::made_up_case();
-  for (const auto& side : figure_content(one).sides) {
-    for (const auto& drawn : side.curves) {
+TEST(FigureRanges, ContainAllDensitiesAboveTheFloor) {
+  const auto case_result = tests::made_up_case();
+  for (const auto& marginal : figure_content(case_result).marginals) {
+    for (const auto& drawn : marginal.curves) {
       if (!drawn.solution->is_ok()) continue;
       for (std::size_t k = 0; k < drawn.curve->density.size(); ++k) {
         if (drawn.curve->density[k] <= kSmallestDrawnDensity) continue;
-        EXPECT_GE(drawn.curve->abscissa[k], side.ranges.logarithmic_from);
-        EXPECT_LE(drawn.curve->abscissa[k], side.ranges.logarithmic_to);
+        EXPECT_GE(drawn.curve->abscissa[k], marginal.ranges.logarithmic_from);
+        EXPECT_LE(drawn.curve->abscissa[k], marginal.ranges.logarithmic_to);
       }
     }
   }
 }
 
-TEST(FigureRanges, AreThoseOfWhatIsVisible) {
+TEST(FigureRanges, ContainTheVisibleDensities) {
   const transform::Solution solution;
   const results::Curve curve{
       "toy", Variable::ydot, {-2.5, -1.5, -0.5, 0.5, 1.5}, {1e-7, 1e-5, 4, 1, 0}, {}, {}};
@@ -39,12 +39,12 @@ TEST(FigureRanges, AreThoseOfWhatIsVisible) {
   EXPECT_EQ(ranges.logarithmic_to, 0.5);
   EXPECT_EQ(ranges.largest_density, 4);
   EXPECT_EQ(ranges.linear_top, 4);
-  EXPECT_EQ(beyond_the_top(ranges), "");
+  EXPECT_EQ(spike_note(ranges), "");
   EXPECT_EQ(ranges.largest_difference, 0.5);
   EXPECT_EQ(ranges.least_difference, 0.5);
 }
 
-TEST(FigureRanges, LetTheLogarithmBeginBelowTheDataAndNoLowerThanTheFloor) {
+TEST(FigureRanges, StartTheLogarithmicAxisBelowTheData) {
   const transform::Solution solution;
   const auto bottom = [&](std::vector<double> density) {
     const results::Curve curve{"toy", Variable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
@@ -59,7 +59,7 @@ TEST(FigureRanges, LetTheLogarithmBeginBelowTheDataAndNoLowerThanTheFloor) {
   EXPECT_DOUBLE_EQ(bottom({0, 1, 0.1}), kSmallestDrawnDensity);
 }
 
-TEST(FigureRanges, LeaveASpikeInNarrowBinsToTheLogarithm) {
+TEST(FigureRanges, ExcludeNarrowBinsFromTheLinearAxis) {
   const transform::Solution solution;
   // Bins of width 1, the first divided at 1/4.
   const results::Curve curve{"toy", Variable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1},
@@ -71,7 +71,7 @@ TEST(FigureRanges, LeaveASpikeInNarrowBinsToTheLogarithm) {
   EXPECT_EQ(ranges.linear_to, 2.5);  // above 1/500 of 9
   EXPECT_EQ(ranges.largest_density, 5000);
   EXPECT_EQ(ranges.largest_difference, 0.3);
-  EXPECT_EQ(beyond_the_top(ranges), "spike up to 5e+03");
+  EXPECT_EQ(spike_note(ranges), "spike up to 5e+03");
 }
 
 TEST(FigureRanges, OfADisplacementBeginAtTheWall) {

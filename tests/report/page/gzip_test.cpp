@@ -7,7 +7,7 @@
 namespace fpkcheck::report {
 namespace {
 
-TEST(Gzip, ComesBackLetterByLetter) {
+TEST(Gzip, IsUnpackedUnchanged) {
   for (const std::size_t size : {0, 1, 2, 3, 100'000}) {
     std::string text;
     for (std::size_t k = 0; k < size; ++k) text += static_cast<char>(k * k % 251);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "report/page/page.hpp"
 #include "report/page/plot.hpp"
 #include "saved_run.hpp"
@@ -16,16 +16,16 @@ namespace fpkcheck::tests {
 /// A case in which the full equation has an error estimate and is therefore the reference. The
 /// simulation has a joint density 2 % above the reference for y' > 0.
 inline results::Case whole_case(const std::string& name = "case1") {
-  auto one = made_up_case(name);
-  solution_of(one, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
-  auto simulated = one.joints.back();  // fd-kf
+  auto case_result = made_up_case(name);
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
+  auto simulated = case_result.joints.back();  // fd-kf
   simulated.solution = "mcs";
   auto& [y_edges, v_edges, averages] = simulated.density;
   for (std::size_t k = 0; k < averages.size(); ++k) {
     if (v_edges[k % simulated.density.nv()] > -1e-9) averages[k] *= 1.02;
   }
-  one.joints.push_back(simulated);
-  return one;
+  case_result.joints.push_back(simulated);
+  return case_result;
 }
 
 inline results::Run whole_run(const std::string& name = "case1") {

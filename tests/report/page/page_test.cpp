@@ -56,26 +56,26 @@ TEST(Page, IsSelfContained) {
   EXPECT_TRUE(contains(html, "default-src 'none'"));
 }
 
-TEST(Page, ShowsNamesLetterByLetter) {
+TEST(Page, ShowsNamesLiterally) {
   const std::string hostile = "</script><script>alert(1)</script>&amp;\"'";
   auto run = whole_run(hostile);
   run.program.command = "fpkcheck run '" + hostile + "'";
-  auto& one = run.cases[0];
-  for (auto& solution : one.solutions) {
+  auto& case_result = run.cases[0];
+  for (auto& solution : case_result.solutions) {
     solution.identity.family += hostile;
     solution.identity.meaning = hostile;
     solution.reason = "because 1 < 2 " + hostile;
-    solution.observations = transform::Observer().text(hostile, hostile).take();
+    solution.metrics = transform::MetricBuilder().text(hostile, hostile).take();
   }
   // Renames a solution wherever its id occurs.
   const std::string old = "epc-gaussian-n6", renamed = "n6" + hostile;
   const auto rename = [&](std::string& id) { id = id == old ? renamed : id; };
-  rename(solution_of(one, old).identity.id);
-  for (auto& pair : one.pairs) rename(pair.a);
-  for (auto& row : one.budget) rename(row.solution);
-  for (auto& curve : one.curves) rename(curve.solution);
-  for (auto& joint : one.joints) rename(joint.solution);
-  one.limits = hostile;
+  rename(solution_of(case_result, old).identity.id);
+  for (auto& pair : case_result.pairs) rename(pair.a);
+  for (auto& row : case_result.budget) rename(row.solution);
+  for (auto& curve : case_result.curves) rename(curve.solution);
+  for (auto& joint : case_result.joints) rename(joint.solution);
+  case_result.limits = hostile;
   const std::string html = page(run);
   EXPECT_EQ(occurrences(html, "<script"), 3u);
   EXPECT_EQ(occurrences(html, "</script>"), 3u);
@@ -105,16 +105,16 @@ TEST(Page, OfAnOlderRunLeavesOutWhatWasNotSaved) {
   EXPECT_TRUE(contains(html, ">Densities and differences</h3>"));
 }
 
-TEST(Page, SaysADashForNoNumberAndIsMadeWithoutAnyDensity) {
+TEST(Page, ShowsDashesWithoutAnyDensity) {
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   auto run = made_up_run();
-  auto& one = run.cases[0];
-  one.curves.clear();
-  one.joints.clear();
-  one.pairs.clear();
-  one.budget.clear();
-  one.limits.clear();
-  for (auto& solution : one.solutions) {
+  auto& case_result = run.cases[0];
+  case_result.curves.clear();
+  case_result.joints.clear();
+  case_result.pairs.clear();
+  case_result.budget.clear();
+  case_result.limits.clear();
+  for (auto& solution : case_result.solutions) {
     solution.status = transform::Status::failed;
     solution.density.reset();
     solution.estimated_marginals.clear();
@@ -129,7 +129,7 @@ TEST(Page, SaysADashForNoNumberAndIsMadeWithoutAnyDensity) {
   EXPECT_TRUE(plots_in(html).at(0).at("plots").empty());
 }
 
-TEST(Page, SaysThatNothingCanBeJudgedWithoutAReference) {
+TEST(Page, StatesThatThereIsNoReference) {
   auto run = made_up_run();
   for (auto& solution : run.cases[0].solutions) {
     if (solution.identity.role == transform::Role::closure) continue;
@@ -155,7 +155,7 @@ TEST(Page, LeadsToEveryPartOfEveryCase) {
   }
 }
 
-TEST(Page, SpeaksOfCirclesOnlyWithASimulation) {
+TEST(Page, MentionsCirclesOnlyWithASimulation) {
   auto run = made_up_run();
   EXPECT_TRUE(contains(page(run), "Circles in a grey band"));
   solution_of(run.cases[0], "mcs").status = transform::Status::failed;
@@ -165,16 +165,16 @@ TEST(Page, SpeaksOfCirclesOnlyWithASimulation) {
 TEST(Page, OfASavedRunIsThatOfTheRun) {
   auto run = whole_run();
   for (auto& solution : run.cases[0].solutions) {
-    solution.observations = transform::Observer()
-                                .work("steps", std::int64_t{3})
-                                .result("tail.kind", std::string("confined"))
-                                .result("last", 1e7)
-                                .take();
+    solution.metrics = transform::MetricBuilder()
+                           .work("steps", std::int64_t{3})
+                           .result("tail.kind", std::string("confined"))
+                           .result("last", 1e7)
+                           .take();
     solution.options = {{"order", std::int64_t{6}}};
   }
   // Files store this metric beside the error estimate, before all other metrics.
   solution_of(run.cases[0], "fd-kf")
-      .observations.push_back({.path = "error.observed_order", .value = 5.25});
+      .metrics.push_back({.path = "error.observed_order", .value = 5.25});
   // Single precision, as in the files of a run.
   for (double& p : run.cases[0].joints.back().density.averages) p = static_cast<float>(p);
   const tests::TemporaryDirectory directory;
@@ -184,7 +184,7 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   EXPECT_TRUE(page(results::load_run(directory.path())) == page(run));
 }
 
-TEST(Page, SaysFirstThatItsRunWasStopped) {
+TEST(Page, StatesFirstThatTheRunWasStopped) {
   auto run = whole_run();
   EXPECT_FALSE(contains(page(run), "was stopped"));
   run.stopped = "This run was stopped. Missing: <b>.";
@@ -194,26 +194,26 @@ TEST(Page, SaysFirstThatItsRunWasStopped) {
 
 TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderAMegabyteEach) {
   // More closures, up to fifteen solutions.
-  auto one = whole_run().cases[0];
+  auto case_result = whole_run().cases[0];
   for (int n = 10; n < 24; n += 2) {
     const std::string id = "epc-moment-n" + std::to_string(n);
-    auto closure = solution_of(one, "epc-gaussian-n6");
+    auto closure = solution_of(case_result, "epc-gaussian-n6");
     closure.identity.id = id;
-    one.solutions.insert(one.solutions.begin(), closure);
-    auto joint = one.joints.front();
+    case_result.solutions.insert(case_result.solutions.begin(), closure);
+    auto joint = case_result.joints.front();
     joint.solution = id;
-    one.joints.push_back(joint);
+    case_result.joints.push_back(joint);
     for (const auto variable : transform::kVariables) {
-      auto curve = *one.curve("epc-gaussian-n6", variable);
+      auto curve = *case_result.curve("epc-gaussian-n6", variable);
       curve.solution = id;
-      one.curves.push_back(curve);
+      case_result.curves.push_back(curve);
     }
   }
-  ASSERT_EQ(one.solutions.size(), 15u);
-  EXPECT_LT(page({results::this_program("fpkcheck run"), {one}}).size(), 1'000'000u);
+  ASSERT_EQ(case_result.solutions.size(), 15u);
+  EXPECT_LT(page({results::this_program("fpkcheck run"), {case_result}}).size(), 1'000'000u);
   results::Run run{results::this_program("fpkcheck run"), {}};
   for (int c = 0; c < 4; ++c) {
-    run.cases.push_back(one);
+    run.cases.push_back(case_result);
     run.cases.back().problem.name = "case" + std::to_string(c);
   }
   EXPECT_LT(page(run).size(), 1'600'000u);

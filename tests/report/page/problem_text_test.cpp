@@ -15,7 +15,7 @@ using tests::row_in;
 using tests::solution_of;
 using tests::whole_run;
 
-TEST(ProblemText, SaysOnceWhatAllCasesShareAndPutsTheRestIntoATable) {
+TEST(ProblemText, ListsCommonParametersOnceAndTheRestInATable) {
   auto run = whole_run();
   run.cases.push_back(run.cases[0]);
   run.cases[1].problem = tests::make_problem({.cubic = 0.25, .mean = 0.125, .law = "laplace"});
@@ -32,8 +32,8 @@ TEST(ProblemText, SaysOnceWhatAllCasesShareAndPutsTheRestIntoATable) {
   const std::string shared = html.substr(html.find("<p>Parameters of all cases"));
   EXPECT_EQ(occurrences(html, "<th scope=\"row\">") +
                 occurrences(shared.substr(0, shared.find("</p>")), " = "),
-            problem::shown_parameters(run.cases[0].problem).size());
-  EXPECT_EQ(what_varies(run, run.cases[1]),
+            problem::displayed_parameters(run.cases[0].problem).size());
+  EXPECT_EQ(varying_parameters(run, run.cases[1]),
             "\u03bc = 0.25, law of the amplitudes = laplace, E[Y] = 0.125");
 }
 
@@ -41,7 +41,7 @@ TEST(ProblemText, OfOneCaseHasNoTable) {
   const auto run = whole_run();
   EXPECT_FALSE(contains(problem_html(run), "<table"));
   EXPECT_TRUE(contains(problem_html(run), "<p>Parameters: c, damping = 0.1; "));
-  EXPECT_EQ(what_varies(run, run.cases[0]), "");
+  EXPECT_EQ(varying_parameters(run, run.cases[0]), "");
 }
 
 TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
@@ -63,7 +63,7 @@ TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
   }
 }
 
-TEST(Glossary, SaysWhatAFileDoesNotTell) {
+TEST(Glossary, StatesUnknownEquationAndImpact) {
   auto run = whole_run();
   auto& identity = solution_of(run.cases[0], "fd-white").identity;
   identity.equation.reset();

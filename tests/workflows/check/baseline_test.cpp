@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-TEST(SavedProblem, ComesBackFromASummary) {
+TEST(SavedProblem, IsReadBackFromASummary) {
   std::vector<problem::Problem> problems;
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     problems.push_back(tests::make_problem({.damping = 0.11,
@@ -87,7 +87,7 @@ class BaselineTest : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
+TEST_F(BaselineTest, ReportsSolutionsThatCannotBeSolvedAgain) {
   const auto first = [](Json& json) -> Json& { return json["cases"][0]["solutions"][0]; };
   expect_message("accepted", [](Json&) {});
   expect_message("b.json: case1: epc-gaussian-n4: options.order is missing",
@@ -115,7 +115,7 @@ TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
                  [](Json& json) { json["cases"] = Json::array(); });
 }
 
-TEST_F(BaselineTest, ASimulationMustBeWholeAndKnowItsErrors) {
+TEST_F(BaselineTest, ASimulationMustBeCompleteWithStandardErrors) {
   const auto mcs = [](Json& json) -> Json& { return json["cases"][0]["solutions"].back(); };
   expect_message("case1: mcs: the simulation was interrupted: run it again, to its end",
                  [&](Json& json) { mcs(json)["interrupted"] = true; });
@@ -129,14 +129,14 @@ TEST_F(BaselineTest, ASimulationMustBeWholeAndKnowItsErrors) {
                  [&](Json& json) { mcs(json)["standard_errors"]["y2"] = "small"; });
 }
 
-TEST_F(BaselineTest, CurvesOfAnotherRunAreRefused) {
+TEST_F(BaselineTest, RefusesCurvesOfAnotherRun) {
   std::ofstream(folder_ / "marginals.csv")
       << "case,solution,variable,abscissa,density,lower,upper\ncase1,fd-kf,y,0.1,1,,\n";
   expect_message("marginals.csv", [](Json&) {});
   expect_message("not of the same run", [](Json&) {});
 }
 
-TEST_F(BaselineTest, WithoutCurvesANoteSaysSo) {
+TEST_F(BaselineTest, HasANoteWithoutCurves) {
   message([](Json&) {});
   const auto baseline = load(folder_ / "b.json");
   EXPECT_FALSE(baseline.has_marginals);
@@ -144,7 +144,7 @@ TEST_F(BaselineTest, WithoutCurvesANoteSaysSo) {
   EXPECT_NE(baseline.notes[0].find("marginal densities are not compared"), std::string::npos);
 }
 
-TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
+TEST_F(BaselineTest, RemovesAnExternalSolutionWithANote) {
   EXPECT_EQ(message([](Json& json) {
               json["cases"][0]["solutions"][1]["method"] = "file";
               json["cases"][0]["solutions"][1]["options"] = {{"path", "theirs.csv"}};
@@ -167,7 +167,7 @@ TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
   EXPECT_EQ(pairs.size(), whole.run.cases[0].pairs.size() - 2 * (methods - 1));
 }
 
-TEST_F(BaselineTest, OptionsThatAreGivenReplaceThoseOfTheRun) {
+TEST_F(BaselineTest, OptionOverridesReplaceOptionsOfTheRun) {
   const auto threads = [](const Baseline& baseline) {
     for (const auto& [name, value] : baseline.cases[0].methods.back().options) {
       if (name == "threads") return value;
@@ -177,7 +177,7 @@ TEST_F(BaselineTest, OptionsThatAreGivenReplaceThoseOfTheRun) {
   EXPECT_EQ(threads(load(FPKCHECK_BASELINES "/case1")), base::Value(std::int64_t{2}));
 }
 
-TEST_F(BaselineTest, EveryPaperCaseLoadsWholeWithItsCurves) {
+TEST_F(BaselineTest, LoadsEveryPaperCaseWithItsCurves) {
   for (const char* name : {"case1", "case2", "case3", "case4"}) {
     const auto baseline = load(fs::path(FPKCHECK_BASELINES) / name);
     EXPECT_TRUE(baseline.has_marginals);
@@ -201,34 +201,35 @@ Baseline closures() {
   return baseline;
 }
 
-TEST(RunAgain, SolvedByThisProgramTheOldFilesAgree) {
+TEST(RunAgain, AgreesWithTheSavedBaseline) {
   const auto baseline = closures();
   std::vector<methods::RunProgress> told;
-  const auto run = run_again(baseline, "fpkcheck check", 2,
-                             [&](const methods::RunProgress& at) { told.push_back(at); });
+  const auto run = repeat_run(baseline, "fpkcheck check", 2,
+                              [&](const methods::RunProgress& at) { told.push_back(at); });
   EXPECT_EQ(run.program.command, "fpkcheck check");
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back().total, baseline.cases[0].methods.size());
   const auto same = check(baseline.run, run, {});
-  for (const auto& figure : same.moved()) ADD_FAILURE() << figure.solution << " " << figure.name;
-  EXPECT_GT(same.figures.size(), 300u);
+  for (const auto& quantity_change : same.moved())
+    ADD_FAILURE() << quantity_change.solution << " " << quantity_change.name;
+  EXPECT_GT(same.changes.size(), 300u);
 }
 
-TEST(RunAgain, FindsEveryResultOfAClosureThatMovesByAMillionth) {
+TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
   const auto baseline = closures();
-  const auto again = run_again(baseline, "", 2, {});
+  const auto again = repeat_run(baseline, "", 2, {});
   std::size_t tried = 0;
   for (const auto& closure : baseline.run.cases[0].solutions) {
     auto before = tests::only(baseline.run, closure.id());
     const auto run = tests::only(again, closure.id());
     auto& was = before.cases[0].solutions.at(0);
-    for (auto& o : was.observations) {
-      const auto* now = transform::find(run.cases[0].find(was.id())->observations, o.path);
-      const auto value = transform::number(was.observations, o.path);
+    for (auto& o : was.metrics) {
+      const auto* now = transform::find(run.cases[0].find(was.id())->metrics, o.path);
+      const auto value = transform::number(was.metrics, o.path);
       if (now == nullptr || !value || now->kind == transform::Kind::work) continue;
       const auto kept = o.value;
-      const double size = std::max(std::abs(*value), now->least_scale);
-      o.value = *value + size * (now->delicate ? 3e-6 : 1e-6);
+      const double size = std::max(std::abs(*value), now->min_scale);
+      o.value = *value + size * (now->is_rounding_sensitive ? 3e-6 : 1e-6);
       EXPECT_GE(check(before, run, {}).moved().size(), 1u) << was.id() << " " << o.path;
       o.value = kept;
       ++tried;
@@ -250,16 +251,19 @@ TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
   const auto baseline = simulated_run(1);
   for (std::uint64_t seed = 2; seed <= tests::usually(3u, 6u); ++seed) {
     const auto other = check(baseline, simulated_run(seed), {});
-    for (const auto& figure : other.moved()) ADD_FAILURE() << seed << " " << figure.name;
+    for (const auto& quantity_change : other.moved())
+      ADD_FAILURE() << seed << " " << quantity_change.name;
     // The runs differ: otherwise the agreement would prove nothing.
-    EXPECT_TRUE(std::ranges::any_of(other.figures, [](const Figure& f) { return f.change > 0.5; }));
+    EXPECT_TRUE(
+        std::ranges::any_of(other.changes, [](const QuantityChange& f) { return f.change > 0.5; }));
   }
   constexpr double kShort = 2e4;  // identical digits at every length
   const auto same = check(simulated_run(1, 0.1, kShort), simulated_run(1, 0.1, kShort), {});
-  EXPECT_TRUE(std::ranges::all_of(same.figures, [](const Figure& f) { return f.change == 0; }));
+  EXPECT_TRUE(
+      std::ranges::all_of(same.changes, [](const QuantityChange& f) { return f.change == 0; }));
 }
 
-TEST(SimulationCheck, ImpulsesFivePercentStrongerAreFound) {
+TEST(SimulationCheck, FindsFivePercentStrongerImpulses) {
   constexpr double kTime = 4e4;
   const auto one = simulated_run(1, 0.1, kTime), stronger = simulated_run(2, 0.105, kTime);
   EXPECT_GE(check(one, stronger, {}).moved().size(), 2u);

@@ -52,13 +52,14 @@ inline transform::Solution& closure(results::Run& run, int number, int order) {
 }
 
 /// The judgement of a claim, by the number of its case (0: all four) and its text.
-inline paper::Judgement judged(const results::Run& run, int number, const std::string& words) {
+inline paper::Judgement find_judgement(const results::Run& run, int number,
+                                       const std::string& claim_text) {
   for (const auto& one : paper::judge(run)) {
     const auto& cases = one.claim.cases;
     const bool is_here = number == 0 ? cases.size() == 4 : cases == std::vector<int>{number};
-    if (is_here && paper::words(one.claim) == words) return one;
+    if (is_here && paper::claim_text(one.claim) == claim_text) return one;
   }
-  throw std::logic_error("no claim '" + words + "'");
+  throw std::logic_error("no claim '" + claim_text + "'");
 }
 
 }  // namespace fpkcheck::tests

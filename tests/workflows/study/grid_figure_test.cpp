@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "legend_of_script.hpp"
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 #include "report/figure/drawing.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -25,7 +25,7 @@ TEST(GridFigure, HasALineForEachSchemeEachFormulationAndTheSimulation) {
   EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#CC79A7'"));
 }
 
-TEST(GridFigure, TellsWhatEveryLineIs) {
+TEST(GridFigure, HasALegendEntryForEveryLine) {
   for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
     const auto script = figure(tests::made_up_grid_study(), "study-grid", width);
     EXPECT_GT(tests::drawn_by(script).size(), 10u);

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-TEST(GridTable, ShowsGridsLimitsAndOthersAndTheQuickestForAnAccuracy) {
+TEST(GridTable, ShowsGridsLimitsOtherMethodsAndTheFastest) {
   const std::string text = tests::in_one_line(table(tests::made_up_grid_study(), 100));
   for (const char* expected :
        {"finite volumes for kf, impact map", "3 30 x 60 ok 3.7e-03 7.4e-03 2.8 7.0 - 900",
@@ -30,9 +30,9 @@ TEST(GridTable, FitsItsWidth) {
   }
 }
 
-TEST(GridTable, SaysWhyThereIsNoLimit) {
+TEST(GridTable, HasTheReasonWithoutALimit) {
   auto study = tests::made_up_grid_study();
-  study.limits.back() = {.order = 5, .none = "nothing converges"};
+  study.limits.back() = {.order = 5, .failure = "nothing converges"};
   study.others.clear();
   const std::string text = table(study, 100);
   EXPECT_NE(text.find("There is no limit at the highest order: nothing converges."),

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-TEST(OrderTable, ShowsWhatClosuresTellAndWhatTheirOrdersAreWorth) {
+TEST(OrderTable, ShowsMetricsAndConvergence) {
   const std::string text = tests::in_one_line(table(tests::made_up_order_study(), 120));
   for (const char* expected :
        {"L1 to fd-kf", "gaussian 2 ok 14 - 1e-15 falls 1e-14 - 0.00400 0.00800 0.04 - 2",
@@ -23,7 +23,7 @@ TEST(OrderTable, ShowsWhatClosuresTellAndWhatTheirOrdersAreWorth) {
   }
 }
 
-TEST(OrderTable, SaysWhereNoOrderGivesADensityAndTheReferenceIsNotOk) {
+TEST(OrderTable, ReportsMissingDensitiesAndAReferenceThatIsNotOk) {
   auto study = tests::made_up_order_study();
   study.rows.erase(study.rows.begin(), study.rows.begin() + 2);
   study.reference.status = transform::Status::failed;

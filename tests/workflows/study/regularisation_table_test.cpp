@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-TEST(RegularisationTable, SaysInNumbersWhichSchemeGrowsAndWhichSettles) {
+TEST(RegularisationTable, ReportsWhichSchemesGrowAndWhichDecay) {
   const std::string text = tests::in_one_line(table(tests::made_up_regularisation_study(), 100));
   for (const char* expected :
        {"literal 0.1 0.1 16x60 352 30 320 - x10 in 0.0072 4.10000 2.30000 -5e-01",

@@ -57,7 +57,7 @@ inline methods::Solver toy_solver(const Toy& toy) {
                          .method = {}};
   solver.families.push_back(
       {toy.family, toy.role, "A toy.", {toy.identity({}).id}, [](const transform::Identity&) {
-         return transform::Look{};
+         return transform::PlotStyle{};
        }});
   solver.options_of = [toy](std::string_view id) -> std::optional<base::Values> {
     for (const auto equation : {problem::Equation::kf, problem::Equation::white}) {

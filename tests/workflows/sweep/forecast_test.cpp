@@ -19,8 +19,8 @@ TEST(Makespan, IsThatOfTheDispatch) {
   EXPECT_EQ(makespan(seconds, 100, Dispatch::in_order), 4);
 }
 
-TEST(Forecast, TellsTheWholeFromASample) {
-  const Plan plan = tests::quick_plan({axis_from("system.restitution", "0.9:1:40", "x")});
+TEST(Forecast, PredictsAPlanFromASample) {
+  const Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9:1:40", "x")});
   const auto found = forecast(plan, {}, 1);
   EXPECT_EQ(found.sample.size(), 24);
   EXPECT_EQ(found.seconds.size(), 40);

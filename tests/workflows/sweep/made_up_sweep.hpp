@@ -16,7 +16,7 @@ inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
                            const std::string& methods = "epc-gaussian-n2,fd-kf") {
   sweep::Plan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
   plan.methods = methods::builtin().select(methods, {});
-  plan.points = sweep::points_of(plan.axes, design, 0);
+  plan.points = sweep::make_points(plan.axes, design, 0);
   return plan;
 }
 
@@ -29,8 +29,8 @@ inline sweep::Plan quick_plan(std::vector<sweep::Axis> axes) {
 
 /// Two rates and three restitutions.
 inline sweep::Plan small_plan() {
-  return plan_of({sweep::axis_from("impulse.rate", "1,2", "test"),
-                  sweep::axis_from("system.restitution", "0.8:1:3", "test")});
+  return plan_of({sweep::parse_axis("impulse.rate", "1,2", "test"),
+                  sweep::parse_axis("system.restitution", "0.8:1:3", "test")});
 }
 
 /// Numbers that identify the point and the method.
@@ -52,7 +52,7 @@ inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) 
 inline sweep::SweepResults results_of(const sweep::Plan& plan) {
   std::vector<sweep::PointResult> points;
   for (std::size_t p = 0; p < plan.points.size(); ++p) points.push_back(result_of(plan, p));
-  return sweep::sweep_results(plan, points);
+  return sweep::make_sweep_results(plan, points);
 }
 
 }  // namespace fpkcheck::tests

@@ -14,8 +14,8 @@ namespace {
 using transform::Status;
 
 // With residuals the result is that of `run`.
-TEST(SolvePoint, IsWhatARunOfThatCaseGivesWhereResidualsMeasureClosures) {
-  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
+TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
   plan.closure_errors = ClosureErrors::residuals;
   plan.methods =
       methods::builtin().select("epc-gaussian-n4,fd-white,fd-kf", {{"stepper", "direct"}});
@@ -38,8 +38,8 @@ TEST(SolvePoint, IsWhatARunOfThatCaseGivesWhereResidualsMeasureClosures) {
   EXPECT_FALSE(point.result.methods[2].l1);
 }
 
-TEST(SolvePoint, JudgesAClosureByItsDistanceToTheReferenceAndWhatThatStates) {
-  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
+TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
   // In case 1 the L1 distances of n = 2 are 0.0044 and 0.030, those of n = 6 0.0023 and 0.0047.
   plan.methods =
       methods::builtin().select("epc-gaussian-n2,epc-gaussian-n6,fd-kf", {{"stepper", "direct"}});
@@ -56,8 +56,8 @@ TEST(SolvePoint, JudgesAClosureByItsDistanceToTheReferenceAndWhatThatStates) {
   }
 }
 
-TEST(SolvePoint, HasClosuresMeasuredByResidualsWhereThereIsNoReference) {
-  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
+TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
   plan.methods = methods::builtin().select("epc-gaussian-n2", {});
   const auto by_default = solve_point(plan, 1).result.methods[0];
   plan.closure_errors = ClosureErrors::residuals;
@@ -68,8 +68,8 @@ TEST(SolvePoint, HasClosuresMeasuredByResidualsWhereThereIsNoReference) {
 }
 
 // No variance remains for this mean: E[Y]^2 must be below intensity / rate = 0.1.
-TEST(SolvePoint, ValuesThatDoNotFitTogetherAreAResult) {
-  const Plan plan = tests::plan_of({axis_from("impulse.mean", "0,0.5", "x")});
+TEST(SolvePoint, InconsistentValuesAreAFailedResult) {
+  const Plan plan = tests::plan_of({parse_axis("impulse.mean", "0,0.5", "x")});
   const auto point = solve_point(plan, 1).result;
   ASSERT_EQ(point.methods.size(), 2);
   EXPECT_EQ(point.methods[0].status, Status::failed);
@@ -78,7 +78,7 @@ TEST(SolvePoint, ValuesThatDoNotFitTogetherAreAResult) {
 }
 
 TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
-  Plan plan = tests::quick_plan({axis_from("system.restitution", "0.9,0.98", "x")});
+  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9,0.98", "x")});
   methods::Method greedy = plan.methods[0];
   greedy.solve = [](const auto&, const auto&) -> transform::Solution { throw std::bad_alloc(); };
   plan.methods.insert(plan.methods.begin(), greedy);
@@ -87,24 +87,24 @@ TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
   EXPECT_TRUE(point.methods[1].moments);
 }
 
-TEST(SolveLeft, KeepsEveryPointAndItsMarginals) {
+TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
   const tests::TemporaryDirectory directory;
-  Plan plan = tests::quick_plan({axis_from("system.restitution", "0.9:1:5", "x")});
+  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9:1:5", "x")});
   plan.marginals = true;
   std::size_t told = 0;
   {
-    Progress progress(plan, directory.path(), {}, [&](const Queue::Standing& at) {
+    JournaledQueue progress(plan, directory.path(), {}, [&](const PointQueue::State& at) {
       EXPECT_EQ(at.total, 5);
       told = at.done;
     });
-    solve_left(plan, progress, 2);
+    solve_remaining(plan, progress, 2);
     EXPECT_EQ(progress.points().size(), 5);
   }
   EXPECT_EQ(told, 5);
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
-  Progress again(plan, directory.path(), {}, {});
+  JournaledQueue again(plan, directory.path(), {}, {});
   EXPECT_FALSE(again.next());
-  EXPECT_EQ(again.standing().done, 5);
+  EXPECT_EQ(again.state().done, 5);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-TEST(SweepTable, CountsStatusesAndRanksDistancesOfOkAnswers) {
+TEST(SweepTable, CountsStatusesAndRanksDistancesOfOkSolutions) {
   auto results = tests::results_of(tests::small_plan());
   results.points[5].methods[0].status = transform::Status::inaccurate;  // the worst, 0.06
   const std::string text = table(results, {100, false});

@@ -14,15 +14,15 @@ using tests::made_up_map;
 using tests::made_up_place;
 using transform::Status;
 
-const AdviceSetting kSetting{.name = "mine",
+const AdviceContext kSetting{.name = "mine",
                              .command = [](const std::string& id) { return "solve by " + id; },
-                             .otherwise = {"solve carefully"},
+                             .fallback_commands = {"solve carefully"},
                              .registry = methods::builtin()};
 
-TEST(AdviceText, SaysWhatToTypeAndWhatMisleads) {
+TEST(AdviceText, HasTheCommandAndTheWarnings) {
   auto map = made_up_map();
   map.methods[1] = "fd-km4";
-  map.points[3].answers[1] = MappedAnswer{Status::ok, 0.06, true, 0.3};
+  map.points[3].method_results[1] = MappedResult{Status::ok, 0.06, true, 0.3};
   EXPECT_EQ(advice_text(advice(made_up_place(), 0.01, map), kSetting, 80),
             R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness
 cubic, r = 0.9, gaussian impulses. Nearest point of the map: distance 0; 5
@@ -47,11 +47,11 @@ and stated error of a solution refer to this problem itself.
 )");
 }
 
-TEST(AdviceText, SaysWhoIsOffAndWhoHasNoDensity) {
+TEST(AdviceText, ListsLargeErrorsAndMissingDensities) {
   auto map = made_up_map();
-  map.points[3].answers[0] = MappedAnswer{Status::inaccurate, 0.06, false, 0.3};
+  map.points[3].method_results[0] = MappedResult{Status::inaccurate, 0.06, false, 0.3};
   for (auto& point : map.points) {
-    point.answers[1] = MappedAnswer{Status::inadmissible, 0.7, false, 0.3};
+    point.method_results[1] = MappedResult{Status::inadmissible, 0.7, false, 0.3};
   }
   const auto text = advice_text(advice(made_up_place(), 0.01, map), kSetting, 200);
   EXPECT_NE(
@@ -60,9 +60,9 @@ TEST(AdviceText, SaysWhoIsOffAndWhoHasNoDensity) {
   EXPECT_NE(text.find("No probability density at any of these points: epc-polar-n6.\n"), text.npos);
 }
 
-TEST(AdviceText, OutsideTheMapHasMethodsThatTellTheirOwnErrors) {
-  Place mean = made_up_place();
-  mean.mean_share = -0.3;
+TEST(AdviceText, OutsideTheMapHasMethodsWithErrorEstimates) {
+  MapCoordinates mean = made_up_place();
+  mean.relative_mean = -0.3;
   EXPECT_EQ(
       advice_text(advice(mean, 0.01, made_up_map()), kSetting, 200),
       R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness cubic, r = 0.9, gaussian impulses, mean -0.3 times the root mean square. Outside the map: none of its points has impulses
@@ -78,16 +78,16 @@ Status and stated error of a solution refer to this problem itself.
 }
 
 TEST(AdviceJson, HasAllMethodsAndIsJsonWhereNothingIsNear) {
-  const auto json_of = [](const Place& place) {
+  const auto json_of = [](const MapCoordinates& coordinates) {
     return nlohmann::json::parse(
-        advice_json(advice(place, 0.01, made_up_map()), kSetting, "asked"));
+        advice_json(advice(coordinates, 0.01, made_up_map()), kSetting, "asked"));
   };
   const auto near = json_of(made_up_place());
   EXPECT_EQ(near["recommended"], "epc-moment-n4");
   EXPECT_EQ(near["methods"].size(), 3);
   EXPECT_EQ(near["methods"][1]["command"], "solve by epc-polar-n6");
   EXPECT_EQ(near["outside"], false);
-  Place law = made_up_place();
+  MapCoordinates law = made_up_place();
   law.law = "uniform";
   const auto outside = json_of(law);
   EXPECT_TRUE(outside["nearest"].is_null());

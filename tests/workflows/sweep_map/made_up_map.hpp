@@ -9,16 +9,16 @@
 namespace fpkcheck::tests {
 
 /// Ten impulses per decay time, damping ratio 0.05, linear, r = 0.9, gaussian.
-inline sweep::Place made_up_place(double impulses = 10, double restitution = 0.9) {
+inline sweep::MapCoordinates made_up_place(double impulses = 10, double restitution = 0.9) {
   return {.groups = {.impulses_per_decay_time = impulses, .damping_ratio = 0.05, .cubic_share = 0},
           .restitution = restitution,
           .law = "gaussian",
-          .mean_share = 0};
+          .relative_mean = 0};
 }
 
-inline sweep::MappedAnswer answer(double l1, double seconds,
+inline sweep::MappedResult answer(double l1, double seconds,
                                   transform::Status status = transform::Status::ok) {
-  return {.status = status, .l1 = l1, .misstated = false, .seconds = seconds};
+  return {.status = status, .l1 = l1, .underestimated = false, .seconds = seconds};
 }
 
 /// A fast closure, a slow closure and the reference at five points around made_up_place(), 0.1

@@ -29,15 +29,15 @@ LeftOut left_out(double accuracy) {
   LeftOut found;
   ValidityMap map = shipped_validity_map();
   for (auto& point : map.points) {
-    const Place place = point.place;
-    point.place.law = "left out";
-    const auto promised = advice(place, accuracy, map).promised();
-    point.place = place;
+    const MapCoordinates coordinates = point.coordinates;
+    point.coordinates.law = "left out";
+    const auto promised = advice(coordinates, accuracy, map).promised();
+    point.coordinates = coordinates;
     ++found.points;
     if (promised.empty()) continue;
     ++found.promised;
     const auto m = std::ranges::find(map.methods, promised.front().id) - map.methods.begin();
-    const auto& answer = point.answers[static_cast<std::size_t>(m)];
+    const auto& answer = point.method_results[static_cast<std::size_t>(m)];
     if (!answer || promised.front().id == map.methods.back()) continue;
     ++found.approximate;
     found.said += answer->is_ok() ? 0 : 1;

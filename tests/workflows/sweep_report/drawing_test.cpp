@@ -47,7 +47,7 @@ std::vector<SweepResults> all_kinds() {
   return kinds;
 }
 
-TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutComplaint) {
+TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutWarnings) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   std::size_t kind = 0;
@@ -66,7 +66,7 @@ TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutComplaint) {
   }
 }
 
-TEST(SweepDrawing, TellsWhatEverythingIsInEveryKind) {
+TEST(SweepDrawing, HasLegendEntriesForEveryKind) {
   for (const auto& results : all_kinds()) {
     for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
       for (const auto& picture : sweep_pictures(results, width)) {

@@ -26,14 +26,15 @@ inline sweep::Plan made_up_plan(const std::vector<KeyAndValues>& axes,
   sweep::Plan plan{.base = paper_case(1), .axes = {}, .design = design};
   plan.sobol_points = sobol_points;
   plan.base.name = "case1";
-  for (const auto& [key, values] : axes) plan.axes.push_back(sweep::axis_from(key, values, "test"));
+  for (const auto& [key, values] : axes)
+    plan.axes.push_back(sweep::parse_axis(key, values, "test"));
   for (const auto& who : {closure_identity("gaussian", 4), closure_identity("moment", 4),
                           identity("fd-white", "fd", Equation::white, Impact::map),
                           identity("fd-kf", "fd", Equation::kf, Impact::map)}) {
     plan.methods.emplace_back();
     plan.methods.back().identity = who;
   }
-  plan.points = sweep::points_of(plan.axes, design, sobol_points);
+  plan.points = sweep::make_points(plan.axes, design, sobol_points);
   return plan;
 }
 
@@ -70,7 +71,7 @@ inline sweep::SweepResults made_up_sweep(sweep::Plan plan) {
     if (k == 1) point.methods[made_up_gaussian].moments = moments;
     points.push_back(std::move(point));
   }
-  return sweep::sweep_results(std::move(plan), std::move(points));
+  return sweep::make_sweep_results(std::move(plan), std::move(points));
 }
 
 inline sweep::SweepResults made_up_sweep(const std::vector<KeyAndValues>& axes) {

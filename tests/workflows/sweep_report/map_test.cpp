@@ -47,7 +47,7 @@ TEST(Map, HasContoursWhereDistancesCrossOneAndFivePerCent) {
   EXPECT_FALSE(contains(script, "$contour_five_2"));
 }
 
-TEST(Map, MarksEachKindOfStatusByAShapeOfItsOwn) {
+TEST(Map, MarksEachStatusByADistinctShape) {
   auto results = two_keys();
   std::set<int> types;
   std::size_t point = 0;
@@ -61,13 +61,14 @@ TEST(Map, MarksEachKindOfStatusByAShapeOfItsOwn) {
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
     const bool is_marked = contains(script, fmt::format("$mark_1_{} using", point_type(status)));
     EXPECT_EQ(is_marked, status != Status::ok) << name;
-    EXPECT_EQ(contains(script, fmt::format("title '{}'", report::without_marks(std::string(name)))),
+    EXPECT_EQ(contains(script,
+                       fmt::format("title '{}'", report::escape_enhanced_text(std::string(name)))),
               status != Status::ok)
         << name;
   }
 }
 
-TEST(Map, OutlinesWhatIsNotOk) {
+TEST(Map, OutlinesCellsThatAreNotOk) {
   const std::string script = map_of(two_keys());
   // For gaussian the cell (0, 1) alone is ok.
   const auto begin = script.find("$outline_0 << EOD\n");
@@ -79,7 +80,7 @@ TEST(Map, OutlinesWhatIsNotOk) {
   EXPECT_FALSE(contains(script, "$outline_1"));
 }
 
-TEST(Map, MarksOfFineCellsDoNotRunIntoEachOther) {
+TEST(Map, MarksOfFineCellsDoNotOverlap) {
   const auto results = two_keys();
   const SweepView view(results);
   const MapData map(view);
@@ -94,7 +95,7 @@ TEST(Map, MarksOfFineCellsDoNotRunIntoEachOther) {
   EXPECT_EQ(marks(2, 3), 6);
 }
 
-TEST(Map, LeavesOpenWhatHasNoDistance) {
+TEST(Map, LeavesCellsWithoutADistanceEmpty) {
   auto results = two_keys();
   EXPECT_FALSE(contains(map_of(results), "white: no distance"));
   results.points[3].methods[tests::made_up_moment] = tests::made_up_failure();

@@ -33,7 +33,7 @@ TEST(Scatter, HasAPanelForEachKeyWithAllMethods) {
   EXPECT_TRUE(contains(script, "unset logscale x"));
 }
 
-TEST(Scatter, MediansAreOfWhatIsOk) {
+TEST(Scatter, MediansAreOfOkSolutions) {
   auto results = tests::made_up_sweep(
       {{"system.restitution", "0.6,0.7"}, {"impulse.rate", "1,2,3"}, {"system.cubic", "0.1"}});
   for (std::size_t k = 0; k < 3; ++k) {

@@ -48,7 +48,7 @@ struct Reference {
   double energy_residual = 0;           ///< of the solution of seventh order
   double simulated_time = 0;
   /// Fraction of the simulation's bins whose 95 % interval contains the reference.
-  double y_bins_within = 0, ydot_bins_within = 0;
+  double y_coverage = 0, ydot_coverage = 0;
 };
 
 /// Checks problem and options before the solves, which take a minute.

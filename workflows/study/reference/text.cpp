@@ -72,7 +72,7 @@ columns compare the values with an independent simulation.
     text += fmt::format(
         "\nEnergy residual {:.0e}. Simulated time {:.2g}; the 95 % intervals of its histogram "
         "contain the reference in {:.1f} % of the bins of p(y) and {:.1f} % of those of p(y').\n\n",
-        r.energy_residual, r.simulated_time, 100 * r.y_bins_within, 100 * r.ydot_bins_within);
+        r.energy_residual, r.simulated_time, 100 * r.y_coverage, 100 * r.ydot_coverage);
   }
   return text;
 }

@@ -8,7 +8,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-constexpr double kLeastSeconds = 1e-6;  // lower bound, so that the logarithm exists
+constexpr double kMinSeconds = 1e-6;  // lower bound, so that the logarithm exists
 
 /// Values of the polynomial's basis functions for a point.
 class Terms {
@@ -63,7 +63,7 @@ class Terms {
 
 }  // namespace
 
-CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
+CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
     : expected_(plan.points.size(), 1.0) {
   if (measured.empty()) return;
   const Terms terms(plan);
@@ -76,7 +76,7 @@ CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
   for (const auto& [point, seconds] : measured) {
     const Eigen::VectorXd row = terms.at(point);
     normal += row * row.transpose();
-    right += row * std::log(std::max(seconds, kLeastSeconds));
+    right += row * std::log(std::max(seconds, kMinSeconds));
   }
   const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
   // exp of the fitted mean logarithm underestimates the mean: scale to the measured sum.
@@ -91,14 +91,16 @@ CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
   for (const auto& [point, seconds] : measured) expected_[point] = seconds;
 }
 
-std::vector<std::size_t> spread(const std::vector<std::size_t>& among, std::size_t count) {
+std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
+                                       std::size_t count) {
   // Steps by the golden section do not resonate with the period of a product of axes.
   constexpr double kGolden = 0.6180339887498949;
   std::vector<std::size_t> chosen;
-  const std::size_t most = std::min(count, among.size());
-  for (std::size_t k = 0; chosen.size() < most && k < 4 * among.size(); ++k) {
-    const double part = std::fmod(0.5 + static_cast<double>(k) * kGolden, 1.0);
-    const auto at = among[static_cast<std::size_t>(part * static_cast<double>(among.size()))];
+  const std::size_t most = std::min(count, candidates.size());
+  for (std::size_t k = 0; chosen.size() < most && k < 4 * candidates.size(); ++k) {
+    const double fraction = std::fmod(0.5 + static_cast<double>(k) * kGolden, 1.0);
+    const auto at =
+        candidates[static_cast<std::size_t>(fraction * static_cast<double>(candidates.size()))];
     if (std::ranges::find(chosen, at) == chosen.end()) chosen.push_back(at);
   }
   return chosen;

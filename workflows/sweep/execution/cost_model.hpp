@@ -14,13 +14,13 @@ namespace fpkcheck::sweep {
 class CostModel {
  public:
   /// A solved point and its wall-clock time.
-  struct Measured {
+  struct Measurement {
     std::size_t point;
     double seconds;
   };
 
   /// @param measured may be empty: then all points have the same expected time
-  CostModel(const Plan& plan, std::span<const Measured> measured);
+  CostModel(const Plan& plan, std::span<const Measurement> measured);
 
   /// Expected seconds of a point; the measured seconds where it was measured.
   double expected(std::size_t point) const { return expected_[point]; }
@@ -32,7 +32,8 @@ class CostModel {
 
 /// Selects about `count` points, evenly distributed over the candidates: a sample to measure
 /// first.
-/// @param among candidates in increasing order
-std::vector<std::size_t> spread(const std::vector<std::size_t>& among, std::size_t count);
+/// @param candidates candidates in increasing order
+std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
+                                       std::size_t count);
 
 }  // namespace fpkcheck::sweep

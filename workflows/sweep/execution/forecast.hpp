@@ -24,7 +24,7 @@ double makespan(std::span<const double> seconds, std::size_t workers, Dispatch d
 
 /// Expected times of a plan, from a sample of its points.
 struct Forecast {
-  std::vector<CostModel::Measured> sample{};
+  std::vector<CostModel::Measurement> sample{};
   std::vector<double> seconds{};  ///< expected, for each point
   double uncertainty = 0;         ///< relative standard error of their sum
   double megabytes = 0;  ///< largest resident set, all threads together; 0 where nothing was solved

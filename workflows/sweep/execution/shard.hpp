@@ -16,7 +16,7 @@ struct Shard {
   /// different shards.
   std::vector<std::size_t> points(std::size_t total) const;
   /// The shard, out of `of` shards, that contains this point.
-  static Shard holding(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
+  static Shard containing(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
   /// Name of the journal: "journal", or "journal.3-of-16".
   std::string journal_name() const;
 };
@@ -25,6 +25,6 @@ struct Shard {
 std::optional<Shard> shard_of_journal(std::string_view name);
 
 /// @throws InputError where the text is not i/N
-Shard shard_from(std::string_view text);
+Shard parse_shard(std::string_view text);
 
 }  // namespace fpkcheck::sweep

@@ -39,16 +39,16 @@ Solution solved(const methods::Method& method, const problem::Problem& problem,
   }
 }
 
-std::optional<MarginalPair> own_error_of(const Solution& solution) {
+std::optional<MarginalPair> finite_error_estimate(const Solution& solution) {
   if (!solution.has_density()) return std::nullopt;
-  const MarginalPair error{compare::own_error(solution, Variable::y),
-                           compare::own_error(solution, Variable::ydot)};
+  const MarginalPair error{compare::error_estimate(solution, Variable::y),
+                           compare::error_estimate(solution, Variable::ydot)};
   if (!std::isfinite(error.y) || !std::isfinite(error.ydot)) return std::nullopt;
   return error;
 }
 
-std::vector<BudgetShare> budget_of(const Solution& solution,
-                                   const std::vector<compare::BudgetRow>& budget) {
+std::vector<BudgetShare> budget_shares(const Solution& solution,
+                                       const std::vector<compare::BudgetRow>& budget) {
   std::vector<BudgetShare> shares;
   for (const auto& closure : compare::closure_budgets(budget, {&solution, 1})) {
     if (closure.solution != solution.id() || closure.y == nullptr || closure.ydot == nullptr) {
@@ -62,11 +62,11 @@ std::vector<BudgetShare> budget_of(const Solution& solution,
   return shares;
 }
 
-MethodResult kept_of(const Solution& solution) {
+MethodResult make_method_result(const Solution& solution) {
   MethodResult result{.status = solution.status,
                       .reason = solution.reason,
                       .seconds = solution.seconds,
-                      .error = own_error_of(solution)};
+                      .error = finite_error_estimate(solution)};
   if (solution.has_density()) result.moments = solution.moments;
   return result;
 }
@@ -90,7 +90,7 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     problem = plan.problem_at(point);
   } catch (const InputError& error) {
     for (const auto& method : plan.methods) {
-      result.methods.push_back(kept_of(failed(method, error.what())));
+      result.methods.push_back(make_method_result(failed(method, error.what())));
     }
     return solved_point;
   }
@@ -119,9 +119,10 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   for (const Solution& solution : solutions) {
     const auto l1 =
         reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
-    result.methods.push_back(kept_of(solution));
+    result.methods.push_back(make_method_result(solution));
     result.methods.back().l1 = l1;
-    if (reference != nullptr) result.methods.back().budget = budget_of(solution, comparison.budget);
+    if (reference != nullptr)
+      result.methods.back().budget = budget_shares(solution, comparison.budget);
   }
   return solved_point;
 }

@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "transform/solution.hpp"
-#include "workflows/sweep/map/place.hpp"
+#include "workflows/sweep/map/map_coordinates.hpp"
 
 namespace fpkcheck::sweep {
 
 /// Result of a method at a point of the map.
-struct MappedAnswer {
+struct MappedResult {
   transform::Status status;
   /// L1 distance to the reference, the larger of both marginals; for the reference itself its error
   /// estimate. Empty without a density.
   std::optional<double> l1;
   /// Status `ok`, but L1 exceeds twice the stated error plus the reference's error estimate.
-  bool misstated;
+  bool underestimated;
   double seconds;
 
   bool is_ok() const { return status == transform::Status::ok; }
@@ -25,9 +25,9 @@ struct MappedAnswer {
 
 /// A problem that was solved by many methods.
 struct MappedPoint {
-  Place place;
-  std::vector<std::optional<MappedAnswer>>
-      answers;  ///< in the order of ValidityMap::methods; empty: not tried
+  MapCoordinates coordinates;
+  std::vector<std::optional<MappedResult>>
+      method_results;  ///< in the order of ValidityMap::methods; empty: not tried
 };
 
 /// Validity map: results of the methods over the parameters (docs/validity.md).

@@ -4,16 +4,16 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "base/options/value.hpp"
 
 namespace fpkcheck::sweep {
 
 /// Spacing of the values of an axis.
 enum class Spacing { linear, logarithmic, listed };
-inline constexpr base::Named<Spacing> kSpacingNames[] = {
+inline constexpr base::EnumEntry<Spacing> kSpacingNames[] = {
     {Spacing::linear, "linear"}, {Spacing::logarithmic, "log"}, {Spacing::listed, "list"}};
-constexpr std::span<const base::Named<Spacing>> names(Spacing) { return kSpacingNames; }
+constexpr std::span<const base::EnumEntry<Spacing>> names(Spacing) { return kSpacingNames; }
 constexpr std::string_view name(Spacing spacing) { return base::name_of(spacing); }
 
 /// A key of case files that is varied, and its values.
@@ -26,7 +26,7 @@ struct Axis {
   std::vector<base::Value> values = {};
 
   /// Value with the relative position `part` in the range, 0 <= part <= 1, rounded to 12 digits.
-  double at(double part) const;
+  double value_at(double part) const;
   /// Text for figures and sentences: "system.restitution = 0.5:0.99:50".
   std::string text() const;
 };
@@ -35,6 +35,6 @@ struct Axis {
 /// @param where first words of error messages: "--vary", "plan mine.ini:7"
 /// @throws InputError with a message of one line: invalid syntax, a value outside the key's range,
 ///         a value given twice
-Axis axis_from(std::string_view key, std::string_view values, const std::string& where);
+Axis parse_axis(std::string_view key, std::string_view values, const std::string& where);
 
 }  // namespace fpkcheck::sweep

@@ -19,7 +19,7 @@ problem::Problem Plan::problem_at(std::size_t point) const {
     }
     value->value = points[point][a];
   }
-  return problem::problem_from(base.name, sections);
+  return problem::problem_from_sections(base.name, sections);
 }
 
 }  // namespace fpkcheck::sweep

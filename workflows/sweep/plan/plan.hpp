@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "methods/method.hpp"
 #include "problem/problem.hpp"
 #include "workflows/sweep/plan/points.hpp"
@@ -17,9 +17,9 @@ enum class ClosureErrors {
   reference,  ///< distance to the point's reference, plus the error estimate of the reference
   residuals   ///< residuals in the backward equation, as for a run; needs no other solution
 };
-inline constexpr base::Named<ClosureErrors> kClosureErrorsNames[] = {
+inline constexpr base::EnumEntry<ClosureErrors> kClosureErrorsNames[] = {
     {ClosureErrors::reference, "reference"}, {ClosureErrors::residuals, "residuals"}};
-constexpr std::span<const base::Named<ClosureErrors>> names(ClosureErrors) {
+constexpr std::span<const base::EnumEntry<ClosureErrors>> names(ClosureErrors) {
   return kClosureErrorsNames;
 }
 constexpr std::string_view name(ClosureErrors errors) { return base::name_of(errors); }

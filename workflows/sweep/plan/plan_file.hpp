@@ -12,7 +12,7 @@
 namespace fpkcheck::sweep {
 
 /// A parsed plan, without the methods: a registry makes them from their names.
-struct PlanText {
+struct PlanSpecification {
   problem::Problem base;
   std::vector<Axis> axes{};
   std::optional<Design> design{};
@@ -38,6 +38,7 @@ struct PlanText {
 /// @param name_or_path "case1" .. "case4", a case file or a plan
 /// @param overrides "key=value" pairs that replace values of the case
 /// @throws InputError with a message of one line
-PlanText read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides);
+PlanSpecification read_plan(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides);
 
 }  // namespace fpkcheck::sweep

@@ -12,9 +12,9 @@ results::Json plan_json(const Plan& plan);
 
 /// The plan from the JSON of plan_json.
 /// @throws nlohmann::json::exception, InputError
-Plan plan_in(const results::Json& json, const methods::Registry& registry);
+Plan plan_from_json(const results::Json& json, const methods::Registry& registry);
 
 /// Text of the first difference between two plans; empty where they are equal.
-std::string difference_of(const results::Json& before, const results::Json& now);
+std::string plan_difference(const results::Json& before, const results::Json& now);
 
 }  // namespace fpkcheck::sweep

@@ -11,7 +11,7 @@
 namespace fpkcheck::sweep {
 
 /// Duration as text: "40 s", "12 min", "3.5 h".
-std::string time_text(double seconds);
+std::string duration_text(double seconds);
 
 /// Text of --dry-run.
 /// @param threads number of threads on this machine

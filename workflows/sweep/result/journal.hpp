@@ -35,7 +35,7 @@ class Journal {
   Journal(const std::filesystem::path& file, const Plan& plan);
 
   /// Content of the journal when it was opened.
-  const JournalContent& found() const { return found_; }
+  const JournalContent& initial_content() const { return initial_content_; }
 
   /// Appends a point completely or not at all; not thread-safe. Flushes to the disk if the last
   /// flush was more than 1 s ago.
@@ -44,7 +44,7 @@ class Journal {
 
  private:
   base::LineLog log_;
-  JournalContent found_;
+  JournalContent initial_content_;
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 

@@ -13,6 +13,6 @@ std::string journal_text(const PointResult& result);
 
 /// The point from the JSON of point_json.
 /// @throws nlohmann::json::exception, InputError
-PointResult point_in(const results::Json& json);
+PointResult point_from_json(const results::Json& json);
 
 }  // namespace fpkcheck::sweep

@@ -13,13 +13,13 @@ struct SweepResults {
   Plan plan;
   std::vector<PointResult> points;  ///< by number, each once; all points when the sweep is complete
 
-  bool is_whole() const { return points.size() == plan.points.size(); }
+  bool is_complete() const { return points.size() == plan.points.size(); }
   /// Names of all parts of error budgets, in the order of their first occurrence.
   std::vector<std::string> budget_parts() const;
 };
 
 /// Results with the points sorted by number.
-SweepResults sweep_results(Plan plan, std::vector<PointResult> points);
+SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points);
 
 /// Contents of sweep.csv: a row for each point and method.
 std::string csv(const SweepResults& results);

@@ -17,8 +17,8 @@ enum CurveColumn {
   distance_y,
   distance_ydot,
   mark_type,  ///< filled where the solution is ok, else open
-  own_y,
-  own_ydot,
+  error_estimate_y,
+  error_estimate_ydot,
   moment_y,
   moment_ydot
 };
@@ -32,8 +32,10 @@ class CurveData {
   const CurvesLayout& layout() const { return layout_; }
   bool is_words() const { return layout_.along.is_words(); }
   std::size_t methods() const { return looks_.size(); }
-  const transform::Look& look(std::size_t m) const { return view_.plan().methods[m].identity.look; }
-  const report::SeriesLook& marks(std::size_t m) const { return looks_[m]; }
+  const transform::PlotStyle& plot_style(std::size_t m) const {
+    return view_.plan().methods[m].identity.plot_style;
+  }
+  const report::SeriesStyle& marks(std::size_t m) const { return looks_[m]; }
   double mark_size() const;
 
   void for_each(const std::function<void(std::size_t point, std::size_t m)>& call) const;
@@ -43,7 +45,7 @@ class CurveData {
   std::optional<double> own_error(std::size_t point, std::size_t m,
                                   transform::Variable variable) const;
   /// Error estimate of the point's reference.
-  std::optional<double> floor(std::size_t point, transform::Variable variable) const;
+  std::optional<double> reference_error(std::size_t point, transform::Variable variable) const;
   /// True where the point has a reference, but the method has no density to compare with it.
   bool has_no_density(std::size_t point, std::size_t m) const;
   /// Abscissa of a method's result; methods are side by side over a word.
@@ -53,14 +55,14 @@ class CurveData {
   std::string blocks() const;
   /// Data blocks $floor_SLICE: abscissa, error of the reference in y and ydot. Each word has its
   /// own bar.
-  std::string floor_blocks() const;
+  std::string reference_error_blocks() const;
 
  private:
   double abscissa_of(std::size_t point) const;
 
   const SweepView& view_;
   const CurvesLayout& layout_;
-  std::vector<report::SeriesLook> looks_;
+  std::vector<report::SeriesStyle> looks_;
 };
 
 /// Cell of a data block; gnuplot skips NaN.

@@ -15,7 +15,7 @@ std::string curve_plot(const CurveData& data, std::size_t slice, std::size_t m, 
 
 /// The legend of these methods, and of open marks if there are any.
 report::Legend curves_legend(const CurveData& data, const std::vector<std::size_t>& methods,
-                             bool any_open);
+                             bool has_open_marks);
 
 /// Grid of two panels for each slice, above the legend; in a narrow figure one below the other.
 report::PanelGrid curves_grid(const CurveData& data, const report::Legend& legend);
@@ -24,7 +24,7 @@ report::PanelGrid curves_grid(const CurveData& data, const report::Legend& legen
 std::string curves_begin(const CurveData& data, const report::PanelGrid& grid,
                          const std::string& file_stem);
 
-/// Title ("(a) displacement, gaussian") and margins of a panel.
+/// Title ("(a) displacement, gaussian") and margin_commands of a panel.
 std::string curves_panel(const CurveData& data, const report::PanelGrid& grid, std::size_t slice,
                          transform::Variable variable);
 

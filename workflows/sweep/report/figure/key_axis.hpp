@@ -24,9 +24,9 @@ class KeyAxis {
   static std::string text_of(const base::Value& value);
 
   /// Coordinate of a value on the gnuplot axis.
-  double at(const base::Value& value) const;
+  double coordinate(const base::Value& value) const;
   /// Coordinate relative to the axis from the first to the last of values(), 0 .. 1.
-  double part(const base::Value& value) const;
+  double relative_coordinate(const base::Value& value) const;
   /// Gnuplot commands for label, scale, range and tics of the axis.
   /// @param letter 'x' or 'y'
   std::string commands(char letter) const;

@@ -42,7 +42,7 @@ SweepPicture map(const SweepView& view) {
   std::string caption =
       "The larger of the L1 distances of p(y) and p(y') to the reference of each point, by "
       "method, from 1e-4 (light) to 1. Marks show the statuses that are not ok.";
-  if (const auto reference = view.only_reference(); !reference.empty()) {
+  if (const auto reference = view.common_reference(); !reference.empty()) {
     caption += fmt::format(" The reference is {} at all points.", reference);
   }
   return {kMap, caption, map_script(view, kMap)};
@@ -80,7 +80,7 @@ std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
   try {
     for (const auto& picture : pictures) {
       if (base::stop_requested()) return {};
-      const auto own = report::draw_all(gnuplot, figures, picture.stem, options);
+      const auto own = report::draw_formats(gnuplot, figures, picture.stem, options);
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
   } catch (const report::GnuplotMissing& missing) {

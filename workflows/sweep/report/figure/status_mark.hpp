@@ -14,9 +14,9 @@ int point_type(transform::Status status);
 inline constexpr int kReferenceMark = 6;  // a circle
 
 /// Legend entries of the marks, which are black on colours, for the statuses that occur.
-std::vector<report::LegendEntry> status_legend(const std::vector<transform::Status>& there);
+std::vector<report::LegendEntry> status_legend(const std::vector<transform::Status>& statuses);
 
 /// Gnuplot style of a mark, to follow a plot's data.
-std::string mark_drawn(int point_type, double size = 1);
+std::string mark_style(int point_type, double size = 1);
 
 }  // namespace fpkcheck::sweep

@@ -23,14 +23,14 @@ class SweepView {
   const MethodResult* method(std::size_t number, std::size_t m) const;
   bool is_reference(std::size_t number, std::size_t m) const;
   /// Error estimate of the point's reference; empty where it has none.
-  std::optional<MarginalPair> error_of_reference(std::size_t number) const;
+  std::optional<MarginalPair> reference_error(std::size_t number) const;
   /// L1 distance to the point's reference, the larger of both marginals.
   std::optional<double> larger_l1(std::size_t number, std::size_t m) const;
 
   /// True if any method has a distance to a reference.
   bool has_distances() const;
   /// The reference of all points, or "" where the points have several references.
-  std::string only_reference() const;
+  std::string common_reference() const;
   /// True if the method is the reference of every point that has a reference.
   bool is_always_reference(std::size_t m) const;
   /// Indices of the methods whose distances are drawn: all but the one that is always the

@@ -18,7 +18,7 @@ namespace fpkcheck::sweep {
 namespace {
 
 using report::element;
-using report::escaped;
+using report::escape_html;
 
 // In addition to the style of a run's page. On a narrow screen a picture scrolls instead of
 // shrinking.
@@ -43,7 +43,7 @@ std::string axis_sentence(const Axis& axis) {
                            axis.to, axis.values.size(), how);
 }
 
-const char* how_points_lie(Design design) {
+const char* design_text(Design design) {
   switch (design) {
     case Design::product:
       return "every value with every other";
@@ -62,11 +62,11 @@ std::string introduction(const SweepResults& results) {
   std::string text =
       fmt::format("Varied parameters of {}: {}", plan.base.name, fmt::join(varied, "; "));
   if (plan.axes.size() > 1 || plan.design == Design::sobol) {
-    text += fmt::format("; design: {}", how_points_lie(plan.design));
+    text += fmt::format("; design: {}", design_text(plan.design));
   }
   text += fmt::format(". {}, each solved by {}.", plural(plan.points.size(), "point"),
                       plural(plan.methods.size(), "method"));
-  if (!results.is_whole()) {
+  if (!results.is_complete()) {
     text += fmt::format(" {} solved so far.", plural(results.points.size(), "point"));
   }
   if (!results.points.empty() &&
@@ -95,13 +95,13 @@ std::string pictures_html(const std::vector<PagePicture>& pictures) {
     html += fmt::format(
         "<figure>\n<div class=\"picture\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><img "
         "alt=\"{0}\" src=\"data:{1};base64,{2}\"></div>\n<figcaption>{0}</figcaption>\n</figure>\n",
-        escaped(picture.caption), picture.media_type,
+        escape_html(picture.caption), picture.media_type,
         report::base64(std::as_bytes(std::span(picture.bytes))));
   }
   return html.empty() ? html : element("h2", "Pictures") + html;
 }
 
-std::string example_of(const Plan& plan, std::size_t point) {
+std::string example_text(const Plan& plan, std::size_t point) {
   std::vector<std::string> values;
   for (std::size_t k = 0; k < plan.axes.size(); ++k) {
     values.push_back(
@@ -111,19 +111,21 @@ std::string example_of(const Plan& plan, std::size_t point) {
 }
 
 std::string reasons_html(const SweepResults& results) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMaxReasons = 40;
   const auto groups = reason_groups(results);
   if (groups.empty()) return "";
   std::string html = element("h2", "Reasons why solutions are not ok") + "<ul class=\"reasons\">\n";
-  for (std::size_t k = 0; k < std::min(kMost, groups.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(kMaxReasons, groups.size()); ++k) {
     const ReasonGroup& group = groups[k];
     html += fmt::format("<li><strong>{} {}</strong>, {}, first at {}: {}.</li>\n",
-                        escaped(results.plan.methods[group.method].id()), name(group.status),
+                        escape_html(results.plan.methods[group.method].id()), name(group.status),
                         plural(group.count, "point"),
-                        escaped(example_of(results.plan, group.point)), escaped(group.reason));
+                        escape_html(example_text(results.plan, group.point)),
+                        escape_html(group.reason));
   }
-  if (groups.size() > kMost) {
-    html += fmt::format("<li>and {} more reasons (see sweep.csv)</li>\n", groups.size() - kMost);
+  if (groups.size() > kMaxReasons) {
+    html +=
+        fmt::format("<li>and {} more reasons (see sweep.csv)</li>\n", groups.size() - kMaxReasons);
   }
   return html + "</ul>\n";
 }
@@ -146,7 +148,7 @@ std::string sweep_page(const SweepResults& results, const std::vector<PagePictur
       element("title", title), report::page_style(), kPictureStyle, element("h1", title),
       element("p", introduction(results)),
       fixed.empty() ? "" : element("p", fmt::format("The same at all points: {}.", fixed)),
-      methods_table(results), pictures_html(pictures), reasons_html(results), escaped(command));
+      methods_table(results), pictures_html(pictures), reasons_html(results), escape_html(command));
 }
 
 }  // namespace fpkcheck::sweep
