@@ -83,7 +83,7 @@ TEST(MeasuredError, OfWhatHasNoMeanIsUnknownAndSoNotOk) {
   solution.density = transform::SmoothDensity{[](double, double) { return 0.0; }, 6, 6};
   state_measured_error(ProblemResiduals(tests::paper_case(1)), 1e-3, solution);
   EXPECT_EQ(solution.status, Status::inaccurate);
-  EXPECT_NE(solution.reason.find("cannot be measured"), std::string::npos);
+  EXPECT_NE(solution.reason.find("cannot be estimated"), std::string::npos);
 }
 
 TEST(MeasuredError, IsTheSameOnPhysicalAxesAndInTheFrame) {

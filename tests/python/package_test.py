@@ -164,13 +164,13 @@ class Input(unittest.TestCase):
             (refusal(case, "case9"), "no case 'case9'"),
             (refusal(case, "case1", dampin=1), "unknown key 'dampin' (known keys: system.{damping"),
             (refusal(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
-            (refusal(solve, "case1", "fd-nonsense"), "--methods: 'fd-nonsense' is no method"),
+            (refusal(solve, "case1", "fd-nonsense"), "--methods: unknown method 'fd-nonsense'"),
             (refusal(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "'mcs.sed' is no option (known: mcs."),
             (refusal(solve, "case1", "mcs", options={"mcs.time": "x"}), "options: mcs.time = 'x'"),
             (refusal(solve, "case1", "mcs", options={"mcs.time": -1}), "must be"),
             (refusal(solve, "case1", "epc-gaussian-n6", options={"epc.order": 4}), "epc-gaussian-n4"),
             (refusal(solve, ["case1", "case2"], "fd-kf", against={"a": "b.csv"}), "2 cases"),
-            (refusal(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is a method's"),
+            (refusal(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is the name of a method"),
             (refusal(solve, "case1", "fd-kf", against={"lab": "nowhere.csv"}), "nowhere.csv"),
             (refusal(fpk.Problem.case, "case1", law="cauchy"), "impulse.law = 'cauchy' (must be one of gaussian"),
             (refusal(fpk.Problem, self.one_line, name="a\nb"), "the case's name, that of its file, holds control"),
@@ -299,10 +299,10 @@ class OwnDensities(unittest.TestCase):
         self.assertIn("cut off", solved(lambda y, v: 1 + 0 * y).reason)
         off = solved(self.normal(1), normalise=False)
         self.assertEqual(off.status, "inadmissible")
-        self.assertIn("its integral is 1.5708", off.reason)
+        self.assertIn("the integral is 1.5708", off.reason)
         for function, expected in (
             (lambda y, v: np.log(y), "must be a finite number"),
-            (lambda y, v: -np.exp(-(y**2) - v**2), "its integral is"),
+            (lambda y, v: -np.exp(-(y**2) - v**2), "the integral is"),
             (lambda y, v: np.ones(7), "shape (7,)"),
         ):
             with np.errstate(divide="ignore"):

@@ -174,21 +174,21 @@ class Declaring : public testing::Test {
 TEST_F(Declaring, MoreThanItHoldsIsRefusedBeforeThereIsRoomForIt) {
   const std::size_t many = 3'000'000'000;
   declare({many, 2, 2}, {1, 2, 2});
-  EXPECT_TRUE(contains(refusal(), "no texts")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "not a list of texts")) << refusal();
   declare({1, many, many}, {1, 1, 1});
   EXPECT_TRUE(contains(refusal(), "more than")) << refusal();
   // A product beyond 2^64.
   declare({5000, many, many}, {1, 1, 1});
   EXPECT_TRUE(contains(refusal(), "more than")) << refusal();
   declare({1, 4'000'000, 1}, {1, 1, 1});
-  EXPECT_TRUE(contains(refusal(), "more values than the file can hold")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "more values than the file can contain")) << refusal();
 }
 
 TEST_F(Declaring, AnotherFormOrTypeIsRefused) {
   declare({1, 1, 1}, {}, NC_FLOAT, NC_64BIT_DATA);
-  EXPECT_TRUE(contains(refusal(), "no netCDF-4")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "not netCDF-4")) << refusal();
   declare({1, 1, 1}, {}, NC_STRING);
-  EXPECT_TRUE(contains(refusal(), "not a whole file")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "not a complete file")) << refusal();
 }
 
 // libnetcdf would take one for an address in the network and another for two directories.

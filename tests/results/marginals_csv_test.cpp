@@ -112,7 +112,7 @@ TEST(MarginalsCsv, NamesTheLineThatIsWrong) {
   EXPECT_TRUE(tests::contains(message("a,b\n"), "m.csv:1: not a file of marginals"));
   EXPECT_TRUE(tests::contains(message(""), "m.csv:1: not a file of marginals"));
   EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,,\nc,s,y,0\n"), "m.csv:3: 4 fields"));
-  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,\n"), "m.csv:2: an interval with one"));
+  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,\n"), "m.csv:2: an interval has one"));
   EXPECT_TRUE(
       tests::contains(message(header + "c,s,y,0,one,,\n"), "m.csv:2: 'one' is not a number"));
   EXPECT_TRUE(tests::contains(message(header + "c,s,z,0,1,,\n"), "variable 'z'"));

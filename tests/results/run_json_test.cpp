@@ -233,19 +233,19 @@ TEST(Summary, OfAnOlderProgramHasSolutionsWithoutAFamily) {
 
 TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
   const std::string text = summary_text(full_run());
-  EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON (at byte"));
-  EXPECT_TRUE(contains(refusal("[]"), "it has no schema"));
-  EXPECT_TRUE(contains(refusal(R"({"schema": 7})"), "has schema 7 (this program reads schema 1"));
+  EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON: error at byte"));
+  EXPECT_TRUE(contains(refusal("[]"), "\"schema\" is missing"));
+  EXPECT_TRUE(contains(refusal(R"({"schema": 7})"), "has schema 7, but this program reads schema 1"));
   EXPECT_TRUE(contains(refusal(R"({"schema": 1e999})"), "is not JSON"));
   Json json = Json::parse(text);
   json["cases"][0]["solutions"][0].erase("status");
   EXPECT_TRUE(contains(refusal(json.dump()), "key 'status' not found")) << refusal(json.dump());
   json = Json::parse(text);
   json["cases"].push_back(json["cases"][0]);
-  EXPECT_TRUE(contains(refusal(json.dump()), "case1 is there twice"));
+  EXPECT_TRUE(contains(refusal(json.dump()), "case1 occurs twice"));
   json = Json::parse(text);
   json["cases"][0]["solutions"][1]["id"] = "epc-gaussian-n2";
-  EXPECT_TRUE(contains(refusal(json.dump()), "epc-gaussian-n2 is there twice"));
+  EXPECT_TRUE(contains(refusal(json.dump()), "epc-gaussian-n2 occurs twice"));
   json = Json::parse(text);
   json["cases"][0]["system"]["restitution"] = 1.5;
   EXPECT_TRUE(contains(refusal(json.dump()), "system.restitution = 1.5"));

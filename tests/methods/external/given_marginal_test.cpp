@@ -120,7 +120,7 @@ TEST(GivenMarginal, SaysItsVariableByItsNamesOrElseByItsSigns) {
   EXPECT_EQ(read("-1 1\n" + rows).variable(), Variable::ydot);
   EXPECT_TRUE(contains(refusal("y p\n-1 1\n" + rows),
                        "mine.csv:2: y = -1 under the names 'y,p' (must be y >= 0; name"));
-  EXPECT_TRUE(contains(refusal("x p\n-1 1\n" + rows), "name the abscissa 'v' if"));
+  EXPECT_TRUE(contains(refusal("x p\n-1 1\n" + rows), "name the abscissa 'v' for"));
 }
 
 TEST(GivenMarginal, IsOfTheVariableThatItsNamesSayWithoutTheirUnits) {
@@ -174,7 +174,7 @@ TEST(GivenMarginal, TellsProbabilitiesAndCountsFromDensities) {
   const std::string shares = "0,0.5,0.4\n0.5,1,0.3\n1,2,0.2\n2,4,0.1\n";
   EXPECT_EQ(values(shares), "probability");
   EXPECT_NEAR(first_bin(shares), 0.8, 1e-12);
-  EXPECT_TRUE(contains(note(shares), "its probabilities per bin were divided by the widths"));
+  EXPECT_TRUE(contains(note(shares), "the probabilities per bin were divided by the bin widths"));
   EXPECT_FALSE(read(shares).file().divided_by);
   EXPECT_NEAR(first_bin("lower,upper,density\n" + shares), 0.4 / 0.75, 1e-12);  // its integral
 
@@ -197,9 +197,9 @@ TEST(GivenMarginal, TellsProbabilitiesAndCountsFromDensities) {
 TEST(GivenMarginal, OfBinsWithGapsIsNotTakenForPoints) {
   const std::string gaps = "0,0.032,1\n0.033,0.066,9\n0.067,0.1,9\n0.101,0.133,3\n";
   EXPECT_TRUE(
-      contains(refusal(gaps), "mine.csv:2: a bin from 0.033 after one to 0.032 (bins must"));
-  EXPECT_TRUE(contains(refusal("0 9 5\n10 19 7\n20 29 3\n30 39 1\n"), "bins must join"));
-  EXPECT_TRUE(contains(refusal("x,p,samples\n0,3,5\n1,2,7\n2,1,3\n3,0,1\n"), "bins must join"));
+      contains(refusal(gaps), "mine.csv:2: a bin from 0.033 after a bin to 0.032 (bins must"));
+  EXPECT_TRUE(contains(refusal("0 9 5\n10 19 7\n20 29 3\n30 39 1\n"), "bins must adjoin"));
+  EXPECT_TRUE(contains(refusal("x,p,samples\n0,3,5\n1,2,7\n2,1,3\n3,0,1\n"), "bins must adjoin"));
   const auto points = read("0 0.9 0.1\n1 1.2 0.1\n2 2.1 0.1\n3 0.1 0.1\n");  // the last is none
   EXPECT_EQ(points.file().form, "points");
 }
@@ -327,7 +327,7 @@ TEST(GivenMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
       {"y p\n0 1\n1 one\n", "mine.csv:3: 'one' is not a number"},
       {"0 half\n1 1\n", "mine.csv:1: 'half' is not a number"},
       {"0,0;0,5\n1;0,5\n", "mine.csv:2: '0,5' is not a number"},
-      {"0;1\n1;0,5\n", "mine.csv:2: '0,5' is not a number (with a decimal point)"},
+      {"0;1\n1;0,5\n", "mine.csv:2: '0,5' is not a number; use a decimal point"},
       {"0 1\n1 nan\n", "mine.csv:2: nan (numbers must be finite)"},
       {"0 1\n1 inf\n", "mine.csv:2: inf (numbers must be finite)"},
       {"0 1\n1 1\n\n# more\n2 1\n", "mine.csv:5: 3 rows (must be at least 4)"},
@@ -337,9 +337,9 @@ TEST(GivenMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
       {"0 1 1\n1 1 -1\n2 1 1\n3 1 1\n", "mine.csv:2: standard error -1 (must not be negative)"},
       {"0 1 1\n1 2 -1\n2 3 1\n3 4 1\n", "mine.csv:2: density or count -1 (must not"},
       {"lower upper p\n0 1 1\n1 2 1\n2.5 3 1\n3 4 1\n",
-       "mine.csv:4: a bin from 2.5 after one to 2 (bins must join)"},
+       "mine.csv:4: a bin from 2.5 after a bin to 2 (bins must adjoin)"},
       {"0 0\n1 0\n2 0\n3 0\n", "0 everywhere"},
-      {"0 1e308\n1 1e308\n2 1e308\n3 1e308\n", "its integral overflows"},
+      {"0 1e308\n1 1e308\n2 1e308\n3 1e308\n", "the integral overflows"},
       {"y p q\n0 1\n1 1\n2 1\n3 1\n", "mine.csv:2: 2 columns under 3 names"},
   };
   for (const auto& [text, expected] : bad) {
@@ -352,9 +352,9 @@ TEST(GivenMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
 
 TEST(GivenMarginal, OneSeparatorInAllRows) {
   EXPECT_TRUE(contains(refusal("0,1\n1,2\n2;3\n3,1\n"),
-                       "mine.csv:3: numbers between semicolons after rows with commas"));
+                       "mine.csv:3: fields separated by semicolons after rows with commas"));
   EXPECT_TRUE(contains(refusal("0 1\n1\t2\n2 3\n3 1\n"),
-                       "mine.csv:2: numbers between tabs after rows with blanks"));
+                       "mine.csv:2: fields separated by tabs after rows with blanks"));
 }
 
 TEST(GivenMarginal, NamesAbscissaeWithAllTheirDigits) {
@@ -364,23 +364,23 @@ TEST(GivenMarginal, NamesAbscissaeWithAllTheirDigits) {
 
 TEST(GivenMarginal, OfCountsBeyondAllNumbersIsRefused) {
   EXPECT_TRUE(contains(refusal("lower,upper,count\n0,1,1e308\n1,2,1e308\n2,3,1e308\n3,4,1\n"),
-                       "its integral overflows"));
+                       "the integral overflows"));
   // Its sum is a number, its density in narrow bins is none.
   const std::string narrow =
       refusal("lower,upper,count\n0,1e-9,1e308\n1e-9,2e-9,5e307\n2e-9,3e-9,1\n3e-9,4e-9,1\n");
-  EXPECT_TRUE(contains(narrow, "(choose other units)")) << narrow;
+  EXPECT_TRUE(contains(narrow, "; choose other units")) << narrow;
 }
 
 TEST(GivenMarginal, OfBinsWithinABinIsRefused) {
   // What the inner one lacks of joining is little beside the width of the outer one.
   EXPECT_TRUE(contains(refusal("lower,upper,count\n-1e9,2,0\n-9,2,1\n2,3,1\n3,4,1\n"),
-                       "mine.csv:3: a bin from -9 after one to 2 (bins must join)"));
+                       "mine.csv:3: a bin from -9 after a bin to 2 (bins must adjoin)"));
   EXPECT_TRUE(contains(refusal("lower,upper,count\n-1e9,2,0\n-9,3,1\n3,4,1\n4,5,1\n"),
-                       "mine.csv:3: a bin from -9 after one to 2 (bins must join)"));
+                       "mine.csv:3: a bin from -9 after a bin to 2 (bins must adjoin)"));
   // Widths that no number holds.
   const std::string widest = "-1.7e308,1.7e308,0\n-1.2e307,1.7e308,1\n";
   EXPECT_TRUE(contains(refusal("lower,upper,count\n" + widest + "2,3,1\n3,4,1\n"),
-                       "mine.csv:3: a bin from -1.2e+307 after one to 1.7e+308 (bins must join)"));
+                       "mine.csv:3: a bin from -1.2e+307 after a bin to 1.7e+308 (bins must adjoin)"));
   EXPECT_TRUE(contains(refusal("lower,upper,count\n0,1,1\n1,1,1\n2,3,1\n3,4,1\n"),
                        "mine.csv:3: a bin from 1 to 1 (edges must increase)"));
 }

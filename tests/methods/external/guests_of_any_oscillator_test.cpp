@@ -371,7 +371,7 @@ TEST(GuestsOfAnyOscillator, AreWithoutTheMassAtRestAndSaySo) {
   const auto own = solved(own_samples({.label = "a"}, y, v), pressed);
   EXPECT_NEAR(own.mass, 0.75, 1e-12);
   EXPECT_EQ(own.estimated_marginals.front().second.density[0], 0);
-  EXPECT_TRUE(contains(transform::word(own.observations, "notes[0]").value(), "rests in contact"));
+  EXPECT_TRUE(contains(transform::word(own.observations, "notes[0]").value(), "at rest in contact"));
   // Under noise nothing rests.
   Problem lifted = pressed;
   lifted.noise.intensity = 0.1;
