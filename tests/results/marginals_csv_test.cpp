@@ -13,7 +13,7 @@ namespace {
 
 using transform::Variable;
 
-/// The curves of a run of one made-up case, and of cases with such curves alone.
+/// The curves of a synthetic run with one case, and of cases that have only such curves.
 std::vector<Case> cases_with(std::vector<std::pair<std::string, std::vector<Curve>>> curves) {
   std::vector<Case> cases;
   for (auto& [name, own] : curves) {
@@ -77,7 +77,7 @@ TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
             "c,t,y,0.5,0.25,0.125,1\n");
 }
 
-// A simulation whose trajectories left the range of numbers has a density of what they were.
+// A simulation whose trajectories exceeded the range of numbers has a density that is not finite.
 TEST(MarginalsCsv, HasNumbersThatAreNotFiniteOnlyOfWhatBrokeDown) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto read = [&](const std::string& row) -> std::string {

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using tests::contains;
 using transform::Variable;
 
-// A made-up run, files of its fd-kf, and the run with these files read.
+// A synthetic run, files of the marginals of its fd-kf, and the run with these files added.
 class GivenMethods : public testing::Test {
  protected:
   std::string write(const std::string& name, Variable variable, double standard_error = 0) {
@@ -108,7 +108,7 @@ TEST_F(GivenMethods, TheirErrorsExplainTheDifferenceOrNot) {
   EXPECT_TRUE(contains(sentence(1e-2), "which explains that")) << sentence(1e-2);
   EXPECT_FALSE(contains(sentence(1e-2), "does not")) << sentence(1e-2);
   EXPECT_TRUE(contains(sentence(1e-2), "from the full jump equation (fd-kf) by L1"));
-  // Chance of the file and of the simulation (0.0011) together.
+  // Sampling errors of the file and of the simulation (0.0011) together.
   const auto who = solutions_.back().identity;
   solutions_.back() = solutions_[0];
   solutions_.back().identity = who;
@@ -117,7 +117,7 @@ TEST_F(GivenMethods, TheirErrorsExplainTheDifferenceOrNot) {
 }
 
 TEST_F(GivenMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
-  // sigma of relative 5 %, 30 points a bin, bias of 8 % in turns.
+  // Relative standard error 5 %, 30 points per bin, bias of 8 % with alternating sign.
   const auto sentence = [&](double bias) {
     const auto& density = std::get<transform::SmoothDensity>(*solutions_[6].density);
     const double end = axes_.y_edges.back();
@@ -147,7 +147,7 @@ TEST_F(GivenMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
 
 TEST_F(GivenMethods, SayWhatLiesBeyondTheAxes) {
   const double end = axes_.y_edges.back();
-  const auto file_of = [&](double length) {  // of an exponential density of this mean
+  const auto file_of = [&](double length) {  // exponential density with this mean
     const fs::path file = directory_.path() / "far.csv";
     std::ofstream out(file);
     for (int k = 0; k <= 400; ++k) {
@@ -229,11 +229,12 @@ TEST_F(GivenMethods, LabelsAreIdsOfTheirOwn) {
   EXPECT_TRUE(contains(refusal({"absent.csv:a"}), "'absent.csv' is not a readable file"));
 }
 
-// Variables of netCDF files and blocks of data in pictures have no '-' and no '.'.
+// Names of netCDF variables and of gnuplot data blocks cannot contain '-' or '.'.
 TEST_F(GivenMethods, LabelsThatOtherNamesCannotTellApartAreRefused) {
   const auto y = write("y.csv", Variable::y), v = write("v.csv", Variable::ydot);
   EXPECT_TRUE(contains(refusal({y + ":fd_kf"}), "label 'fd_kf' is the name of a method"));
-  EXPECT_TRUE(contains(refusal({y + ":epc.gaussian"}), "label 'epc.gaussian' is the name of a method"));
+  EXPECT_TRUE(
+      contains(refusal({y + ":epc.gaussian"}), "label 'epc.gaussian' is the name of a method"));
   EXPECT_TRUE(contains(refusal({y + ":a.b", v + ":a-b"}), "labels 'a.b' and 'a-b' differ only in"));
   EXPECT_EQ(refusal({y + ":a.b", v + ":a.b"}), "accepted");
   EXPECT_EQ(refusal({y + ":fdm"}), "accepted");

@@ -25,7 +25,7 @@ using transform::Status;
 using transform::Variable;
 using Function = std::function<double(double, double)>;
 
-// At r = 1, where the density under white noise is known exactly.
+// External densities at r = 1, where the density under white noise is known exactly.
 class OwnDensities : public testing::Test {
  protected:
   Method of(const Function& p,
@@ -67,7 +67,7 @@ TEST_F(OwnDensities, AreKnownAsTheFunctionIs) {
   EXPECT_NEAR(transform::number(own.observations, "balances.momentum").value(), 0, 1e-7);
   EXPECT_EQ(transform::solves_text(own.identity), "white/map");
   const auto y = transform::marginal(own, Variable::y, axes_.y_edges);
-  // An average over a bin is not the density at its centre.
+  // The average over a bin differs from the density at its centre.
   for (const std::size_t b : {0, 20, 70}) {
     EXPECT_NEAR(y.density[b] / exact_.displacement_marginal(y.centre(b)), 1, 3e-3);
   }
@@ -84,7 +84,7 @@ TEST_F(OwnDensities, AreClosuresWithABudgetWhereTheirEquationIsSaid) {
   EXPECT_EQ(own.identity.role, transform::Role::closure);
   EXPECT_EQ(one.find("nobody")->identity.role, transform::Role::given);
   EXPECT_EQ(own.status, Status::ok);
-  // Its error against the full problem is that of white noise.
+  // The error against the full problem is that of the white-noise model.
   const double far = one.l1("own", "fd-kf", Variable::y).value();
   EXPECT_GT(own.error.value().y_l1, far);
   EXPECT_LT(own.error.value().y_l1, 1.7 * far);
@@ -130,7 +130,7 @@ TEST_F(OwnDensities, OfNoUseAreRefused) {
   const auto all = builtin();
   EXPECT_TRUE(contains(refusal([&] { require_free("fd.kf", all); }), "is the name of a method"));
   EXPECT_TRUE(contains(refusal([&] { require_unlike("a.b", "a-b"); }), "differ only in"));
-  // Who gave it had no option of the program in hand.
+  // The message must not name a command-line option: the caller used the library.
   for (const char* label : {"fd.kf", "a b"}) {
     EXPECT_FALSE(contains(refusal([&] { require_free(label, all); }), "--")) << label;
   }
@@ -158,7 +158,7 @@ TEST_F(OwnDensities, SamplesAreAsFarAsTheirErrorsSay) {
   EXPECT_NEAR(drawn.mass, 1, 1e-9);
   EXPECT_NEAR(drawn.moments.v2, 0.5, 4 * drawn.standard_errors->moments.v2);
   EXPECT_NEAR(drawn.standard_errors->moments.v2, 0.5 * std::sqrt(2.0 / kSamples), 1e-4);
-  // A quarter as many independent ones: twice the errors.
+  // A quarter as many independent samples double the errors.
   const auto fewer = solved(own_samples({.label = "a"}, y, v, kSamples / 4.0));
   EXPECT_NEAR(fewer.sampling->y.value() / drawn.sampling->y.value(), 2, 1e-9);
   EXPECT_NEAR(fewer.standard_errors->moments.y1 / drawn.standard_errors->moments.y1, 2, 1e-9);
