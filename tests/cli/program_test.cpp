@@ -116,7 +116,7 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"check"}, "one baseline"},
       {{"check", "a.json", "b.json"}, "one baseline"},
       {{"check", path("nowhere.json")}, "nowhere.json is not a readable file"},
-      {{"check", "absent-here.json"}, "absent-here.json is not a readable file (give the summary"},
+      {{"check", "absent-here.json"}, "absent-here.json is not a readable file; give the summary"},
       {{"check", path("unknown.ini")}, "is not JSON"},
       {{"check", path("list.json")}, "not the summary of a run"},
       {{"check", path("later.json")}, "has schema 2"},

@@ -186,7 +186,7 @@ TEST(GivenMarginal, TellsProbabilitiesAndCountsFromDensities) {
   const std::string few = "0,0.5,2\n0.5,1,1\n1,1.02,1\n1.02,1.04,1\n";  // integral 1.54
   EXPECT_EQ(values(few), "count");
   EXPECT_NEAR(first_bin(few), 2 / 5.0 / 0.5, 1e-12);
-  EXPECT_TRUE(contains(note(few), "its counts were divided by their sum, 5"));
+  EXPECT_TRUE(contains(note(few), "the counts were divided by their sum, 5"));
   for (const char* header : {"a,b,samples\n", "a,b,frequency\n", "a,b,n\n", "a,b,Counts [-]\n"}) {
     EXPECT_EQ(values(header + few), "count") << header;
     EXPECT_EQ(values(header + shares), "probability") << header;
@@ -212,7 +212,7 @@ TEST(GivenMarginal, EndsWhereTheFileEndsAndSaysSo) {
   EXPECT_EQ(on.density[1], 0);
   EXPECT_NEAR(on.density[2], (bell_below(0) - bell_below(-1)) / 1 / bell_below(1), 1e-3);
   ASSERT_EQ(cut.file().notes.size(), 2u);  // normalisation; cut-off at -1 only
-  EXPECT_TRUE(contains(cut.file().notes[1], "p(y') ends at -1 with 0.6"));
+  EXPECT_TRUE(contains(cut.file().notes[1], "p(y') is cut off at -1, at 0.6"));
   EXPECT_EQ(cut.file().from, -1);
   EXPECT_TRUE(read(points(1, "", "{} {}\n")).file().notes.empty());
 }
@@ -232,7 +232,7 @@ TEST(GivenMarginal, OfPointsBesideTheWallIsContinuedToIt) {
     steep += fmt::format("{} {}\n", 0.1 + 0.2 * k, std::exp(-0.1 - 0.2 * k));
   EXPECT_NEAR(read(steep).on(std::vector<double>{0, 0.1}).density[0], (1 - std::exp(-0.1)) / 0.1,
               6e-3);
-  EXPECT_TRUE(contains(read(far).file().notes.back(), "ends at 0.35"));
+  EXPECT_TRUE(contains(read(far).file().notes.back(), "is cut off at 0.35"));
 }
 
 TEST(GivenMarginal, HasIntervalsWhereItHasStandardErrors) {

@@ -134,7 +134,8 @@ TEST_F(JointTables, ThatAreNoGridAreRefused) {
   const auto last = whole.substr(0, whole.size() - 1).rfind('\n');
   EXPECT_TRUE(contains(refusal_of_joint(whole.substr(0, last + 1)),
                        "mine.csv: 44 rows with 5 values of y and 9 of y' (must be one for every"));
-  EXPECT_TRUE(contains(refusal_of_joint(whole + "0,0,1\n"), "mine.csv:47: y = 0, y' = 0 for the"));
+  EXPECT_TRUE(
+      contains(refusal_of_joint(whole + "0,0,1\n"), "mine.csv:47: y = 0, y' = 0 occurs twice"));
   EXPECT_TRUE(contains(refusal_of_joint(file(2)), "3 values of y (must be at least 4)"));
   EXPECT_EQ(refusal_of_joint(whole), "accepted");
   std::istringstream marginal("y,v,error\n0,1,2\n1,2,3\n2,3,4\n3,4,5\n");

@@ -105,7 +105,7 @@ TEST_F(OwnDensities, SayWhatIsNoDensity) {
   };
   EXPECT_EQ(status_of([&](double y, double v) { return exact_(y, v); }, false),
             "inadmissible: the integral is 0.5, not 1");
-  EXPECT_TRUE(contains(status_of([](double, double) { return 1; }), "cut off, at y ="));
+  EXPECT_TRUE(contains(status_of([](double, double) { return 1; }), "), at y ="));
   EXPECT_TRUE(
       contains(status_of([&](double y, double v) { return exact_(y, v) * (2 - y); }), "negative"));
 }
