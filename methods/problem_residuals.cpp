@@ -88,9 +88,8 @@ std::string too_large(const backward::WeightedResiduals& weighted,
         "of the backward equation is too coarse for a sharper bound",
         error.y_l1, error.ydot_l1);
   }
-  return fmt::format(
-      "the residual-based estimate of its L1 error is {:.2g} in p(y) and {:.2g} in p(y')",
-      error.y_l1, error.ydot_l1);
+  return fmt::format("the residual-based L1 error estimate is {:.2g} in p(y) and {:.2g} in p(y')",
+                     error.y_l1, error.ydot_l1);
 }
 
 }  // namespace
