@@ -24,7 +24,7 @@ struct OwnDensity {
 };
 
 /// The identity of the solution.
-/// @param method transform::kGivenInFile or transform::kGivenAsFunction
+/// @param method transform::kExternalFile or transform::kExternalFunction
 /// @param origin for the glossary, as "given as a function"
 transform::Identity identity_of(const OwnDensity& own, std::string_view method,
                                 const std::string& what);
