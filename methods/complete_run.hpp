@@ -20,7 +20,7 @@ struct CompleteRun {
 };
 
 /// Solves and compares the cases of a run, and computes their bounds and moment error estimates.
-/// @throws whatever a solver, `progress` or `check_interrupt` throws
+/// @throws whatever a solver, `progress` or `poll` throws
 std::vector<results::Case> complete_run(const std::vector<problem::Problem>& problems,
                                         const std::vector<Method>& methods, const CompleteRun& how);
 

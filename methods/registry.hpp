@@ -58,7 +58,7 @@ class Registry {
   std::vector<Solver> solvers_;
 };
 
-/// True when `first` is trusted less than `second`.
+/// True when `one` is trusted less than `other`.
 bool less_trusted(const transform::Identity& one, const transform::Identity& other);
 
 /// The admissible items of a list of methods, for messages: "epc, fd, mcs, or ids such as ..".

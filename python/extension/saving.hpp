@@ -10,11 +10,11 @@
 namespace fpkcheck::python {
 
 /// Writes the files of `fpkcheck run --out` in a separate thread.
-/// @param check_interrupt called by the calling thread about twenty times a second. After an
+/// @param poll called by the calling thread about twenty times a second. After an
 ///        exception from it, the files are completed and figures are omitted
 /// @return warnings, one line each, about figures that could not be drawn
 /// @throws InputError when the directory cannot be used; std::runtime_error when a file cannot be
-///         written; the exceptions of `check_interrupt`
+///         written; the exceptions of `poll`
 std::vector<std::string> save(const std::filesystem::path& directory, const results::Run& run,
                               const std::function<void()>& look);
 
