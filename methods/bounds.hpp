@@ -11,7 +11,7 @@ namespace fpkcheck::methods {
 compare::Bounds guaranteed_bounds(const problem::Problem& problem,
                                   const backward::Options& options);
 
-/// Computes the guaranteed bounds of a case, as narrow as about one second allows.
+/// Computes the guaranteed bounds of a case, as narrow as about a second allows.
 /// @param threads 0 for all processors
 void add_bounds(results::Case& one, int threads);
 

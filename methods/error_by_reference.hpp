@@ -15,9 +15,9 @@ std::optional<double> accuracy_of(const Method& method);
 
 /// Completes the error estimates of all solutions of one problem. No solution stays `ok` without an
 /// error estimate.
-/// - A closure with a required accuracy and without an error estimate (residuals unsupported, not
-///   requested, or without result) gets its L1 distance to the reference plus the reference's own
-///   error estimate, by the triangle inequality. If the missing estimate alone made it
+/// - A closure with a required accuracy and without an error estimate (residual method unsupported,
+///   not requested, or without result) gets its L1 distance to the reference plus the reference's
+///   own error estimate, by the triangle inequality. If the missing estimate alone made it
 ///   `inaccurate`, it becomes `ok` first. It is `inaccurate` if the sum exceeds the required
 ///   accuracy. Without a reference, an `ok` closure gets its residual-based estimate.
 /// - Any other `ok` solution without an error estimate (an external density, a closure without a

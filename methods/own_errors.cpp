@@ -17,7 +17,7 @@ namespace {
 using results::Case;
 using transform::Moments;
 
-/// The results for one solution.
+/// The results for a solution.
 struct Found {
   results::OwnError error;
   std::vector<results::ErrorSource> sources;

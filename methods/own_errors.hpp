@@ -5,7 +5,7 @@
 
 namespace fpkcheck::methods {
 
-/// Computes moment error estimates and error sources of a case by dual-weighted residuals
+/// Computes moment error estimates and error sources of a case by the dual-weighted residual method
 /// (backward/residual/density_residuals.hpp), for every solution with a density on cells or as a
 /// function. A simulation's histogram gets none, since its sampling noise is no residual of an
 /// equation. Solutions and error sources are on the physical axes. Where the backward equation

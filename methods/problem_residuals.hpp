@@ -28,7 +28,7 @@ class ProblemResiduals {
   const backward::DensityResiduals* get() const;
   /// The wall coordinates of the problem.
   const problem::Frame& frame() const;
-  /// Why residuals do not support the problem, in one phrase; empty where they do.
+  /// Why the problem is unsupported, in one phrase; empty if supported.
   const std::string& refused() const;
 
  private:
@@ -39,7 +39,7 @@ class ProblemResiduals {
 /// The estimators of the problems, in the same order.
 std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& problems);
 
-/// Sets the error estimate of a solution with a density by dual-weighted residuals
+/// Sets the error estimate of a solution with a density by the dual-weighted residual method
 /// (backward/residual/density_residuals.hpp). The error is that against the full problem, whichever
 /// equation the method solves. An `ok` solution becomes `inaccurate` if its estimate exceeds
 /// `accuracy` in L1, or if no estimate exists.

@@ -8,8 +8,8 @@
 
 #include "problem/walls.hpp"
 
-/// The range of y between the walls of a case, for checks of external data. A point on a wall is in
-/// the range. The tolerance is a millionth of the wall's position, since files have rounded
+/// The range of y that the walls of a case admit, for checks of external data. A point on a wall is
+/// in the range. The tolerance is a millionth of the wall's position, since files have rounded
 /// numbers.
 namespace fpkcheck::methods {
 
@@ -17,7 +17,7 @@ bool is_at(const std::optional<problem::Wall>& wall, double y);
 bool is_between(const problem::Walls& walls, double y);
 
 /// The walls to which a density is extrapolated: those whose distance to the first or last abscissa
-/// is at most the distance between neighbouring abscissae, as for the centres of cells.
+/// is at most the spacing of the abscissae there, as for the centres of cells.
 struct Reached {
   bool left = false, right = false;
 };
@@ -29,7 +29,7 @@ Reached reached_from(const problem::Walls& walls, const std::vector<double>& y);
 double continued_to(double wall, std::span<const double> y, std::span<const double> values,
                     std::size_t first, double least);
 
-/// The range between the walls: "y >= 0", "y <= 1", "-0.5 <= y <= 1"; "any y" without walls.
+/// The range of y as text: "y >= 0", "y <= 1", "-0.5 <= y <= 1"; "any y" without walls.
 std::string between(const problem::Walls& walls);
 
 }  // namespace fpkcheck::methods

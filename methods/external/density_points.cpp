@@ -9,7 +9,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The edges, with further bins of the last width over the length `so_far` beyond the last edge.
+// The edges, with further bins of the last width over the length `extension` beyond the last edge.
 std::vector<double> extended(std::vector<double> edges, double so_far) {
   const double last = edges.back(), width = last - edges[edges.size() - 2];
   const auto more = static_cast<int>(std::lround(so_far / width));
@@ -24,7 +24,7 @@ std::vector<double> turned(std::vector<double> edges) {
   return edges;
 }
 
-// The edges of y, extended at the ends without a wall, but not beyond a wall farther out.
+// The edges of y, with further bins at the ends without a wall, but not beyond a wall farther out.
 std::vector<double> extended(const std::vector<double>& edges, bool low, bool high,
                              const problem::Walls& walls) {
   const double length = edges.back() - edges.front();

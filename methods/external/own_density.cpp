@@ -182,7 +182,7 @@ Solution solution_of(const problem::Problem& problem, const Setting& setting, co
   note_rest(problem, observer);
   solution.observations = observer.take();
   if (own.equation && setting.residuals != nullptr) {
-    // An empty opening: the density was not tested against its own equation.
+    // An empty prefix of the reason: the density was not tested against the equation.
     state_measured_error(*setting.residuals, how.accuracy, solution, {}, "");
   }
   return solution;
