@@ -43,7 +43,7 @@ void write_problem(NetCdfWriter& file, const problem::Problem& problem, int vari
   write_parameters(file, problem, variable);
 }
 
-/// An array (solution, cells) for one case; NaN for solutions without values.
+/// An array (solution, cells) for a case; NaN for solutions without values.
 class OverSolutions {
  public:
   OverSolutions(const std::vector<std::string>& solutions, std::size_t cells)

@@ -35,13 +35,13 @@ class NetCdfWriter {
   int cells(const std::string& name, const std::string& long_name, int bounds,
             std::span<const double> edges);
 
-  /// Writes a compressed variable of single precision, in chunks of one element of the first
+  /// Writes a deflated variable of single precision, in chunks of one element of the first
   /// dimension. NaN is the fill value; units are "1".
   /// @return its id
   int compressed(const std::string& name, const std::vector<int>& dimensions,
                  const std::string& long_name, std::span<const float> values);
 
-  /// Writes a compressed variable of double precision. NaN is the fill value; units are "1".
+  /// Writes a deflated variable of double precision. NaN is the fill value; units are "1".
   /// @return its id
   int packed(const std::string& name, const std::vector<int>& dimensions,
              const std::string& long_name, std::span<const double> values);
