@@ -100,7 +100,7 @@ struct LeftBehind {
   std::thread thread;
 };
 
-// Never destroyed, since abandoned threads may still run at the end of the process.
+// Never destroyed, since its threads may still run at the end of the process.
 struct Abandoned {
   std::mutex mutex;
   std::vector<LeftBehind> all;
