@@ -31,7 +31,7 @@
 
 // Random problems over the whole range of accepted parameters, solved with the given methods and
 // compared with the simulation. For each method: the number of `ok` solutions, how many of these
-// are wrong, and whether errors are within the error estimates.
+// are wrong, and whether errors are below the error estimates.
 //
 //   fpkcheck_random [--count 200] [--first 0] [--family] [--methods fd-kf] [--keep DIR] [--verbose]
 //
@@ -176,8 +176,8 @@ void print_case(const problem::Problem& problem, const Judge& judge,
   std::fflush(stdout);
 }
 
-// Whether both marginals are within `safety` times the error estimate, plus three times the
-// expected sampling error, of the simulation.
+// Whether the distances of both marginals from the simulation are at most `safety` times the error
+// estimate plus three times the expected sampling error.
 bool within(const Answer& a, const Judge& judge, double safety) {
   if (!a.stated) return false;
   return a.y_l1 <= safety * a.stated->y_l1 + 3 * judge.y_noise &&
@@ -279,7 +279,8 @@ bool has_tails(const problem::Problem& problem) {
          mcs::splitting_objection(problem, kTails).empty();
 }
 
-// The lowest density, relative to the peak, whose 95 % interval is within half of its value.
+// The lowest density, relative to the peak, whose 95 % interval has at most half its value on a
+// side.
 double lowest_known(const Marginal& marginal) {
   const double peak = *std::ranges::max_element(marginal.density);
   double lowest = 1;

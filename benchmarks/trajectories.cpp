@@ -13,8 +13,8 @@
 #include "mcs/motion/flight.hpp"
 #include "problem/case_file.hpp"
 
-// Simulation speed for the paper's cases: the program's SIMD simulation against a scalar loop of
-// the classical Runge-Kutta method with step 0.05, on the same number of threads. Also the error
+// Simulation performance for the paper's cases: the program's SIMD simulation against a scalar loop
+// of the classical Runge-Kutta method with step 0.05, on the same number of threads. Also the error
 // per unit time of both.
 //
 //   fpkcheck_trajectories [THREADS] [TIME OF EACH THREAD]

@@ -27,7 +27,7 @@ State after(State s, double h) {
   return {s.y + h / 6 * (v1 + 2 * v2 + 2 * v3 + v4), s.v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
 }
 
-// The state after the time h, with impacts.
+// The state at the time h, with impacts.
 State through(State s, double h) {
   while (h > 0) {
     const State end = after(s, h);
