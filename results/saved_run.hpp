@@ -27,7 +27,8 @@ void add_summary_and_curves(base::PendingFiles& files, const std::filesystem::pa
 
 /// Reads a summary.json; the file may have any name. If a run was killed while it moved its files
 /// into that directory, the move is finished first.
-/// @throws InputError on one line: no such file, and as read_summary and base::finish_interrupted
+/// @throws InputError on one line: no such file; and the exceptions of read_summary and
+///         base::finish_interrupted
 Run load_summary(const std::filesystem::path& file);
 
 /// Reads the curves of a marginals.csv into the cases of a run.

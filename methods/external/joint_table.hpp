@@ -37,9 +37,9 @@ void require_between(const problem::Walls& walls, double from, double to,
 /// @return row-major, shape (points.y(), points.v())
 std::vector<double> values_at(const JointTable& table, const DensityPoints& points);
 
-/// The values at the points that reproduce a density's averages over cells: averages over the
-/// subcells of the points (subcell_edges), transferred by the cumulative distribution
-/// (transform::on_cells), but not below the lowest of the averages or 0, whichever is lower.
+/// The values at the points that reproduce a density's averages over cells. They are averages over
+/// the subcells of the points (subcell_edges), transferred by the cumulative distribution
+/// (transform::on_cells), but not below the lowest average or 0, whichever is lower.
 /// @return row-major, shape (points.y(), points.v())
 std::vector<double> values_at(const transform::GridDensity& cells, const DensityPoints& points);
 
