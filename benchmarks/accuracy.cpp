@@ -7,8 +7,8 @@
 namespace fpkcheck::benchmarks {
 namespace {
 
-// White noise and an elastic impact, where the density is known: case range(0) on range(1) x
-// range(2) cells, transport of order range(3), in a box of 5.5 deviations.
+// White noise and an elastic impact, where the density is known exactly. Case range(0) on range(1)
+// x range(2) cells, transport of order range(3), in a box of 5.5 standard deviations.
 void white_noise_against_exact(benchmark::State& state) {
   const auto problem =
       problem::load_case("case" + std::to_string(state.range(0)), {"system.restitution=1"});

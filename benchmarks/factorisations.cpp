@@ -13,14 +13,15 @@
 #include "problem/equivalent_linearisation.hpp"
 #include "setting.hpp"
 
-/// Orders of unknowns and sparse LU codes on the preconditioner's matrix.
+/// Fill-reducing orderings and sparse LU libraries on the matrix of the preconditioner.
 namespace fpkcheck::benchmarks {
 namespace {
 
 using namespace fd_fpk;
 using Integer = std::int64_t;
 
-/// I - M/10 with M much like what the preconditioner factors, and of the same pattern.
+/// I - M/10, with M similar to the matrix that the preconditioner factorises, and of the same
+/// sparsity pattern.
 SparseColumns low_order_matrix(const Setting& setting) {
   const auto& impulses = setting.problem.impulses;
   const Excitation weak{.drift = 0, .diffusion = impulses.rate_moment(2) / 8, .exchange = {}};
@@ -204,7 +205,7 @@ const bool kRegistered = [] {
   return true;
 }();
 
-// The null vector with one factorisation of the preconditioner and GMRES.
+// The null vector by GMRES with one factorisation of the preconditioner.
 void null_vector_by_gmres(benchmark::State& state) {
   const Setting setting(state.range(0));
   const FokkerPlanckOperator op = setting.op();
@@ -218,7 +219,8 @@ void null_vector_by_gmres(benchmark::State& state) {
 }
 BENCHMARK(null_vector_by_gmres)->Arg(1000)->Arg(2000)->Arg(4000)->Unit(benchmark::kMillisecond);
 
-// The same with the whole operator, jumps and all, in KLU, by inverse iteration.
+// The null vector by inverse iteration, with a KLU factorisation of the whole operator including
+// jumps.
 void null_vector_by_whole_factors(benchmark::State& state) {
   const Setting setting(state.range(0));
   const FokkerPlanckOperator op = setting.op();

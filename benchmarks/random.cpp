@@ -29,13 +29,14 @@
 #include "random_problem.hpp"
 #include "transform/solution.hpp"
 
-// Random problems over the whole range that the program accepts, solved by any methods and judged
-// by the simulation: how many each method solves, which of its answers say ok and are wrong, and
-// whether its stated errors hold.
+// Random problems over the whole range of accepted parameters, solved with the given methods and
+// compared with the simulation. For each method: the number of `ok` solutions, how many of these
+// are wrong, and whether errors are below the error estimates.
 //
 //   fpkcheck_random [--count 200] [--first 0] [--family] [--methods fd-kf] [--keep DIR] [--verbose]
 //
-// With --tails: time and memory of the splitting simulation of each, and how far its tails reach.
+// With --tails: time and memory of the splitting simulation of each problem, and the lowest density
+// that it resolves.
 //
 //   fpkcheck_random --tails --family --count 40
 namespace fpkcheck::benchmarks {
@@ -50,33 +51,33 @@ struct Settings {
   int count = 200;
   int first = 0;
   std::string methods = "fd-kf";
-  std::string keep = {};       // directory of simulations to be used again
-  std::string numbers = {};    // of the problems, instead of `count` from `first`
-  std::string transport = {};  // an option of fd, where not automatic
+  std::string keep = {};       // directory with stored simulations, to be reused
+  std::string numbers = {};    // numbers of the problems, in place of `count` from `first`
+  std::string transport = {};  // option of fd; empty for automatic
   bool verbose = false;
-  // Impulses and radians that a simulation takes at most, lest one with 1e4 impulses per decay time
-  // takes hours: their number makes up for the shorter time.
+  // Limit on the impulses and radians of a simulation: with 1e4 impulses per decay time the full
+  // duration would take hours. The many impulses compensate for the shorter duration.
   double events = 4e8;
-  bool family = false;  // of any oscillator, not of the paper's class alone
-  bool tails = false;   // print_tails in place of everything else
+  bool family = false;  // problems of any oscillator, not only of the paper's class
+  bool tails = false;   // run print_tails only
 };
 
-// What the simulation knows of a problem.
+// The results of the simulation of a problem, as reference.
 struct Judge {
   Marginal y, ydot;
-  double y_noise, ydot_noise;  // expected L1 by chance
+  double y_noise, ydot_noise;  // expected sampling error in L1
   std::vector<transform::RestAtom> atoms = {};
-  std::string status = {};  // of the simulation: what it did not converge to it cannot judge
+  std::string status = {};  // only an `ok` simulation serves as reference
 
   bool knows() const { return status == "ok"; }
 };
 
-// A method's answer beside it.
+// The solution of a method, compared with the reference.
 struct Answer {
   std::string status;
   double seconds = 0;
   bool density = false;
-  double y_l1 = 0, ydot_l1 = 0;  // to the simulation
+  double y_l1 = 0, ydot_l1 = 0;  // distances from the simulation
   std::optional<transform::ErrorEstimate> stated;
   std::string reason;
 
@@ -122,7 +123,7 @@ Judge judge(const problem::Problem& problem, const compare::ComparisonAxes& axes
         return mcs::solve(seen, judge_options(seen, there.axes, settings.events)).solution;
       });
   if (!solution.sampling)
-    throw std::runtime_error(problem.name + " was not simulated: " + solution.reason);
+    throw std::runtime_error(problem.name + " could not be simulated: " + solution.reason);
   Judge judge{.y = transform::marginal(solution, Variable::y, axes.y_edges),
               .ydot = transform::marginal(solution, Variable::ydot, axes.v_edges),
               .y_noise = solution.sampling->y.value_or(0),
@@ -164,26 +165,27 @@ void print_case(const problem::Problem& problem, const Judge& judge,
   fmt::print("{}: {:.3g} impulses per decay time, {}\n", problem.name,
              problem::impulses_per_decay_time(problem, problem::scales(problem)),
              problem::parameters_text(problem));
-  fmt::print("  {:20} {:>13} L1 {:.1e} {:.1e} by chance\n", "mcs", judge.status, judge.y_noise,
+  fmt::print("  {:20} {:>13} sampling L1 {:.1e} {:.1e}\n", "mcs", judge.status, judge.y_noise,
              judge.ydot_noise);
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Answer& a = answers[m];
     fmt::print("  {:20} {:>13} L1 {:.1e} {:.1e}", methods[m].id(), a.status, a.y_l1, a.ydot_l1);
-    if (a.stated) fmt::print(" stated {:.1e} {:.1e}", a.stated->y_l1, a.stated->ydot_l1);
+    if (a.stated) fmt::print(" estimate {:.1e} {:.1e}", a.stated->y_l1, a.stated->ydot_l1);
     fmt::print("  {:.2f} s  {}\n", a.seconds, a.reason);
   }
   std::fflush(stdout);
 }
 
-// Whether both marginals are as far from the simulation as the stated errors, times `safety`, and
-// three times the noise allow.
+// Whether the distances of both marginals from the simulation are at most `safety` times the error
+// estimate plus three times the expected sampling error.
 bool within(const Answer& a, const Judge& judge, double safety) {
   if (!a.stated) return false;
   return a.y_l1 <= safety * a.stated->y_l1 + 3 * judge.y_noise &&
          a.ydot_l1 <= safety * a.stated->ydot_l1 + 3 * judge.ydot_noise;
 }
 
-// Beyond a distance, as far as the noise lets one say so.
+// Whether a marginal is farther than `distance` from the simulation, by more than the sampling
+// error.
 bool off_by(const Answer& a, const Judge& judge, double distance) {
   return a.y_l1 > distance + 1.5 * judge.y_noise || a.ydot_l1 > distance + 1.5 * judge.ydot_noise;
 }
@@ -197,8 +199,8 @@ double quantile(std::vector<double> values, double q) {
 void print_table(const std::vector<methods::Method>& methods, const std::vector<Judge>& judges,
                  const std::vector<std::vector<Answer>>& answers) {
   fmt::print("\n{:18} {:>7} {:>4} {:>8} {:>10} {:>10} {:>9} {:>12} {:>12} {:>8} {:>8}\n", "method",
-             "density", "ok", "unjudged", "ok, > 1 %", "ok, > 2 %", "worst ok", "> stated x 2",
-             "no statement", "median s", "longest");
+             "density", "ok", "unjudged", "ok, > 1 %", "ok, > 2 %", "worst ok", "> 2 estimate",
+             "no estimate", "median s", "longest");
   for (std::size_t m = 0; m < methods.size(); ++m) {
     int density = 0, ok = 0, unjudged = 0, one = 0, two = 0, beyond = 0, silent = 0;
     double worst = 0;
@@ -225,13 +227,13 @@ void print_table(const std::vector<methods::Method>& methods, const std::vector<
   }
 }
 
-// Where a method says ok: by impulses per decay time and restitution.
+// Prints the fraction of `ok` solutions by impulses per decay time and restitution coefficient.
 void print_domain(const methods::Method& method, std::size_t m,
                   const std::vector<problem::Problem>& problems,
                   const std::vector<std::vector<Answer>>& answers) {
   const double rates[] = {0, 1, 3, 10, 100, HUGE_VAL};
   const double restitutions[] = {0, 0.4, 0.8, 1.01};
-  fmt::print("\n{}: ok of all\n{:>28}", method.id(), "impulses per decay time");
+  fmt::print("\n{}: ok / all\n{:>28}", method.id(), "impulses per decay time");
   for (int i = 0; i < 5; ++i) {
     fmt::print("{:>12}", i == 4 ? "> 100" : fmt::format("{:g} .. {:g}", rates[i], rates[i + 1]));
   }
@@ -277,7 +279,8 @@ bool has_tails(const problem::Problem& problem) {
          mcs::unsupported_splitting_reason(problem, kTails).empty();
 }
 
-// The lowest density, relative to the peak, whose 95 % interval is within +-half of it.
+// The lowest density, relative to the peak, whose 95 % interval has at most half its value on a
+// side.
 double lowest_known(const Marginal& marginal) {
   const double peak = *std::ranges::max_element(marginal.density);
   double lowest = 1;
@@ -308,7 +311,7 @@ void solve_tails(const problem::Problem& problem) {
   fmt::print(" {:2} energies {}\n", levels, solution.reason);
 }
 
-// Each in a process of its own, whose memory is its own, and ended before it takes the machine's.
+// Solves each problem in a child process, to measure its memory and to limit it to kMostBytes.
 void print_tails(const Settings& settings) {
   constexpr rlim_t kMostBytes = rlim_t{4} << 30;
   double most_megabytes = 0, longest = 0;
@@ -341,7 +344,7 @@ void print_tails(const Settings& settings) {
     const double megabytes = static_cast<double>(used.ru_maxrss) / 1024;
     most_megabytes = std::max(most_megabytes, megabytes);
     longest = std::max(longest, seconds);
-    fmt::print("{:12} {:6.1f} s {:6.1f} s of processors {:7.0f} MB {}\n", problem.name, seconds,
+    fmt::print("{:12} {:6.1f} s {:6.1f} s processor time {:7.0f} MB {}\n", problem.name, seconds,
                processor, megabytes, problem::parameters_text(problem));
   }
   fmt::print("{} of {} problems have tails: at most {:.1f} s and {:.0f} MB\n", solved,
@@ -363,7 +366,7 @@ int run(const Settings& settings) {
   std::vector<std::vector<Answer>> answers;
   for (const int number : numbers_of(settings)) {
     problems.push_back(problem_of(number, settings));
-    if (problem::features(problems.back()).collapse) {  // no solver has an answer, nor a judge
+    if (problem::features(problems.back()).collapse) {  // no solver and no reference
       problems.pop_back();
       continue;
     }
@@ -390,19 +393,21 @@ int run(const Settings& settings) {
 int main(int argc, char** argv) {
   namespace po = boost::program_options;
   fpkcheck::benchmarks::Settings settings;
-  po::options_description options("fpkcheck_random: random problems judged by the simulation");
-  options.add_options()("help", "this text")("count", po::value(&settings.count), "problems")(
-      "first", po::value(&settings.first), "number of the first")(
-      "numbers", po::value(&settings.numbers), "of the problems, by commas, instead")(
-      "transport", po::value(&settings.transport), "of fd: upwind or characteristics")(
-      "methods", po::value(&settings.methods), "as `fpkcheck run --methods` takes them")(
-      "keep", po::value(&settings.keep), "directory of simulations that are used again")(
-      "verbose", po::bool_switch(&settings.verbose), "every answer")(
-      "events", po::value(&settings.events), "of a simulation at most")(
+  po::options_description options("fpkcheck_random: random problems compared with the simulation");
+  options.add_options()("help", "print this text")("count", po::value(&settings.count),
+                                                   "number of problems")(
+      "first", po::value(&settings.first), "number of the first problem")(
+      "numbers", po::value(&settings.numbers),
+      "problem numbers, separated by commas, in place of --count and --first")(
+      "transport", po::value(&settings.transport), "option of fd: upwind or characteristics")(
+      "methods", po::value(&settings.methods), "as for `fpkcheck run --methods`")(
+      "keep", po::value(&settings.keep), "directory for stored simulations, to be reused")(
+      "verbose", po::bool_switch(&settings.verbose), "print every solution")(
+      "events", po::value(&settings.events), "largest number of events of a simulation")(
       "family", po::bool_switch(&settings.family),
-      "any oscillator, not of the paper's class alone")(
+      "problems of any oscillator, not only of the paper's class")(
       "tails", po::bool_switch(&settings.tails),
-      "time and memory of `fpkcheck mcs --tails` of the first `count` that it treats");
+      "time and memory of `fpkcheck mcs --tails` for the first `count` supported problems");
   try {
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);

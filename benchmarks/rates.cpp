@@ -19,9 +19,10 @@
 #include "scan_of_rates.hpp"
 #include "transform/solution.hpp"
 
-// Case 1 with impulses of one intensity at all rates, of all laws, with several restitutions: which
-// methods say `ok`, whether each of these states an error, and whether the error is within it. The
-// judge is fd-kf on cells narrower by two; with r = 1 E[y'^2] is known exactly.
+// Case 1 with impulses of one intensity, at all rates, of all laws, with several restitution
+// coefficients. For each method: the number of `ok` solutions, whether they have error estimates,
+// and whether the errors are within the estimates. The reference is fd-kf with cells half as wide;
+// for r = 1, E[y'^2] is also known exactly.
 //
 //   fpkcheck_rates [--rates 1e-4,..] [--laws gaussian,..] [--restitutions 0.5,..] [--methods fd]
 //                  [--max-seconds 20] [--verbose]
@@ -38,13 +39,13 @@ struct Settings {
   bool verbose = false;
 };
 
-// What a method's answers of all problems came to.
+// Statistics of a method's solutions over all problems.
 struct Tally {
   int ok = 0, silent = 0, judged = 0, beyond = 0;
   double worst = 0, worst_ratio = 0;
 };
 
-// Of the full problem: other equations are not judged by it.
+// Whether a solution approximates the full problem; other equations are not compared with it.
 bool solves_the_problem(const Solution& solution) {
   return solution.identity.role != transform::Role::equation ||
          (solution.identity.equation == problem::Equation::kf &&
@@ -62,14 +63,14 @@ std::optional<Solution> judge(const problem::Problem& problem) {
                                               .max_seconds = kSeconds})
                           .solution;
       if (solution.is_ok()) return solution;
-    } catch (const std::exception&) {  // the other transport is not for this problem
+    } catch (const std::exception&) {  // this transport does not support the problem
     }
   }
   return std::nullopt;
 }
 
-// The largest of the errors of p(y) and p(y'), and of E[y'^2] where it is known, over what is
-// stated. What the judge states of itself is taken off.
+// The largest L1 error of p(y) and p(y'), and the largest ratio of an error to its estimate, also
+// for E[y'^2] where it is known. The reference's own error estimate is subtracted.
 struct Judged {
   double l1 = 0, ratio = 0;
 };
@@ -112,7 +113,7 @@ void add(const problem::Problem& problem, const Solution& solution,
     tally.worst = std::max(tally.worst, found.l1);
     tally.worst_ratio = std::max(tally.worst_ratio, found.ratio);
     if (found.ratio > kAllowed) ++tally.beyond;
-    text += fmt::format("  L1 {:.1e}, {:.2g} of what is stated", found.l1, found.ratio);
+    text += fmt::format("  L1 {:.1e}, {:.2g} of the estimate", found.l1, found.ratio);
   }
   if (!settings.verbose) return;
   fmt::print("  {:18} {:>13} {:.1f} s  {}  {}\n", solution.id(), name(solution.status),
@@ -129,7 +130,7 @@ int run(const Settings& settings) {
     const auto axes = compare::uniform_axes(compare::comparison_axes(problem));
     const auto judging = judge(problem);
     if (settings.verbose) {
-      fmt::print("{} ({})\n", problem.name, judging ? "judged" : "no judge");
+      fmt::print("{} ({})\n", problem.name, judging ? "with reference" : "no reference");
     }
     const auto solved = methods::run_cases({problem}, methods, 1, {}).front();
     ++problems;
@@ -138,7 +139,7 @@ int run(const Settings& settings) {
     }
   }
   fmt::print("\n{:18} {:>8} {:>5} {:>13} {:>7} {:>9} {:>12} {:>18}\n", "method", "problems", "ok",
-             "no statement", "judged", "worst L1", "> stated x 2", "worst over stated");
+             "no estimate", "judged", "worst L1", "> 2 estimate", "worst / estimate");
   int silent = 0;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Tally& t = tallies[m];
@@ -171,11 +172,13 @@ int main(int argc, char** argv) {
   fpkcheck::benchmarks::Settings settings;
   std::string rates, laws, restitutions;
   po::options_description options("fpkcheck_rates: case 1 with impulses at all rates");
-  options.add_options()("help", "this text")("rates", po::value(&rates), "by commas")(
-      "laws", po::value(&laws), "by commas")("restitutions", po::value(&restitutions), "by commas")(
-      "methods", po::value(&settings.methods), "as `fpkcheck run --methods` takes them")(
-      "max-seconds", po::value(&settings.max_seconds), "of an answer")(
-      "verbose", po::bool_switch(&settings.verbose), "every answer");
+  options.add_options()("help", "print this text")(
+      "rates", po::value(&rates), "list, separated by commas")("laws", po::value(&laws),
+                                                               "list, separated by commas")(
+      "restitutions", po::value(&restitutions), "list, separated by commas")(
+      "methods", po::value(&settings.methods), "as for `fpkcheck run --methods`")(
+      "max-seconds", po::value(&settings.max_seconds), "time limit of a solution")(
+      "verbose", po::bool_switch(&settings.verbose), "print every solution");
   try {
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);

@@ -8,15 +8,16 @@
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "problem/case_file.hpp"
 
-/// What the benchmarks share: the paper's cases on grids of a given size.
+/// Common to the benchmarks: the paper's cases on grids of a given size.
 namespace fpkcheck::benchmarks {
 
-/// The paper's case 1 .. 4.
+/// The paper's case with this number, 1 .. 4.
 inline problem::Problem paper_case(long number) {
   return problem::load_case("case" + std::to_string(number));
 }
 
-/// Direct solution of kf on about `unknowns` cells, in the automatic box of 40 x 88 cells' shape.
+/// Options of a direct solution of kf on about `unknowns` cells, in the automatic box, with the
+/// ratio of 40 x 88 cells.
 inline fd_fpk::Options options_for(long unknowns) {
   const int nx = static_cast<int>(std::lround(std::sqrt(static_cast<double>(unknowns) / 2.2)));
   return {.stepper = fd_fpk::Stepper::direct, .nx = nx, .nv = 2 * static_cast<int>(1.1 * nx)};

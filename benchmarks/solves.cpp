@@ -8,7 +8,7 @@ namespace {
 
 using namespace fd_fpk;
 
-// The paper's case `range(0)` under kf with default options: what `fpkcheck fd` does.
+// The paper's case `range(0)` for the equation kf with default options, as in `fpkcheck fd`.
 void solve_case(benchmark::State& state, Stepper stepper) {
   const auto problem = paper_case(state.range(0));
   Summary last;

@@ -11,7 +11,8 @@ std::vector<results::Case> complete_run(const std::vector<problem::Problem>& pro
   const auto look = [&] {
     if (how.look) how.look();
   };
-  // Once for the methods that have their errors measured and for the own errors of all.
+  // Shared by the methods that estimate their errors and by the moment error estimates of all
+  // solutions, so that each backward equation is solved once.
   const auto residuals = residuals_of(problems);
   auto cases =
       run_cases(problems, methods, how.threads, how.progress, residuals, how.case_listener);

@@ -28,7 +28,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// How far a solution's marginals are from the reference's, in L1; nothing of one that it lacks.
+// L1 distances of a solution's marginals from those of the reference. A marginal that one of the
+// two lacks has no value.
 struct Distance {
   std::optional<double> y, ydot;
 
@@ -68,7 +69,7 @@ void complete_errors(const std::vector<Method>& methods, const compare::Comparis
     const auto accuracy = solution.error ? std::nullopt : accuracy_of(methods[m]);
     if (accuracy && solution.density) {
       if (const Distance found = distance(solution); found.y && found.ydot) {
-        if (solution.status == transform::Status::inaccurate) {  // only for want of an error
+        if (solution.status == transform::Status::inaccurate) {  // only since it had no estimate
           solution.status = transform::Status::ok;
           solution.reason.clear();
         }
@@ -76,8 +77,8 @@ void complete_errors(const std::vector<Method>& methods, const compare::Comparis
         transform::require_accuracy(
             *accuracy,
             fmt::format(
-                "it meets its equations, but is off from {} by L1 {:.2g} in p(y) and {:.2g} "
-                "in p(y')",
+                "the closure meets its equations, but its L1 distance from {} is {:.2g} in p(y) "
+                "and {:.2g} in p(y')",
                 reference->id(), *found.y, *found.ydot),
             solution);
       } else if (solution.is_ok()) {

@@ -9,20 +9,22 @@
 
 namespace fpkcheck::methods {
 
-/// The accuracy that a closure is held to; nothing where it is not, or is no closure.
+/// The accuracy that a closure must reach to be `ok`. No value where its options set none, and for
+/// methods other than closures.
 std::optional<double> accuracy_of(const Method& method);
 
-/// Completes what the solutions of one problem state of their errors, when all of them are there; none
-/// stays `ok` without a stated error.
-/// - Closures without an error, whose residuals are not offered, were not asked for or gave none, have
-///   their distance to the reference among the solutions and what it states of itself together (the
-///   triangle inequality). Those that were `inaccurate` only for want of an error are ok first; off by
-///   more than their accuracy, or without a reference, they are `inaccurate`.
-/// - So have all others that are ok and state none (a density of one's own, closures that are held to no
-///   accuracy); without a reference closures have what their residuals measure, and others are
-///   `inaccurate`.
-/// @param methods that the solutions are of, in their order
-/// @param known the comparison of the solutions, if there is one already
+/// Completes the error estimates of all solutions of one problem. No solution stays `ok` without an
+/// error estimate.
+/// - A closure with a required accuracy and without an error estimate (residual method unsupported,
+///   not requested, or without result) gets its L1 distance to the reference plus the reference's
+///   own error estimate, by the triangle inequality. If the missing estimate alone made it
+///   `inaccurate`, it becomes `ok` first. It is `inaccurate` if the sum exceeds the required
+///   accuracy. Without a reference, an `ok` closure gets its residual-based estimate.
+/// - Any other `ok` solution without an error estimate (an external density, a closure without a
+///   required accuracy) gets the same sum. Without a reference, a closure gets its residual-based
+///   estimate, and any other solution becomes `inaccurate`.
+/// @param methods of the solutions, in the same order
+/// @param known the comparison of the solutions, if already computed
 void complete_errors(const std::vector<Method>& methods, const compare::ComparisonAxes& axes,
                      const ProblemResiduals& residuals, std::vector<transform::Solution>& solutions,
                      const compare::Comparison* known = nullptr);

@@ -7,9 +7,11 @@
 
 namespace fpkcheck::methods {
 
-/// Solves a problem in its frame (problem/frame.hpp), with the wall at 0, and returns the solution on
-/// the physical axes; or one that is `not_offered`.
-/// @param objection why the solver does not treat the problem; empty where it does
+/// Solves a problem in wall coordinates (problem/frame.hpp), with the wall at 0, and returns the
+/// solution on the physical axes. Where the solver does not support the problem, the status is
+/// `not_offered` and the reason is that of `unsupported_reason`.
+/// @param unsupported_reason why the solver does not support the transformed problem, or empty
+/// @param solve solves the transformed problem on the transformed axes
 transform::Solution solve_in_frame(
     const problem::Problem& problem, const Setting& setting,
     const std::function<std::string(const problem::Problem&)>& objection,

@@ -15,13 +15,13 @@ constexpr const char* kSkyBlue = "#56B4E9";
 constexpr const char* kBlue = "#0072B2";
 constexpr const char* kGreen = "#009E73";
 
-// With the order, more ink.
+// The higher the order, the larger the drawn share of the line.
 constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
                              "(10,4,2,4,2,4)", "(20,4,2,4)", "(20,6)"};
 
 constexpr const char* kOfEquations = "triangle-down";
 
-// Among the orders 2, 4, .. 12.
+// Index among the orders 2, 4, .. 12, limited to the number of dash patterns.
 std::size_t place_of_order(int order) {
   return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
 }

@@ -17,18 +17,19 @@ namespace {
 
 constexpr const char* kMcsUsage = R"(usage: fpkcheck mcs CASE ... [options]
 
-Simulates the impact system itself: impulses at their exact times, impacts located by root
-finding, independent streams whose differences give the standard errors and 95 % intervals.
-The same seed gives the same result, bit for bit, for any number of threads.
+Simulates the impact system: impulses at their exact times, impacts located by root finding,
+independent streams whose differences give the standard errors and 95 % intervals. The same seed
+gives the same result, bit for bit, for any number of threads.
 
-Ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C ends it within
-a second or so with what has been reached as the result; a second one ends the program.
+The simulation ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C
+ends the simulation within about a second and keeps the result so far; a second Ctrl-C ends the
+program.
 
---controlled takes the noise out, which is what `fpkcheck run` does: E[f] is the mean of f + L h for
-any h of the phase plane, and with h from the backward equation little is left of its noise.
+--controlled uses control variates, as `fpkcheck run` does: E[f] is the mean of f + L h for any
+function h of the phase plane. With h from the backward equation, f + L h has little variance.
 
---tails splits the trajectories that reach high energies: densities down to 1e-8 of their peak
-and beyond, with intervals, in the time of a common run.
+--tails splits the trajectories that reach high energies (rare-event splitting): densities down to
+1e-8 of their peak and below, with intervals, in the time of a run without --tails.
 
 examples:
   fpkcheck mcs case1 --seed 7
@@ -39,7 +40,7 @@ examples:
   fpkcheck mcs case1 --equation white
   fpkcheck mcs case1 --time 1e9 --checkpoint state        then, after an interruption:
   fpkcheck mcs case1 --time 1e9 --checkpoint state --resume state
-  mpirun -n 64 fpkcheck mcs case1 --time 1e11 --streams 4096        the same bits, sooner
+  mpirun -n 64 fpkcheck mcs case1 --time 1e11 --streams 4096        the same bits, in less time
 )";
 
 transform::Solution solve(const problem::Problem& problem, const mcs::Options& options,
@@ -50,7 +51,7 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
   on_axes.progress = [&](const mcs::Progress& at) {
     if (!setting.progress) return;
     setting.progress(at.fraction, at.y_l1 && at.ydot_l1
-                                      ? fmt::format("L1 by chance {:.1e} in p(y), {:.1e} in p(y')",
+                                      ? fmt::format("sampling L1 {:.1e} in p(y), {:.1e} in p(y')",
                                                     *at.y_l1, *at.ydot_l1)
                                       : std::string());
   };
@@ -58,7 +59,8 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
   return mcs::solve(problem, on_axes).solution;
 }
 
-// In a list of methods the simulation is what all others are measured by.
+// In a list of methods the simulation serves as the reference. Control variates are available for
+// the equation kf.
 std::optional<mcs::Options> without_noise(std::string_view id) {
   auto options = mcs::options_of(id);
   if (options) options->controlled = options->equation == mcs::Equation::kf;
@@ -88,12 +90,12 @@ Method under_control(Method simulation, const SimulationControl& control) {
 
 Solver mcs_solver() {
   Solver entry{.name = "mcs",
-               .summary = "Monte Carlo simulation of the impact system itself",
+               .summary = "Monte Carlo simulation of the impact system",
                .usage = kMcsUsage,
                .families = {{.name = "mcs",
                              .role = transform::Role::simulation,
-                             .meaning = "Simulation of the impact system itself; bands are 95 % "
-                                        "intervals.",
+                             .meaning = "Monte Carlo simulation of the impact system; bands are "
+                                        "95 % confidence intervals.",
                              .usual = {"mcs"},
                              .plot_style = simulation_look}},
                .parallel = true,

@@ -11,32 +11,31 @@
 
 namespace fpkcheck::methods {
 
-/// Told the fraction of a method's work that is done, 0 .. 1, and what else there is to say of it
-/// (may be empty).
+/// Receives the completed fraction of a method's work, 0 .. 1, and a note on its state (may be
+/// empty).
 using Fraction = std::function<void(double, const std::string& note)>;
 
-/// What a method is given besides the problem.
+/// The input of a method besides the problem.
 struct Setting {
-  const compare::ComparisonAxes& axes;  ///< a simulation makes its histogram on these
+  const compare::ComparisonAxes& axes;  ///< bins of a simulation's histogram
   const Fraction& progress;             ///< may be empty
-  /// Of the problem, by which a method that cannot tell its own error has it measured
-  /// (state_measured_error). Null where nobody keeps them.
+  /// Residual-based error estimator of the problem, for methods without an error estimate of their
+  /// own (set_residual_error_estimate). Null where the caller shares none.
   const ProblemResiduals* residuals = nullptr;
-  /// Whether it has its error measured; not where the caller knows a better measure.
+  /// False where the caller obtains the error in another way, as by the distance to the reference.
   bool measure_error = true;
 };
 
-/// One way to solve a problem, ready to run.
+/// A solver with fixed options.
 struct Method {
-  transform::Identity identity;  ///< of the solution it yields
-  base::Values options = {};     ///< as files keep them
-  /// True when it uses all processors itself, so that nothing else should run beside it.
+  transform::Identity identity;  ///< of its solutions
+  base::Values options = {};     ///< as stored in files
+  /// True when the method uses all processors: no other method should run at the same time.
   bool parallel = false;
-  /// The solution's identity and options are filled in by whoever calls it (solve_by).
+  /// Solves a problem. The caller sets the solution's identity and options (solve_with).
   std::function<transform::Solution(const problem::Problem&, const Setting&)> solve;
-  /// Whether the method can be asked to solve a problem at all, told before any method has begun on
-  /// any problem. May be empty: then it can.
-  /// @throws InputError when options and problem do not go together
+  /// Checks that the options suit a problem, before any method starts on any problem. May be empty.
+  /// @throws InputError when the options and the problem are incompatible
   std::function<void(const problem::Problem&)> check = {};
 
   const std::string& id() const { return identity.id; }

@@ -17,7 +17,7 @@ namespace {
 using results::Case;
 using transform::Moments;
 
-/// What one solution gets.
+/// The results for a solution.
 struct Found {
   results::OwnError error;
   std::vector<results::ErrorSource> sources;
@@ -34,7 +34,7 @@ results::ErrorSource source(const backward::DensityResiduals& residuals,
   if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
-    // As files keep them.
+    // Files store single precision.
     for (const double value : row) {
       result.density.averages.push_back(static_cast<float>(value));
     }
@@ -42,7 +42,7 @@ results::ErrorSource source(const backward::DensityResiduals& residuals,
   return result;
 }
 
-/// @param cells of the maps; null for none
+/// @param cells of the error sources; null for none
 std::optional<Found> own_error(const backward::DensityResiduals& residuals,
                                const problem::Frame& frame, const transform::Solution& solution,
                                const transform::GridDensity* cells) try {
@@ -60,7 +60,7 @@ std::optional<Found> own_error(const backward::DensityResiduals& residuals,
   }
   return found;
 } catch (const InputError&) {
-  return std::nullopt;  // nothing that has a mean
+  return std::nullopt;  // the density has no mean
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 
 namespace fpkcheck::methods {
 
-/// Gives every solution of a case that has a density on cells or as a function its own error, and
-/// where that comes from, by dual-weighted residuals (backward/residual/density_residuals.hpp). A
-/// simulation's histogram has none: its noise is no error of an equation. Solutions
-/// and maps are on the physical axes. Where the backward equation is not solved, or there is no memory for it, there are none.
-/// @param residuals of the case's problem
+/// Computes moment error estimates and error sources of a case by the dual-weighted residual method
+/// (backward/residual/density_residuals.hpp), for every solution with a density on cells or as a
+/// function. A simulation's histogram gets none, since its sampling noise is no residual of an
+/// equation. Solutions and error sources are on the physical axes. Where the backward equation
+/// cannot be solved, or memory does not suffice, the case gets no estimates.
+/// @param estimator of the case's problem
 /// @param threads 0 for all processors
 void add_own_errors(results::Case& one, const ProblemResiduals& residuals, int threads);
 

@@ -60,37 +60,36 @@ std::optional<backward::DensityErrors> measured(const ProblemResiduals& residual
   if (coordinates == residuals.frame()) return known->estimate_errors(density);
   return known->estimate_errors(transform::to_wall_coordinates(residuals.frame(), density));
 } catch (const InputError&) {
-  return std::nullopt;  // nothing that has a mean
+  return std::nullopt;  // the density has no mean
 }
 
-// Why there is no estimate of the error.
+// The reason for a missing error estimate.
 std::string no_estimate(const ProblemResiduals& residuals,
                         const std::optional<backward::DensityErrors>& weighted) {
   if (weighted) {
-    return "its error is unknown: the solution of the backward equation is too coarse for this "
+    return "the error is unknown: the solution of the backward equation is too coarse for this "
            "problem; compare with fd or mcs";
   }
-  return fmt::format("its error cannot be measured: {}",
+  return fmt::format("the error cannot be estimated: {}",
                      residuals.refused().empty()
-                         ? "the backward equation of this problem is not solved"
+                         ? "the backward equation of this problem cannot be solved"
                          : residuals.refused());
 }
 
-// What is wrong with a error_estimate error that is too large: the density, or only the estimate.
+// The reason for an error estimate above the required accuracy: an inaccurate density, or an
+// estimate that is only an upper bound.
 std::string too_large(const backward::DensityErrors& weighted,
                       const transform::ErrorEstimate& error, double accuracy) {
   const double found = backward::DensityErrors::kSubBinFactor *
                        std::max(weighted.y_l1.found, weighted.ydot_l1.found);
   if (found <= accuracy) {
     return fmt::format(
-        "its residuals bound its error by L1 {:.2g} in p(y) and {:.2g} in p(y') only: the solution "
-        "of the backward equation is too coarse for more",
+        "the residuals only bound the error by L1 {:.2g} in p(y) and {:.2g} in p(y'): the solution "
+        "of the backward equation is too coarse for a sharper bound",
         error.y_l1, error.ydot_l1);
   }
-  return fmt::format(
-      "it misses the density of the problem by L1 {:.2g} in p(y) and {:.2g} in p(y') as measured "
-      "by its residuals",
-      error.y_l1, error.ydot_l1);
+  return fmt::format("the residual-based L1 error estimate is {:.2g} in p(y) and {:.2g} in p(y')",
+                     error.y_l1, error.ydot_l1);
 }
 
 }  // namespace

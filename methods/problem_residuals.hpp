@@ -14,21 +14,21 @@ class DensityResiduals;
 
 namespace fpkcheck::methods {
 
-/// The backward equations of a problem, by which densities know their own errors, solved in its
-/// frame when first asked for and once for all who ask.
+/// Residual-based estimator of the errors of densities of one problem. The backward equations are
+/// solved in wall coordinates on first use, once for all threads.
 class ProblemResiduals {
  public:
-  /// @param problem as it is or in its frame
+  /// @param problem in physical or in wall coordinates
   explicit ProblemResiduals(const problem::Problem& problem);
   ProblemResiduals(ProblemResiduals&&) noexcept;
   ~ProblemResiduals();
 
-  /// Of densities in the problem's frame. Null where the fit breaks down, or none is offered
-  /// (backward::residuals_unsupported_reason). May be called from several threads.
+  /// The estimator of densities in wall coordinates. Null where its fit breaks down or the problem
+  /// is unsupported (backward::residuals_unsupported_reason). May be called from several threads.
   const backward::DensityResiduals* get() const;
-  /// Of the problem.
+  /// The wall coordinates of the problem.
   const problem::Frame& frame() const;
-  /// Why there are none for such a problem, in one phrase; empty where there are.
+  /// Why the problem is unsupported, in one phrase; empty if supported.
   const std::string& refused() const;
 
  private:
@@ -36,17 +36,18 @@ class ProblemResiduals {
   std::unique_ptr<Fit> fit_;
 };
 
-/// One for each problem, in their order.
+/// The estimators of the problems, in the same order.
 std::vector<ProblemResiduals> residuals_of(const std::vector<problem::Problem>& problems);
 
-/// Gives a solution with a density its error against the full problem (whatever it solves itself)
-/// as dual-weighted residuals measure it (backward/residual/density_residuals.hpp). If it is ok, but
-/// off by more in L1, or not to be measured, it becomes `inaccurate`.
-/// @param accuracy largest error of p(y) and of p(y') in L1
-/// @param coordinates in which its density lies: the physical ones unless it is in the frame
-/// @param opening of the reason, where the error is known but too large
+/// Sets the error estimate of a solution with a density by the dual-weighted residual method
+/// (backward/residual/density_residuals.hpp). The error is that against the full problem, whichever
+/// equation the method solves. An `ok` solution becomes `inaccurate` if its estimate exceeds
+/// `accuracy` in L1, or if no estimate exists.
+/// @param accuracy largest admissible L1 error of p(y) and of p(y')
+/// @param coordinates of the solution's density; the physical ones by default
+/// @param opening first words of the reason for an estimate above `accuracy`
 void state_measured_error(const ProblemResiduals& residuals, double accuracy,
                           transform::Solution& solution, const problem::Frame& coordinates = {},
-                          std::string_view opening = "it meets its equations, but ");
+                          std::string_view opening = "the density meets its equations, but ");
 
 }  // namespace fpkcheck::methods

@@ -33,7 +33,7 @@ Values replaced(Values options, const Values& given) {
   return options;
 }
 
-// The ids that an item of a list stands for: a family's, a solver's, or itself.
+// The ids that an item of a list selects: the default ids of a family or solver, or the id itself.
 std::vector<std::string> ids_of(const Registry& registry, const std::string& item) {
   std::vector<std::string> ids;
   for (const auto& solver : registry.solvers()) {
@@ -83,7 +83,8 @@ void Registry::present(Identity& identity) const {
   identity.role = family.role;
   identity.family = family.name;
   identity.meaning = family.meaning;
-  // Families by their place, their members by order or by their place among the usual ones.
+  // Trust increases with the index of the family, then with the order of the member or its index
+  // among the default ids.
   constexpr int kMembers = 1000;
   const auto place = std::ranges::find(family.usual, identity.id) - family.usual.begin();
   identity.trust = static_cast<int>(own - all.begin()) * kMembers +
@@ -116,14 +117,14 @@ std::vector<Method> Registry::select(const std::string& list, const Values& give
     for (const auto& id : ids_of(*this, item)) {
       auto found = by_id(id, given);
       if (!found) {
-        throw InputError(fmt::format("--methods: {} is no method (use {})", base::in_quotes(item),
+        throw InputError(fmt::format("--methods: unknown method {}; use {}", base::in_quotes(item),
                                      what_to_select(*this)));
       }
       methods.emplace(found->id(), std::move(*found));
     }
   }
   if (methods.empty()) {
-    throw InputError(fmt::format("--methods: the list is empty (use {}, separated by commas)",
+    throw InputError(fmt::format("--methods: the list is empty; use {}, separated by commas",
                                  what_to_select(*this)));
   }
   std::vector<Method> ordered;
@@ -139,12 +140,13 @@ std::optional<Method> Registry::that_made(const Solution& solution, const Values
   if (solver == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : solvers_) names.push_back(known.name);
-    throw InputError(fmt::format("method {} (must be {} or {})", base::in_quotes(identity.method),
-                                 fmt::join(names, ", "), transform::kExternalFile));
+    throw InputError(fmt::format("unknown method {}: must be {} or {}",
+                                 base::in_quotes(identity.method), fmt::join(names, ", "),
+                                 transform::kExternalFile));
   }
   Method made = method(*solver, replaced(solution.options, given));
   if (made.id() != identity.id) {
-    throw InputError(fmt::format("its options are those of {} (run again)", made.id()));
+    throw InputError(fmt::format("the options belong to {}; run again", made.id()));
   }
   return made;
 }

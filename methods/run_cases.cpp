@@ -20,7 +20,7 @@ struct Task {
   std::size_t method;
 };
 
-// The cells of the table problems x methods as they get filled.
+// The table problems x methods while it is filled.
 class Run {
  public:
   Run(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
@@ -105,7 +105,8 @@ Solution solve_by(const Method& method, const problem::Problem& problem, const S
   }
   solution.identity = method.identity;
   solution.options = method.options;
-  // Of others, what is there beside them may measure it (complete_errors).
+  // The errors of closures and external densities may follow from the reference
+  // (complete_error_estimates).
   const auto role = method.identity.role;
   if (role == transform::Role::equation || role == transform::Role::simulation) {
     transform::require_error_estimate(solution);

@@ -5,11 +5,11 @@
 
 namespace fpkcheck::methods {
 
-/// As many threads as asked for; for 0 one per processor.
+/// The number of threads for a request: `requested`, or one per processor for 0.
 int number_of_threads(int asked);
 
-/// Does work(0) .. work(count - 1) on several threads; rethrows the first exception when all that
-/// had begun has ended, and begins no more after it.
+/// Calls work(0) .. work(count - 1) on several threads. After an exception, no further call starts;
+/// the first exception is rethrown when all started calls have ended.
 /// @param threads 0 for one per processor
 void side_by_side(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::results {
 
-/// What is saved of a marginal.
+/// Converts a marginal to the curve that is saved.
 Curve curve_of(compare::SolutionMarginal&& found);
 
 }  // namespace fpkcheck::results

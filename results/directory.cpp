@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The directories on the way that are not there yet, outermost first.
+// The missing directories of a path, outermost first.
 std::vector<fs::path> missing_parts(const fs::path& directory) {
   std::vector<fs::path> missing;
   std::error_code error;
@@ -31,7 +31,8 @@ void tidy(const fs::path& directory) {
   base::remove_abandoned_partials(directory);
 }
 
-// Proves that files can be written. An earlier process may have had our number.
+// Creates an empty hidden file, to test that the directory is writable. Removes a file that an
+// earlier process with the same process id may have left.
 fs::path written_into(const fs::path& directory) {
   fs::path file = base::partial_path(directory / "run");
   fs::remove(file);
@@ -42,12 +43,12 @@ fs::path written_into(const fs::path& directory) {
 PreparedDirectory prepared(const fs::path& directory) {
   const fs::path figures = directory / "figures";
   std::vector<fs::path> missing = missing_parts(directory);
-  const PreparedDirectory made({}, missing);  // goes, unless the next keeps it from that
+  const PreparedDirectory made({}, missing);  // removes empty directories if the next lines throw
   fs::create_directories(directory);
   tidy(directory);
   PreparedDirectory held(written_into(directory), std::move(missing));
   if (fs::exists(figures)) {
-    fs::create_directories(figures);  // refuses a file
+    fs::create_directories(figures);  // throws if `figures` is a file
     tidy(figures);
     fs::remove(written_into(figures));
   }
@@ -74,9 +75,10 @@ PreparedDirectory::~PreparedDirectory() {
 }
 
 PreparedDirectory make_writable(const fs::path& directory) {
-  if (directory.empty()) throw InputError("--out is empty (name a directory)");
+  if (directory.empty()) throw InputError("--out is empty; give a directory");
   try {
-    // Another run that ends may remove what it had made and we found, until we hold it.
+    // Another run that ends may remove directories that it created, until the hidden file of this
+    // run exists. Hence the repeated attempts.
     for (int others = 0; others < 20; ++others) {
       try {
         return prepared(directory);
@@ -90,7 +92,7 @@ PreparedDirectory make_writable(const fs::path& directory) {
   } catch (const std::exception& error) {
     const auto* system_error = dynamic_cast<const std::system_error*>(&error);
     throw InputError(fmt::format(
-        "cannot write into directory '{}' ({}); choose another with --out", directory.string(),
+        "cannot write into directory '{}': {}; choose another with --out", directory.string(),
         system_error != nullptr ? system_error->code().message() : error.what()));
   }
 }

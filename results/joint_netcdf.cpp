@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of hundreds of cases.
+// Sufficient for hundreds of cases.
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
-const std::string kSource = "source_";  // begins the names of variables with sources of errors
+const std::string kSource = "source_";  // prefix of variables with error sources
 
-// Ids of all cases together, in the order in which they come first.
+// The ids of the solutions of all cases, in the order of first occurrence.
 std::vector<std::string> solutions_of(const Run& run) {
   std::vector<std::string> ids;
   for (const auto& one : run.cases) {
@@ -43,8 +43,7 @@ void write_problem(NetCdfWriter& file, const problem::Problem& problem, int vari
   write_parameters(file, problem, variable);
 }
 
-/// What each solution has on the cells of a case; NaN for those that have nothing.
-/// @param lists (solution, averages)
+/// An array (solution, cells) for a case; NaN for solutions without values.
 class OverSolutions {
  public:
   OverSolutions(const std::vector<std::string>& solutions, std::size_t cells)
@@ -65,7 +64,8 @@ class OverSolutions {
   std::vector<float> values_;
 };
 
-// "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5": what the densities lack of 1. Empty where none does.
+// The probabilities of rest in contact, as "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5", by which
+// the densities fall short of mass 1. Empty where there are none.
 std::string atoms_text(const Case& one) {
   std::vector<std::string> solutions;
   for (const auto& solution : one.solutions) {
@@ -110,21 +110,21 @@ void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::stri
     }
     if (!any) continue;
     write(kSource + moment.name,
-          fmt::format("where the error of {} comes from, per area", moment.symbol), sources);
+          fmt::format("contributions to the error of {}, per area", moment.symbol), sources);
   }
 }
 
-/// Calls use(case, solution, cells with their values) for all that a variable has.
+/// Calls use(case, solution, density) for every solution with values in a variable.
 template <class Use>
 void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {
   const auto axes = file.dimensions(name);
-  if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not over three axes", name));
+  if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not three dimensions", name));
   const auto shape = file.shape(name);
   const auto y_edges = file.edges(axes[1]), v_edges = file.edges(axes[2]);
   if (shape[0] != solutions.size() || shape[1] + 1 != y_edges.size() ||
       shape[2] + 1 != v_edges.size()) {
-    throw std::runtime_error(fmt::format("{}: its shape is not that of its axes", name));
+    throw std::runtime_error(fmt::format("{}: the shape differs from that of the axes", name));
   }
   const auto values = file.values(name);
   const std::size_t count = shape[1] * shape[2];
@@ -188,7 +188,7 @@ JointFile read_joint_netcdf(const fs::path& path,
     }
     return found;
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
+    throw InputError(fmt::format("{} is not a complete file of joint densities: {}; run again",
                                  base::sanitise(path.string()), base::sanitise(error.what())));
   }
 }

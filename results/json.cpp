@@ -19,19 +19,19 @@ using transform::Kind;
 using transform::Metric;
 using transform::Metrics;
 
-// Deeper than any file of ours, and far from what would exhaust a stack.
+// More than any file of this program, and far below the capacity of a stack.
 constexpr int kDeepest = 32;
-// Of hundreds of cases, and far from what would exhaust the memory.
+// Sufficient for hundreds of cases, and far below the capacity of memory.
 constexpr std::size_t kMostValues = 2'000'000;
-constexpr std::size_t kLongestText = 1 << 20;  // the longest command line
+constexpr std::size_t kLongestText = 1 << 20;  // a very long command line
 
-// The place that a path leads to; what is not there yet is made on the way.
+// The JSON value at a path; creates missing objects and lists along the path.
 Json& place(Json& object, std::string_view path) {
   Json* at = &object;
   while (!path.empty()) {
     if (path.front() == '.') path.remove_prefix(1);
     if (at->is_primitive() && !at->is_null()) {
-      throw std::logic_error("an observation under " + std::string(path) + " stands in a value");
+      throw std::logic_error("metric path " + std::string(path) + " leads through a value");
     }
     if (path.front() == '[') {
       const auto close = path.find(']');
@@ -48,10 +48,11 @@ Json& place(Json& object, std::string_view path) {
   return *at;
 }
 
-// What a path is taken apart by does not stand in a name: place() would not find back.
+// A name must not contain the separators of a path: resolve_path() could not locate the value
+// again.
 void require_name(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
-  throw InputError(fmt::format("{} names a result (must be without dots and brackets; run again)",
+  throw InputError(fmt::format("key {} (must not be empty or contain dots or brackets); run again",
                                base::in_quotes(key)));
 }
 
@@ -122,7 +123,7 @@ void add_observations(const Metrics& metrics, Json& object) {
       continue;
     }
     Json& at = place(object, path);
-    if (!at.is_null()) throw std::logic_error("two observations under " + observation.path);
+    if (!at.is_null()) throw std::logic_error("two metrics with the path " + observation.path);
     at = value_json(observation.value);
   }
 }
@@ -138,12 +139,12 @@ base::Value value_in(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_unsigned() && !std::in_range<std::int64_t>(json.get<std::uint64_t>())) {
     throw InputError(
-        fmt::format("{} is beyond all integers (run again)", base::sanitise(json.dump())));
+        fmt::format("{} exceeds the range of integers; run again", base::sanitise(json.dump())));
   }
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
-  throw InputError("a list or an object stands where a value must be (run again)");
+  throw InputError("a list or an object in place of a value; run again");
 }
 
 base::Values values_in(const Json& object) {
@@ -168,12 +169,12 @@ double number_in(const Json& object, const char* key) {
 }
 
 int integer_in(const Json& object, const char* key) {
-  // Left to itself, JSON makes an int of 1e300 too, and of what is beyond all ints.
+  // get<int>() of the JSON library would also convert 1e300 and integers out of range.
   const base::Value value = value_in(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {
     throw InputError(
-        fmt::format("\"{}\" is {} (must be an integer; run again)", key, base::text_of(value)));
+        fmt::format("\"{}\" is {} (must be an integer); run again", key, base::text_of(value)));
   }
   return static_cast<int>(*whole);
 }
@@ -208,20 +209,20 @@ Json parsed(std::istream& in, const std::string& where) {
   std::size_t count = 0;
   const auto tame = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth > kDeepest) {
-      throw InputError(fmt::format("{} is nested more than {} deep (not a file of this program)",
+      throw InputError(fmt::format("{} is nested more than {} deep: not a file of this program",
                                    where, kDeepest));
     }
     if (++count > kMostValues) {
-      throw InputError(fmt::format("{} has more than {} values (not a file of this program)", where,
+      throw InputError(fmt::format("{} has more than {} values: not a file of this program", where,
                                    kMostValues));
     }
-    // Terminals obey control characters, and all texts may come to be printed.
+    // Any text may be printed, and terminals execute control characters.
     const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
     if (text && value.is_string()) {
       auto& said = value.get_ref<std::string&>();
       if (said.size() > kLongestText) {
-        throw InputError(fmt::format("{} has a text of {} bytes (not a file of this program)",
-                                     where, said.size()));
+        throw InputError(fmt::format("{} has a text of {} bytes: not a file of this program", where,
+                                     said.size()));
       }
       said = base::escape_controls(said);
     }
@@ -230,9 +231,9 @@ Json parsed(std::istream& in, const std::string& where) {
   try {
     return Json::parse(in, tame);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{} is not JSON (at byte {}; run again)", where, error.byte));
-  } catch (const Json::exception& error) {  // a number that no double holds
-    throw InputError(fmt::format("{} is not JSON ({}; run again)", where, said_by(error)));
+    throw InputError(fmt::format("{} is not JSON: error at byte {}; run again", where, error.byte));
+  } catch (const Json::exception& error) {  // a number out of the range of double
+    throw InputError(fmt::format("{} is not JSON: {}; run again", where, said_by(error)));
   }
 }
 

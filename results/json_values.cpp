@@ -19,7 +19,7 @@ bool is_summary(const std::string& text, const std::string& where) {
 transform::Metrics values_in_json(const std::string& text, const std::string& where) {
   std::istringstream in(text);
   const Json json = parsed(in, where);
-  if (!json.is_object()) throw InputError(fmt::format("{} holds no JSON object", where));
+  if (!json.is_object()) throw InputError(fmt::format("{} contains no JSON object", where));
   try {
     return observations_in(json);
   } catch (const InputError& error) {

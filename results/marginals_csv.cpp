@@ -44,7 +44,7 @@ std::string interval_end(const std::vector<double>& ends, std::size_t k) {
   return ends.empty() ? "" : fmt::format("{}", ends[k]);
 }
 
-// Version control may have changed line ends to CRLF.
+// Accepts CRLF line ends, which version control may have introduced.
 bool next_line(std::istream& in, std::string& line) {
   if (!std::getline(in, line)) return false;
   if (line.ends_with('\r')) line.pop_back();
@@ -81,10 +81,10 @@ class RowReader {
     if (!fields[6].empty()) curve.upper.push_back(number(fields[6], all_finite_));
     for (const auto* ends : {&curve.lower, &curve.upper}) {
       if (!ends->empty() && ends->size() != curve.density.size()) {
-        fail("intervals on some rows of a curve only");
+        fail("a curve has intervals in some of its rows only");
       }
     }
-    if (curve.lower.size() != curve.upper.size()) fail("an interval with one end only");
+    if (curve.lower.size() != curve.upper.size()) fail("an interval has one end only");
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
@@ -104,7 +104,7 @@ class RowReader {
 
   std::string_view source_;
   const MayBreakDown& may_break_down_;
-  bool all_finite_ = true;  // of the present curve
+  bool all_finite_ = true;  // whether all numbers of the current curve must be finite
   int line_number_ = 1;
 };
 

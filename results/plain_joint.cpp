@@ -33,11 +33,11 @@ PlainJoint read_plain_joint(std::string bytes, const std::string& where) {
       if (!has_coordinates(file, names, name)) continue;
       if (!found.name.empty()) {
         throw std::runtime_error(
-            fmt::format("{} and {} are both over two coordinates", found.name, name));
+            fmt::format("{} and {} both have two coordinates", found.name, name));
       }
       found.name = name;
     }
-    if (found.name.empty()) throw std::runtime_error("no variable over two coordinates");
+    if (found.name.empty()) throw std::runtime_error("no variable has two coordinates");
     const auto axes = file.dimensions(found.name);
     found.first_name = axes[0];
     found.second_name = axes[1];
@@ -45,7 +45,8 @@ PlainJoint read_plain_joint(std::string bytes, const std::string& where) {
     found.second = file.values(axes[1]);
     found.values = file.values(found.name);
     if (found.values.size() != found.first.size() * found.second.size()) {
-      throw std::runtime_error(fmt::format("{}: its shape is not that of its axes", found.name));
+      throw std::runtime_error(
+          fmt::format("{}: the shape differs from that of the axes", found.name));
     }
     return found;
   } catch (const std::runtime_error& error) {

@@ -5,20 +5,20 @@
 
 namespace fpkcheck::results {
 
-/// A joint density that others wrote as netCDF-4: a variable over two coordinates. Their names, as
-/// they stand in the file, say which is which.
+/// An external joint density in a netCDF-4 file: a variable with two coordinates. The names of the
+/// coordinates in the file identify y and y'.
 struct PlainJoint {
-  std::string name;                     ///< of the variable
-  std::string first_name, second_name;  ///< of its coordinates
+  std::string name;                     ///< name of the variable
+  std::string first_name, second_name;  ///< names of the coordinates
   std::vector<double> first, second;    ///< values of the coordinates
   std::vector<double> values;           ///< row-major, shape (first, second)
 };
 
-/// Reads the one variable over two dimensions of which both have coordinates: variables of their
-/// names.
+/// Reads the variable with two dimensions that both have a coordinate, a variable with the name of
+/// the dimension.
 /// @param bytes of the file
-/// @param where how messages name it
-/// @throws InputError on one line: broken, no such variable, or several
+/// @param where the file's name in messages
+/// @throws InputError on one line: a corrupt file, no such variable, or several
 PlainJoint read_plain_joint(std::string bytes, const std::string& where);
 
 }  // namespace fpkcheck::results

@@ -20,7 +20,7 @@ const Curve* curve_among(const std::vector<Curve>& curves, std::string_view solu
   return found == curves.end() ? nullptr : &*found;
 }
 
-// Of bins that are all as wide; nothing where they are not.
+// The common width of all bins; no value where the widths differ.
 std::optional<double> even_width(const std::vector<double>& centres) {
   if (centres.size() < 2) return std::nullopt;
   constexpr double kRounding = 1e-6;
@@ -37,7 +37,7 @@ std::vector<double> bin_widths(const Curve& curve) {
   const auto& centres = curve.abscissa;
   if (const auto width = even_width(centres)) return std::vector(centres.size(), *width);
   std::vector<double> widths(centres.size());
-  // From the edge at 0 outwards, on either side.
+  // Proceeds outwards from the edge at 0, on either side.
   const auto outwards = [](auto centre, auto end, auto width) {
     for (double edge = 0; centre != end; ++centre, ++width) {
       *width = 2 * (std::abs(*centre) - edge);

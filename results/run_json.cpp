@@ -115,7 +115,7 @@ Variable variable_in(const Json& object) {
   return *variable;
 }
 
-// Null stands for what is not finite.
+// Null represents a number that is not finite.
 double number_or(double otherwise, const Json& value) {
   return value.is_null() ? otherwise : value.get<double>();
 }
@@ -128,7 +128,7 @@ PairDistances pair_in(const Json& json) {
   d.l2 = number_or(kNotANumber, json.at("l2"));
   d.sup = number_or(kNotANumber, json.at("sup"));
   d.hellinger = number_or(kNotANumber, json.at("hellinger"));
-  // Both infinities and none are written as null; the former is what a distance of densities has.
+  // Infinity and NaN are both written as null. The distance of two densities can only be infinite.
   d.kl = number_or(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),
@@ -162,7 +162,7 @@ BudgetRow budget_row_in(const Json& json) {
                          .quantile_99 = number_if_any(part, "in_99"),
                          .standard_error = number_if_any(part, "standard_error")});
   }
-  if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts (run again)");
+  if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts; run again");
   return row;
 }
 
@@ -187,7 +187,7 @@ Case case_in(const Json& json) {
   for (const auto& solution : json.at("solutions")) {
     one.solutions.push_back(solution_in(solution));
     if (!ids.insert(one.solutions.back().id()).second) {
-      throw InputError(base::sanitise(one.solutions.back().id()) + " is there twice (run again)");
+      throw InputError(base::sanitise(one.solutions.back().id()) + " occurs twice; run again");
     }
   }
   for (const auto& pair : json.at("comparisons")) one.pairs.push_back(pair_in(pair));
@@ -206,10 +206,10 @@ Case case_in(const Json& json) {
 
 void require_summary(const Json& json, const std::string& where) {
   if (!json.is_object() || !json.contains("schema")) {
-    throw InputError(fmt::format("{} is not the summary of a run (it has no schema)", where));
+    throw InputError(fmt::format("{} is not the summary of a run: \"schema\" is missing", where));
   }
   if (json.at("schema") != kSummarySchema) {
-    throw InputError(fmt::format("{} has schema {} (this program reads schema {}; run again)",
+    throw InputError(fmt::format("{} has schema {}, but this program reads schema {}; run again",
                                  where, base::sanitise(json.at("schema").dump()), kSummarySchema));
   }
 }
@@ -236,7 +236,7 @@ Run read_summary(std::istream& in, const std::string& where) {
     for (const auto& one : json.at("cases")) {
       const auto name = one.at("name").get<std::string>();
       if (!names.insert(name).second) {
-        throw InputError(base::sanitise(name) + " is there twice (run again)");
+        throw InputError(base::sanitise(name) + " occurs twice; run again");
       }
       try {
         run.cases.push_back(case_in(one));
@@ -252,7 +252,7 @@ Run read_summary(std::istream& in, const std::string& where) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
   } catch (const Json::exception& error) {
     throw InputError(
-        fmt::format("{} is not a whole summary ({}; run again)", where, said_by(error)));
+        fmt::format("{} is not a complete summary: {}; run again", where, said_by(error)));
   }
 }
 

@@ -24,19 +24,19 @@ namespace fs = std::filesystem;
 using base::in_quotes;
 using base::sanitise;
 
-// Of hundreds of cases.
+// Sufficient for hundreds of cases.
 constexpr std::size_t kMostBytesOfText = 64 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
   auto text = base::read_input_file(file, kMostBytesOfText);
   if (!text) {
     if (!file.has_parent_path()) {
-      throw InputError(fmt::format(
-          "{} is not a readable file (give the summary.json of a run, or its directory)",
-          sanitise(file.string())));
+      throw InputError(
+          fmt::format("{} is not a readable file; give the summary.json of a run, or its directory",
+                      sanitise(file.string())));
     }
     throw InputError(
-        fmt::format("no run in {} ({} is not a readable file; give the --out of a run)",
+        fmt::format("no run in {}: {} is not a readable file; give the --out directory of a run",
                     in_quotes(file.parent_path().string()), sanitise(file.filename().string())));
   }
   return std::istringstream(*std::move(text));
@@ -44,7 +44,7 @@ std::istringstream open_saved(const fs::path& file) {
 
 [[noreturn]] void refuse_other_run(const fs::path& file) {
   throw InputError(fmt::format(
-      "{} and {} in {} are not of the same run, or changed since (run again)", kSummaryFile,
+      "{} and {} in {} are not of the same run, or were changed; run again", kSummaryFile,
       sanitise(file.filename().string()), in_quotes(file.parent_path().string())));
 }
 
@@ -53,7 +53,7 @@ Case* find_case(Run& run, const std::string& name) {
   return found == run.cases.end() ? nullptr : &*found;
 }
 
-// Of older runs nobody knows.
+// Older runs have no checksums and are not checked.
 void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
   const auto noted = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
   if (noted != run.files.end() && noted->crc32 != crc32(contents)) refuse_other_run(file);
@@ -62,8 +62,8 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
   auto csv = open_saved(file);
   require_same_run(file, csv.view(), run);
-  // The trajectories of a simulation may leave the range of numbers: it has failed then, with a
-  // density of what they were. A density that is ok is finite everywhere.
+  // Trajectories of a simulation may exceed the range of numbers: the status is then `failed`, with
+  // the density so far. The density of an `ok` solution is finite everywhere.
   const auto may_break_down = [&run](const std::string& case_name, const std::string& solution) {
     const Case* one = find_case(run, case_name);
     const auto* found = one == nullptr ? nullptr : one->find(solution);
@@ -76,7 +76,7 @@ void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curve
   }
 }
 
-// Every solution with a density has its curves, and there are no others.
+// Whether exactly the solutions with a density have curves.
 bool curves_belong(const Case& one) {
   std::set<std::string> with_curves, with_density;
   for (const auto& curve : one.curves) with_curves.insert(curve.solution);
@@ -91,7 +91,7 @@ bool any_has(const Run& run, std::vector<Element> Case::*list) {
   return std::ranges::any_of(run.cases, [&](const Case& one) { return !(one.*list).empty(); });
 }
 
-// The files of a run, noted as they are added.
+// Adds the files of a run and records their checksums.
 class SavedFiles {
  public:
   SavedFiles(base::PendingFiles& files, const fs::path& directory)

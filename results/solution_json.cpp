@@ -21,11 +21,11 @@ using transform::Identity;
 using transform::Moments;
 using transform::Solution;
 
-// Of a solution that was read from a file nobody knows what it solves.
+// The equation and impact of an external density without an equation.
 constexpr const char* kGiven = "given";
 constexpr const char* kNoImpact = "-";
 
-// What is not an observation.
+// The keys of all solutions; the other keys are metrics.
 constexpr std::array<std::string_view, 17> kCommon{"id",
                                                    "method",
                                                    "equation",
@@ -43,7 +43,7 @@ constexpr std::array<std::string_view, 17> kCommon{"id",
                                                    "standard_errors",
                                                    "sampling_l1",
                                                    "smooth_sampling_l1"};
-// Beside these, "error" may hold what its method alone knows of it.
+// The keys of "error" of all solutions; the other keys of "error" are metrics.
 constexpr std::array<std::string_view, 3> kCommonOfError{"y_l1", "ydot_l1", "moments"};
 
 template <std::size_t N>
@@ -72,7 +72,7 @@ void read_identity(const Json& json, Identity& identity) {
   const auto role = base::enum_from_name<transform::Role>(json.at("role").get<std::string>());
   if (!role)
     throw InputError(
-        fmt::format("role {} is unknown (run again)", base::sanitise(json.at("role").dump())));
+        fmt::format("unknown role {}; run again", base::sanitise(json.at("role").dump())));
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
@@ -136,7 +136,7 @@ std::optional<Enum> choice_in(const Json& json, const char* key, std::string_vie
   if (text == unknown) return std::nullopt;
   const auto value = base::enum_from_name<Enum>(text);
   if (!value)
-    throw InputError(fmt::format("{} {} is unknown (run again)", key, base::in_quotes(text)));
+    throw InputError(fmt::format("{} {} is unknown; run again", key, base::in_quotes(text)));
   return value;
 }
 
@@ -160,7 +160,7 @@ void read_numbers(const Json& json, Solution& s) {
   }
 }
 
-// All that is left: what the solver alone knows.
+// The part of the object that contains the solver's metrics.
 Json observed_part(const Json& json) {
   Json rest = Json::object();
   for (const auto& [key, value] : json.items()) {
@@ -214,7 +214,7 @@ Json solution_json(const Solution& s) {
   for (const auto& observation : s.metrics) {
     const std::string_view path = observation.path;
     if (is_one_of(kCommon, path.substr(0, path.find_first_of(".[")))) {
-      throw std::logic_error("an observation of " + s.id() + " claims " + observation.path);
+      throw std::logic_error("a metric of " + s.id() + " has the reserved key " + observation.path);
     }
   }
   add_observations(s.metrics, json);
@@ -231,7 +231,7 @@ Solution solution_in(const Json& json) {
   if (json.contains("identity")) read_identity(json.at("identity"), identity);
   s.options = values_in(json.at("options"));
   const auto status = choice_in<transform::Status>(json, "status", "");
-  if (!status) throw InputError("an empty status (run again)");
+  if (!status) throw InputError("the status is empty; run again");
   s.status = *status;
   s.reason = json.at("reason");
   s.seconds = number_in(json, "seconds");

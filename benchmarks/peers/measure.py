@@ -1,5 +1,5 @@
-"""Runs fpkcheck and its peers on one processor and writes what each took and how far it is off:
-peers.csv, peers.md and peers.png in the directory given.
+"""Runs fpkcheck and other programs on one processor and writes their times and errors to peers.csv,
+peers.md and peers.png in the given directory.
 
     measure.py FPKCHECK SIMULATION DIRECTORY      (benchmarks/peers/run calls it)
 """
@@ -23,8 +23,7 @@ from problem import V_EDGES, Y_EDGES, exact_white, joined
 
 HERE = Path(__file__).parent
 SETTINGS = {"white": ["--set", "system.restitution=1"], "impulses": []}
-# Refined once more than any that is measured; three independent methods agree on it to 1e-5
-# (docs/results.md).
+# Finer than every measured grid; three independent methods agree with it to 1e-5 (docs/results.md).
 REFERENCE = ["fd", "--refinement", 2.5]
 
 
@@ -35,7 +34,7 @@ def one_processor(command):
 
 
 def by_fpkcheck(program, problem, command, *options):
-    """Bin averages, and the time of the solution alone by its own account."""
+    """Bin averages, and the solver's own measurement of its time."""
     with tempfile.TemporaryDirectory() as directory:
         one_processor([program, command, "case1", *SETTINGS[problem], *options, "--quiet", "--out",
                        directory])
@@ -55,10 +54,10 @@ def by_fpkcheck(program, problem, command, *options):
 
 
 def joined_smoothly(edges, density, wanted):
-    """Averages over other bins, by a spline through the cumulative distribution."""
+    """Averages over other bins, by a spline interpolant of the cumulative distribution."""
     from scipy.interpolate import make_interp_spline
 
-    # Two sides: the density of y' may jump at 0.
+    # Separately for both signs, since the density of y' may jump at 0.
     result = []
     for low, high in zip(wanted[:-1], wanted[1:]):
         side = edges >= -1e-12 if low >= -1e-12 else edges <= 1e-12

@@ -1,6 +1,5 @@
-// Simulation in plain C++: one trajectory, exact arrival times, Runge-Kutta steps of order 4 that
-// end at impulses, impacts found by bisection of the step.
-//     simulation STEP TIME
+// A simple simulation in C++: one trajectory, exact arrival times, Runge-Kutta steps of order 4
+// that end at impulses, impacts located by bisection of the step. simulation STEP TIME
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -28,7 +27,7 @@ State after(State s, double h) {
   return {s.y + h / 6 * (v1 + 2 * v2 + 2 * v3 + v4), s.v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
 }
 
-// To the end of h, through impacts.
+// The state at the time h, with impacts.
 State through(State s, double h) {
   while (h > 0) {
     const State end = after(s, h);

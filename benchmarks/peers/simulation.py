@@ -1,7 +1,7 @@
-"""Simulation by NumPy: many trajectories at once, Runge-Kutta steps of order 4, the impulses of a
-step together at its end, a step that ends beyond the wall reflected there.
+"""A simple simulation with NumPy: many trajectories in parallel, Runge-Kutta steps of order 4. All
+impulses of a step act at its end. A step that ends beyond the wall is reflected at its end.
 
-    simulation.py STEP TIME        TIME: of all 4000 trajectories together
+    simulation.py STEP TIME        TIME: total time of all 4000 trajectories
 """
 
 import sys

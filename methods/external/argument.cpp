@@ -46,12 +46,12 @@ void set(const std::string& key, const std::string& value, GivenArgument& argume
     argument.case_name = value;
   } else {
     throw InputError(
-        fmt::format("--against: {} is unknown (use equation, impact, order, solution or case)",
+        fmt::format("--against: unknown key {}; use equation, impact, order, solution or case",
                     base::in_quotes(key)));
   }
 }
 
-// "KEY=VALUE" after a comma, from where the comma stands; the last of several.
+// Position of the comma of the last ",KEY=VALUE"; npos where there is none.
 std::size_t last_setting(const std::string& text) {
   const auto comma = text.rfind(',');
   if (comma == std::string::npos) return comma;
@@ -79,8 +79,8 @@ GivenArgument given_argument(const std::string& text) {
     rest.erase(comma);
   }
   if (argument.impact && !argument.equation) {
-    throw InputError(fmt::format("--against: impact = {} without an equation (name both)",
-                                 name(*argument.impact)));
+    throw InputError(
+        fmt::format("--against: impact = {} lacks an equation; give both", name(*argument.impact)));
   }
   const auto colon = rest.rfind(':');
   if (colon == std::string::npos || is_there(rest)) {

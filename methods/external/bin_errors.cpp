@@ -11,7 +11,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The integral over the bin, by the values at the knots: the trapezoids are linear in them.
+// The integral over the bin as a linear combination of the values at the knots (trapezoidal rule).
 BinError trapezoids(std::span<const double> knots, double lower, double upper) {
   BinError bin{.width = upper - lower, .first = 0, .factors = {}};
   const auto after = std::ranges::upper_bound(knots, lower) - knots.begin();
@@ -26,7 +26,7 @@ BinError trapezoids(std::span<const double> knots, double lower, double upper) {
   return bin;
 }
 
-// The value at the first knot is v[1] - (v[2] - v[1]) * ratio.
+// Replaces the value at the first knot by v[1] - (v[2] - v[1]) * ratio.
 void continue_to_first(BinError& bin, double ratio) {
   if (bin.first > 0) {
     --bin.first;
@@ -40,7 +40,7 @@ void continue_to_first(BinError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
-// That at the last one, after so many points, likewise.
+// Replaces the value at the last knot, with index `points`, likewise.
 void continue_to_last(BinError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();
@@ -80,11 +80,11 @@ std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const 
   return bins;
 }
 
-// The errors of neighbouring bins go together where they share points, so that the upper end is
-// found by drawing errors of the points.
+// The errors of neighbouring bins are correlated where the bins share points. Therefore the
+// quantile is found by Monte Carlo: it draws errors of the points.
 BinSamplingL1 sampling_l1(std::span<const BinError> bins) {
   constexpr int kReplicates = 1000;
-  constexpr std::uint64_t kSeed = 20240501;  // any; the same file gives the same number
+  constexpr std::uint64_t kSeed = 20240501;  // arbitrary and fixed: results are reproducible
   BinSamplingL1 result;
   std::size_t points = 0;
   for (const auto& bin : bins) {

@@ -26,7 +26,7 @@ bool any_of(const std::vector<std::string>& names, Names known) {
   return std::ranges::any_of(names, [&](const auto& name) { return is_one_of(name, known); });
 }
 
-// Whatever is plotted over x may be called y: there neither name says a variable.
+// Files often name any ordinate "y" and its abscissa "x": then neither name identifies a variable.
 std::vector<std::string> without_ordinate(std::vector<std::string> names) {
   if (names.size() < 2 || names[1] != "y") return names;
   names[1].clear();
@@ -39,8 +39,8 @@ bool near_one(double sum) {
   return std::abs(sum - 1) <= kRounding;
 }
 
-// Of the narrower bin: beside a wide one, another that lies within it would seem to go on from it.
-// Halves do not overflow.
+// Gap between two bins, relative to the width of the narrower bin: relative to a wide bin, a narrow
+// bin inside it would seem contiguous. Halved numbers cannot overflow.
 double gap(const std::vector<double>& bin, const std::vector<double>& next) {
   const auto half_width = [](const auto& row) { return std::abs(row[1] / 2 - row[0] / 2); };
   return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
@@ -70,7 +70,7 @@ Variable variable_of(const NumberTable& table) {
 }
 
 std::size_t velocity_column(const std::vector<std::string>& names) {
-  // Names of axes, not of what is plotted over them.
+  // Names of axes only.
   constexpr std::string_view kPosition[] = {"y", "x", "displacement"};
   constexpr std::string_view kSpeed[] = {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'"};
   constexpr std::string_view kJoint[] = {"p", "density", "pdf", "probability density"};
@@ -82,7 +82,7 @@ std::size_t velocity_column(const std::vector<std::string>& names) {
 }
 
 bool join(const std::vector<double>& bin, const std::vector<double>& next) {
-  constexpr double kRounding = 1e-6;  // edges are often sums of widths
+  constexpr double kRounding = 1e-6;  // edges are often accumulated sums of widths
   return gap(bin, next) <= kRounding;
 }
 
@@ -93,8 +93,8 @@ bool is_histogram(const NumberTable& table) {
       any_of(names, kEdges) || (!names.empty() && (is_one_of(names.back(), kCounts) ||
                                                    is_one_of(names.back(), kProbabilities)));
   if (named) return true;
-  // Densities would have to follow the abscissae to be taken for edges.
-  constexpr double kFar = 0.5;  // of a bin
+  // Densities could be mistaken for upper edges only if they followed the abscissae this closely.
+  constexpr double kFar = 0.5;  // of a bin width
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     if (table.rows[k][1] <= table.rows[k][0]) return false;
     if (k > 0 && gap(table.rows[k - 1], table.rows[k]) > kFar) return false;

@@ -9,7 +9,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The edges, and beyond the last one bins of the last width, so far.
+// The edges, with further bins of the last width over the length `extension` beyond the last edge.
 std::vector<double> extended(std::vector<double> edges, double so_far) {
   const double last = edges.back(), width = last - edges[edges.size() - 2];
   const auto more = static_cast<int>(std::lround(so_far / width));
@@ -17,14 +17,14 @@ std::vector<double> extended(std::vector<double> edges, double so_far) {
   return edges;
 }
 
-// Seen from the other side.
+// The edges reflected at 0.
 std::vector<double> turned(std::vector<double> edges) {
   for (double& edge : edges) edge = -edge;
   std::ranges::reverse(edges);
   return edges;
 }
 
-// Those of y at both free ends; where a wall stands farther out, up to it at most.
+// The edges of y, with further bins at the ends without a wall, but not beyond a wall farther out.
 std::vector<double> extended(const std::vector<double>& edges, bool low, bool high,
                              const problem::Walls& walls) {
   const double length = edges.back() - edges.front();

@@ -14,7 +14,7 @@ constexpr std::string_view kSeparators = "-_.";
 
 bool is_separator(char c) { return kSeparators.find(c) != std::string_view::npos; }
 
-// "chi" of "chi-n4" with order 4; nothing where the label does not end so.
+// "chi" for the label "chi-n4" with order 4; no value where the label does not end with the order.
 std::optional<std::string> family_name(const transform::Identity& identity) {
   if (!identity.order) return std::nullopt;
   std::string_view name = identity.id;

@@ -41,7 +41,7 @@ FormFile form_of_run(const results::Run& run, const std::string& where,
       std::ranges::find(with_form, *choice.solution) == with_form.end()) {
     throw InputError(fmt::format(
         "{}: {} has no closed form in {}{}", where, base::in_quotes(*choice.solution), one.name(),
-        with_form.empty() ? "" : fmt::format(" (use {})", fmt::join(with_form, ", "))));
+        with_form.empty() ? "" : fmt::format("; use {}", fmt::join(with_form, ", "))));
   }
   const std::string of_case = fmt::format("{}, {}", where, base::sanitise(one.name()));
   const auto& solution =
@@ -55,19 +55,19 @@ FormFile form_of_run(const results::Run& run, const std::string& where,
 std::size_t chosen(const std::vector<std::string>& names, const std::optional<std::string>& asked,
                    const std::string& what, const std::string& where) {
   if (names.empty()) {
-    throw InputError(fmt::format("{} holds no {} with a density of this kind", where, what));
+    throw InputError(fmt::format("{} contains no {} with a density of this kind", where, what));
   }
   std::vector<std::string> known;
   for (const auto& name : names) known.push_back(base::sanitise(name));
   if (!asked) {
     if (names.size() == 1) return 0;
-    throw InputError(fmt::format("{} holds {} {}s (name one by {}: {})", where, names.size(), what,
-                                 what, fmt::join(known, ", ")));
+    throw InputError(fmt::format("{} contains {} {}s; select one by {}=: {}", where, names.size(),
+                                 what, what, fmt::join(known, ", ")));
   }
   const auto found = std::ranges::find(names, *asked);
   if (found == names.end()) {
-    throw InputError(fmt::format("{} holds no {} {} (use {})", where, what, base::in_quotes(*asked),
-                                 fmt::join(known, ", ")));
+    throw InputError(fmt::format("{} contains no {} {}; use {}", where, what,
+                                 base::in_quotes(*asked), fmt::join(known, ", ")));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -79,7 +79,7 @@ FormFile read_form(const std::string& text, const std::string& where,
     return form_of_run(results::read_summary(in, where), where, choice);
   }
   if (choice.solution || choice.case_name) {
-    throw InputError(fmt::format("{} is one closed form (it has no {} to choose)", where,
+    throw InputError(fmt::format("{} contains a single closed form; omit the key {}", where,
                                  choice.solution ? "solution" : "case"));
   }
   return {form_of(results::values_in_json(text, where), where), {}, {}};

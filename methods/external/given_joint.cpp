@@ -23,7 +23,7 @@ namespace {
 GivenJoint joint_of_points(JointTable table, const std::string& path) {
   const std::size_t nv = table.v.size();
   GivenJoint joint{.path = path, .form = "joint points", .numbers = table.p.size()};
-  // Beyond the table it counts as 0.
+  // The density is taken as 0 beyond the table.
   constexpr double kSmall = 1e-3;
   const double peak = std::ranges::max(table.p);
   double end = 0;
@@ -32,8 +32,8 @@ GivenJoint joint_of_points(JointTable table, const std::string& path) {
     if (last) end = std::max(end, table.p[k]);
   }
   if (end > kSmall * peak) {
-    joint.notes.push_back(fmt::format(
-        "its p(y, y') ends with {:.2g} of its peak, and beyond it counts as 0", end / peak));
+    joint.notes.push_back(
+        fmt::format("p(y, y') is cut off at {:.2g} of its peak and taken as 0 beyond", end / peak));
   }
   joint.values = [path, table = std::make_shared<const JointTable>(std::move(table))](
                      const problem::Problem&, const DensityPoints& points) {
@@ -80,7 +80,7 @@ GivenJoint joint_of_run(const GivenArgument& argument, const std::string& where,
   return joint;
 }
 
-// The first parameter in which a file's problem is another; empty where none is.
+// The first parameter of the file's problem that differs from the run's; empty if none differs.
 std::string difference(const problem::Problem& of_file, const problem::Problem& of_run) {
   const auto here = problem::sections(of_run);
   for (const auto& section : problem::sections(of_file)) {
@@ -99,7 +99,7 @@ JointTable table_of(results::PlainJoint plain, const std::string& where) {
   const std::vector<std::string> names{plain.first_name, plain.second_name, "p"};
   const auto of_v = velocity_column(names);
   if (of_v >= names.size()) {
-    throw InputError(fmt::format("{}: {} is over {} and {} (name the coordinates y and v)", where,
+    throw InputError(fmt::format("{}: {} has the coordinates {} and {}; name them y and v", where,
                                  base::sanitise(plain.name), base::sanitise(names[0]),
                                  base::sanitise(names[1])));
   }
@@ -124,7 +124,7 @@ GivenJoint joint_of_netcdf(const GivenArgument& argument, std::string bytes,
   const std::string where = base::sanitise(argument.file.string());
   if (results::is_joint_netcdf(bytes)) return joint_of_run(argument, where, usual_case, registry);
   if (argument.solution || argument.case_name) {
-    throw InputError(fmt::format("{} is one density (it has no {} to choose)", where,
+    throw InputError(fmt::format("{} contains a single density; omit the key {}", where,
                                  argument.solution ? "solution" : "case"));
   }
   auto table = table_of(results::read_plain_joint(std::move(bytes), where), where);
@@ -139,7 +139,7 @@ GivenJoint joint_of_json(const GivenArgument& argument, const std::string& text,
       read_form(text, where, {argument.solution, argument.case_name, usual_case}));
   const auto& [form, problem, solution] = *file;
   GivenJoint joint{.path = where, .form = "closed form", .numbers = form.q.terms().size()};
-  // What somebody else says of its constant is checked.
+  // A normalisation constant in an external file is checked; that of a saved run is not.
   joint.normalise = solution.has_value() || !form.frame.log_constant;
   using enum epc::Variables;
   if (form.frame.variables == plane || form.frame.variables == physical) {
@@ -153,7 +153,7 @@ GivenJoint joint_of_json(const GivenArgument& argument, const std::string& text,
     const bool of_use = solution->is_ok() || solution->status == transform::Status::inaccurate;
     if (!of_use) {
       joint.objection =
-          fmt::format("it is {} in its file: {}", name(solution->status), solution->reason);
+          fmt::format("the status in the file is {}: {}", name(solution->status), solution->reason);
     }
   }
   joint.values = [file](const problem::Problem& of_run, const DensityPoints& points) {
@@ -183,10 +183,11 @@ Method method_of(const OwnDensity& own, const GivenJoint& joint) {
     auto notes = joint.notes;
     constexpr double kNearOne = 0.1;
     if (joint.normalise && std::abs(mass - 1) > kNearOne && joint.form != "closed form") {
-      notes.push_back(fmt::format("it was divided by its integral, {:.4g}", mass));
+      notes.push_back(fmt::format("the density was divided by its integral, {:.4g}", mass));
     }
     const auto other = joint.problem ? difference(*joint.problem, problem) : std::string();
-    if (!other.empty()) notes.push_back(fmt::format("it is of another problem, {}", other));
+    if (!other.empty())
+      notes.push_back(fmt::format("the density is of another problem: {}", other));
     transform::MetricBuilder builder;
     builder.text("files[0].file", joint.path)
         .text("files[0].form", joint.form)

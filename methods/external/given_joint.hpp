@@ -12,23 +12,24 @@
 
 namespace fpkcheck::methods {
 
-/// A joint density from a file: what it is at given points, and what was made of it.
+/// A joint density from a file: its origin and its values at given points.
 struct GivenJoint {
   std::string path;
   std::string form;         ///< "joint points", "joint cells", "closed form"
-  std::size_t numbers = 0;  ///< points, cells or coefficients that it has
+  std::size_t numbers = 0;  ///< number of points, cells or coefficients
   std::vector<std::string> notes{};
-  bool normalise = true;    ///< OwnFunction
-  std::string objection{};  ///< OwnFunction
-  /// That of the file itself, and what it is said to solve there.
+  bool normalise = true;    ///< as in DensityOptions
+  std::string objection{};  ///< as in DensityOptions
+  /// The problem of the file, and the equation, impact and order that the file states.
   std::optional<problem::Problem> problem{};
   std::optional<problem::Equation> equation{};
   std::optional<problem::Impact> impact{};
   std::optional<int> order{};
-  /// Row-major, shape (points.y(), points.v()).
+  /// The values at the points: row-major, shape (points.y(), points.v()).
   std::function<std::vector<double>(const problem::Problem&, const DensityPoints&)> values{};
 };
 
+/// Reads a joint density from columns of text, from netCDF, or from a closed form as JSON.
 /// @throws InputError on one line
 GivenJoint joint_of_table(const NumberTable& table);
 GivenJoint joint_of_netcdf(const GivenArgument& argument, std::string bytes,
@@ -36,7 +37,7 @@ GivenJoint joint_of_netcdf(const GivenArgument& argument, std::string bytes,
 GivenJoint joint_of_json(const GivenArgument& argument, const std::string& text,
                          const std::string& usual_case);
 
-/// The method that takes its values for a problem.
+/// The method whose solution is this density.
 Method method_of(const OwnDensity& own, const GivenJoint& joint);
 
 }  // namespace fpkcheck::methods

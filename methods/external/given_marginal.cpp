@@ -24,16 +24,16 @@ using transform::Variable;
 void require_between(const NumberTable& table, std::size_t row, double y,
                      const problem::Walls& walls) {
   if (is_between(walls, y)) return;
-  // Only names can have said so, or the file is of another case.
+  // The column names chose the variable y, or the file belongs to another case.
   table.fail(row,
-             fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' if the "
-                         "density is that of y')",
+             fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' for a "
+                         "density of y')",
                          y, base::in_quotes(fmt::format("{}", fmt::join(table.names, ","))),
                          between(walls)));
 }
 
 void require_rows(const NumberTable& table, const problem::Walls& walls) {
-  constexpr std::size_t kFewest = 4;  // of the interpolants
+  constexpr std::size_t kFewest = 4;  // required by the interpolants
   const std::size_t last = table.rows.size() - 1;
   if (table.rows.size() < kFewest) {
     table.fail(last, fmt::format("{} rows (must be at least {})", last + 1, kFewest));
@@ -42,7 +42,7 @@ void require_rows(const NumberTable& table, const problem::Walls& walls) {
     const double x = table.rows[k][0];
     if (k > 0 && x <= table.rows[k - 1][0]) {
       table.fail(k, fmt::format("{} after {} (must increase{})", x, table.rows[k - 1][0],
-                                table.columns() == 3 ? "; of a joint density, name y,v,p" : ""));
+                                table.columns() == 3 ? "; name a joint density y,v,p" : ""));
     }
     require_between(table, k, x, walls);
   }
@@ -56,7 +56,7 @@ void require_not_negative(const NumberTable& table, std::size_t column, const ch
   }
 }
 
-// Of abscissae and integrals: their fourth powers, over the narrowest bins, are still numbers.
+// Limit of abscissae and integrals: their fourth powers, divided by the narrowest bins, are finite.
 constexpr double kLargest = 1e60;
 
 template <class Function>
@@ -85,7 +85,7 @@ void GivenMarginal::read_histogram(const NumberTable& table) {
       table.fail(k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
     }
     if (k > 0 && !join(table.rows[k - 1], table.rows[k])) {
-      table.fail(k, fmt::format("a bin from {:g} after one to {:g} (bins must join)", lower,
+      table.fail(k, fmt::format("a bin from {:g} after a bin to {:g} (bins must adjoin)", lower,
                                 knots_.back()));
     }
     require_between(table, k, upper, walls_);
@@ -144,29 +144,28 @@ void GivenMarginal::normalise(BinValue value) {
   const std::string file = base::sanitise(file_.path);
   if (!(total > 0)) throw InputError(fmt::format("{}: the density is 0 everywhere", file));
   if (!std::isfinite(total)) {
-    throw InputError(fmt::format("{}: its integral overflows (choose other units)", file));
+    throw InputError(fmt::format("{}: the integral overflows; choose other units", file));
   }
-  // Slopes and moments are larger still, or smaller.
+  // Derivatives and moments can exceed the range of numbers before the abscissae do.
   const auto overflows = [](double x) { return !std::isfinite(x) || std::abs(x) > kLargest; };
   if (overflows(total) || overflows(knots_.front()) || overflows(knots_.back()) ||
       !std::isfinite(density_(knots_.front())) || !std::isfinite(density_(knots_.back()))) {
-    throw InputError(
-        fmt::format("{}: its numbers are too large to reckon with (choose other units)", file));
+    throw InputError(fmt::format("{}: the numbers are too large; choose other units", file));
   }
   file_.from = knots_.front();
   file_.to = knots_.back();
   file_.integral = total;
   if (value == BinValue::probability) {
-    file_.notes.emplace_back("its probabilities per bin were divided by the widths of the bins");
+    file_.notes.emplace_back("the probabilities per bin were divided by the bin widths");
   }
   if (value == BinValue::count || std::abs(total - 1) > kNearOne) {
     scale_ = 1 / total;
     file_.divided_by = total;
-    file_.notes.push_back(value == BinValue::density
-                              ? fmt::format("it was divided by its integral, {:.4g}", total)
-                              : fmt::format("its {} were divided by their sum, {:g}",
-                                            value == BinValue::count ? "counts" : "probabilities",
-                                            total));
+    file_.notes.push_back(
+        value == BinValue::density
+            ? fmt::format("the density was divided by its integral, {:.4g}", total)
+            : fmt::format("the {} were divided by their sum, {:g}",
+                          value == BinValue::count ? "counts" : "probabilities", total));
   }
   note_cut_ends();
 }
@@ -181,7 +180,7 @@ void GivenMarginal::note_cut_ends() {
     const double share = density_(end) / peak;
     if (share <= kSmall) return;
     file_.notes.push_back(
-        fmt::format("its {} ends at {:.4g} with {:.2g} of its peak, and beyond it counts as 0",
+        fmt::format("{} is cut off at {:.4g}, at {:.2g} of its peak, and taken as 0 beyond",
                     variable_ == Variable::y ? "p(y)" : "p(y')", end, share));
   };
   if (!is_at(walls_.left, knots_.front())) note(knots_.front());

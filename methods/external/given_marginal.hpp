@@ -14,30 +14,31 @@
 
 namespace fpkcheck::methods {
 
-/// What a file held, and what was made of it.
+/// The contents of a file and their treatment, for the summary of a run.
 struct GivenFile {
   std::string path;
   std::string form;  ///< "histogram" or "points"
   std::size_t rows = 0;
   std::string values = {};             ///< of a histogram: "density", "probability", "count"
   double from = 0, to = 0;             ///< range of the abscissa
-  double integral = 0;                 ///< as it stands in the file
-  std::optional<double> divided_by{};  ///< to have mass 1
-  std::vector<std::string> notes{};    ///< for people
+  double integral = 0;                 ///< before normalisation
+  std::optional<double> divided_by{};  ///< divisor of the normalisation to mass 1
+  std::vector<std::string> notes{};    ///< remarks for the user
 };
 
-/// A marginal density that others computed or measured, from a file.
+/// An external marginal density from a file.
 ///
-/// Two columns are abscissa and density; three are those of a histogram (is_histogram), else
+/// Two columns are abscissa and density. Three columns are a histogram (is_histogram), or else
 /// abscissa, density and standard error. Between points the density is Akima's modified
-/// interpolant; within the bins of a histogram it is the slope of the cumulative's monotone cubic.
-/// From a first or last point of y that is no farther from the wall than from its neighbour, it is
-/// continued to the wall by a straight line. Elsewhere outside the file's range it is 0.
+/// interpolant; within the bins of a histogram the density is the derivative of a monotone cubic
+/// interpolant of the cumulative distribution. A first or last point of y that is no farther from
+/// the wall than from its neighbour is extrapolated linearly to the wall. Elsewhere outside the
+/// file's range the density is 0.
 class GivenMarginal {
  public:
-  /// @param table of the columns above
-  /// @param walls between which y lies
-  /// @throws InputError SOURCE:LINE: what is wrong and what is allowed
+  /// @param table with the columns above
+  /// @param walls that limit y
+  /// @throws InputError SOURCE:LINE: the problem and what is allowed
   GivenMarginal(const NumberTable& table, const problem::Walls& walls);
 
   transform::Variable variable() const { return variable_; }
@@ -48,15 +49,15 @@ class GivenMarginal {
   /// The integral of x^power over the file's range.
   double moment(int power) const;
 
-  /// The share of its mass that lies outside lower <= x <= upper.
+  /// The fraction of the mass outside lower <= x <= upper.
   double share_beyond(double lower, double upper) const;
 
-  /// The L1 distance from the truth over bins that the file's standard errors let one expect.
-  /// Where has_errors().
+  /// The sampling error in L1 over bins, by the file's standard errors.
+  /// @pre has_errors()
   BinSamplingL1 sampling_l1(std::span<const double> edges) const;
   bool has_errors() const { return !errors_.empty(); }
 
-  /// What was read, and what was made of it.
+  /// The contents of the file and their treatment.
   const GivenFile& file() const { return file_; }
 
  private:
@@ -67,12 +68,12 @@ class GivenMarginal {
   double cumulative(double x) const;
 
   transform::Variable variable_;
-  problem::Walls walls_;            // of y
-  Reached continued_;               // to which of them
-  std::vector<double> knots_;       // edges or points
+  problem::Walls walls_;            // of y; none for y'
+  Reached continued_;               // walls to which the density is extrapolated
+  std::vector<double> knots_;       // edges of bins, or points and walls
   std::vector<double> cumulative_;  // at the knots
   std::function<double(double)> density_;
-  double scale_ = 1;            // of density_, to have mass 1
+  double scale_ = 1;            // factor of density_ for mass 1
   std::vector<double> errors_;  // standard errors of the file's points, or empty
   GivenFile file_;
 };

@@ -30,18 +30,18 @@ using transform::Variable;
 
 double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
 
-// The comparison does not see what lies beyond its axes.
+// The comparison ignores mass beyond its axes.
 std::optional<std::string> note_of_what_lies_beyond(const GivenMarginal& marginal, double share,
                                                     const std::vector<double>& bins) {
   constexpr double kSmall = 1e-3;
   if (share <= kSmall) return std::nullopt;
   return fmt::format(
-      "{:.3g} % of it lies beyond the axes of the comparison, {} = {:.3g} to {:.3g}, and does not "
-      "count (other units?)",
+      "{:.3g} % of the mass is outside the comparison axes, {} = {:.3g} to {:.3g}, and ignored; "
+      "check the units",
       100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back());
 }
 
-// What a file held and what became of it, under "files[k]".
+// Adds the contents of a file and their treatment as metrics, under "files[k]".
 void add_metrics(const GivenMarginal& marginal, const std::vector<double>& bins, double mass,
                  double min_density, std::size_t k, transform::MetricBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);
@@ -77,8 +77,8 @@ void add_sampling(const GivenMarginal& marginal, const std::vector<double>& bins
   (of_y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
 }
 
-// Of one with both marginals: what arrives at walls is in neither, nor are joint moments. It is
-// stated in the frame.
+// Balance residuals of a solution with both marginals, in wall coordinates. Marginals determine
+// neither fluxes at walls nor joint moments.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const std::vector<GivenMarginal>& marginals) {
   const auto of = [&](Variable variable) {
@@ -90,7 +90,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   if ((system.left() && system.right()) || system.rayleigh() != 0) return {};
   const problem::Frame frame = problem::wall_frame(system);
   const problem::Problem seen = problem::to_wall_coordinates(frame, problem);
-  // As polynomials of y.
+  // Substitutes x(y): a polynomial of x becomes a polynomial of y.
   const auto in_y = [&](const numerics::Polynomial& of_x) {
     return of_x.compose_affine(frame.inverse().origin, frame.sign());
   };
@@ -126,7 +126,7 @@ transform::Solution solution_of(const problem::Problem& problem,
     const double mass = marginal.moment(0);
     const auto [least, most] = std::ranges::minmax(on_axes.density);
     const double min_density = most > 0 ? least / most : 0;
-    // Of several files the worse.
+    // The worse of several files.
     if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
     if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
     add_sampling(marginal, bins, solution);
@@ -139,7 +139,7 @@ transform::Solution solution_of(const problem::Problem& problem,
   return solution;
 }
 
-// A marginal that has its walls only with a case.
+// The file of a marginal; the walls are known only with a case.
 struct MarginalFile {
   NumberTable table;
   Variable variable;
@@ -152,17 +152,17 @@ std::vector<GivenMarginal> between_walls_of(const problem::Problem& problem,
   return marginals;
 }
 
-// What the arguments of one label say.
+// The arguments of one label.
 struct Given {
   OwnDensity own;
   std::vector<MarginalFile> marginals;
   std::optional<GivenJoint> joint;
 };
 
-// The argument's own word, else what the file says.
+// Sets equation, impact and order: from the argument, else from the file.
 void state(const GivenArgument& argument, const GivenJoint* joint, OwnDensity& own) {
   const auto differ = [&](const char* what) {
-    throw InputError(fmt::format("the files of '{}' have different {}s (say it of one of them)",
+    throw InputError(fmt::format("the files of '{}' have different {}s; give the same for all",
                                  own.label, what));
   };
   auto equation = argument.equation;
@@ -193,7 +193,7 @@ void add_marginal(NumberTable table, Given& given) {
   if (std::ranges::find(given.marginals, variable, &MarginalFile::variable) !=
       given.marginals.end()) {
     throw InputError(
-        fmt::format("two files of '{}' are densities of {} (give one of them another label)",
+        fmt::format("two files of '{}' are densities of {}; give one file another label",
                     given.own.label, variable == Variable::y ? "y" : "y'"));
   }
   given.marginals.push_back({std::move(table), variable});
@@ -209,7 +209,7 @@ void read_into(const GivenArgument& argument, const std::string& case_name,
     joint = joint_of_json(argument, bytes, case_name);
   } else {
     if (argument.solution || argument.case_name) {
-      throw InputError(fmt::format("{} is one density (it has no {} to choose)",
+      throw InputError(fmt::format("{} contains a single density; omit the key {}",
                                    base::in_quotes(argument.file.string()),
                                    argument.solution ? "solution" : "case"));
     }
@@ -223,7 +223,7 @@ void read_into(const GivenArgument& argument, const std::string& case_name,
   }
   if (given.joint || (joint && !given.marginals.empty())) {
     throw InputError(
-        fmt::format("two files of '{}', and one of them is a joint density (give it another label)",
+        fmt::format("two files of '{}', one of them a joint density; give one file another label",
                     given.own.label));
   }
   state(argument, joint ? &*joint : nullptr, given.own);

@@ -18,9 +18,9 @@
 namespace fpkcheck::methods {
 namespace {
 
-constexpr double kLargestOfATable = 1e60;  // as of abscissae and integrals of marginals
+constexpr double kLargestOfATable = 1e60;  // the limit of external marginals
 
-// Values that a column takes, in increasing order.
+// Distinct values of a column, in increasing order.
 std::vector<double> levels(const NumberTable& table, std::size_t column) {
   auto all = table.column(column);
   std::ranges::sort(all);
@@ -33,15 +33,15 @@ std::size_t place_of(const std::vector<double>& levels, double value) {
 }
 
 void require_axis(const std::vector<double>& axis, const char* symbol, const std::string& source) {
-  constexpr std::size_t kFewest = 4;  // of the interpolant
+  constexpr std::size_t kFewest = 4;  // required by the interpolant
   if (axis.size() < kFewest) {
     throw InputError(fmt::format("{}: {} value{} of {} (must be at least {})", source, axis.size(),
                                  axis.size() == 1 ? "" : "s", symbol, kFewest));
   }
   for (std::size_t k = 0; k < axis.size(); ++k) {
     if (!(std::abs(axis[k]) < kLargestOfATable)) {
-      throw InputError(fmt::format("{}: {} = {:g} is too large to reckon with (choose other units)",
-                                   source, symbol, axis[k]));
+      throw InputError(
+          fmt::format("{}: {} = {:g} is too large; choose other units", source, symbol, axis[k]));
     }
     if (k > 0 && !(axis[k] > axis[k - 1])) {
       throw InputError(fmt::format("{}: {} = {:g} after {:g} (must increase)", source, symbol,
@@ -50,7 +50,7 @@ void require_axis(const std::vector<double>& axis, const char* symbol, const std
   }
 }
 
-// The interpolant along one line, at increasing points; 0 beyond its ends.
+// Akima's modified interpolant of values at increasing points; 0 outside the points.
 class Line {
  public:
   Line(const std::vector<double>& at, std::vector<double> values)
@@ -74,27 +74,27 @@ JointTable joint_table_of(const NumberTable& table) {
   JointTable joint{levels(table, of_y), levels(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
-  // Before there is room for the grid: most points may be missing.
+  // Checked before the grid is allocated: a short file may imply a huge grid.
   const std::size_t nv = joint.v.size(), rows = table.rows.size();
   if (joint.y.size() > rows / nv) {
     throw InputError(fmt::format(
-        "{}: {} rows with {} values of y and {} of y' (must be one for every point of a grid)",
-        source, rows, joint.y.size(), nv));
+        "{}: {} rows with {} values of y and {} of y' (must be one for every grid point)", source,
+        rows, joint.y.size(), nv));
   }
   constexpr std::size_t kNone = 0;
-  std::vector<std::size_t> row_of(joint.y.size() * nv, kNone);  // from 1
+  std::vector<std::size_t> row_of(joint.y.size() * nv, kNone);  // row numbers from 1
   joint.p.resize(row_of.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const auto& row = table.rows[k];
     const auto at = place_of(joint.y, row[of_y]) * nv + place_of(joint.v, row[of_v]);
     if (row_of[at] != kNone) {
-      table.fail(k, fmt::format("y = {:g}, y' = {:g} for the second time (after line {})",
-                                row[of_y], row[of_v], table.lines[row_of[at] - 1]));
+      table.fail(k, fmt::format("y = {:g}, y' = {:g} occurs twice (first in line {})", row[of_y],
+                                row[of_v], table.lines[row_of[at] - 1]));
     }
     row_of[at] = k + 1;
     joint.p[at] = row[2];
   }
-  // As many rows as points at least, and none twice.
+  // No point is missing: there are at least as many rows as points, and no point occurs twice.
   require_usable(joint, source);
   return joint;
 }
@@ -154,7 +154,7 @@ std::vector<double> values_at(const transform::GridDensity& cells, const Density
   const std::size_t nv = parts.nv();
   std::vector<double> values;
   values.reserve((parts.ny() + 2) * nv);
-  // At a wall, where no part is: on the line through the next two.
+  // No subcell is at a wall: extrapolate linearly from the next two subcells.
   const auto centre = [&](std::size_t i) { return (parts.y_edges[i] + parts.y_edges[i + 1]) / 2; };
   const auto add_wall = [&](double wall, std::size_t next, std::size_t after) {
     const double share = (centre(next) - wall) / (centre(after) - centre(next));

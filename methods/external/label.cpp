@@ -12,7 +12,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// As names of variables and of blocks of data have it: "a.b" and "a-b" would be one there.
+// The name of a variable or data block: "a.b" and "a-b" both become "a_b".
 std::string plain_name(std::string label) {
   std::ranges::replace_if(
       label, [](unsigned char c) { return !std::isalnum(c); }, '_');
@@ -22,7 +22,7 @@ std::string plain_name(std::string label) {
 }  // namespace
 
 void require_free(const std::string& label, const Registry& registry) {
-  constexpr std::size_t kLongest = 24;  // the table has 80 columns
+  constexpr std::size_t kLongest = 24;  // fits a table of 80 columns
   const bool legal =
       !label.empty() && label.size() <= kLongest && results::file_stem(label) == label;
   if (!legal) {
@@ -33,8 +33,8 @@ void require_free(const std::string& label, const Registry& registry) {
   for (const auto& solver : registry.solvers()) {
     const std::string plain = plain_name(label);
     if (plain == solver.name || plain.starts_with(solver.name + '_')) {
-      throw InputError(fmt::format(
-          "label '{}' is a method's (choose another for a density of your own)", label));
+      throw InputError(
+          fmt::format("label '{}' is the name of a method; choose another label", label));
     }
   }
 }
@@ -42,8 +42,7 @@ void require_free(const std::string& label, const Registry& registry) {
 void require_unlike(const std::string& one, const std::string& other) {
   if (one == other || plain_name(one) != plain_name(other)) return;
   throw InputError(fmt::format(
-      "labels '{}' and '{}' are too alike (they differ in '-', '_' or '.' alone: choose another)",
-      one, other));
+      "labels '{}' and '{}' differ only in '-', '_' or '.'; choose another label", one, other));
 }
 
 }  // namespace fpkcheck::methods

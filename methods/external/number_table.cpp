@@ -45,7 +45,7 @@ std::string_view name_of_separator(char separator) {
   }
 }
 
-// Blanks separate only where nothing else does, and any number of them.
+// Blanks, in any number, separate fields only in lines without another separator.
 std::vector<std::string> split(const std::string& line) {
   const char separator = separator_of(line);
   std::vector<std::string> fields(1);
@@ -60,7 +60,7 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-// Names without units: "velocity [m/s]", "v (m/s)"; but p(y) is a name.
+// Removes units: "velocity [m/s]" and "v (m/s)" have units, but p(y) is a name.
 std::string without_units(const std::string& line) {
   std::string kept;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -137,14 +137,14 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     for (const auto& field : fields) {
       const auto value = number(field);
       if (!value)
-        fail(fmt::format("{} is not a number (with a decimal point)", base::in_quotes(field)));
+        fail(fmt::format("{} is not a number; use a decimal point", base::in_quotes(field)));
       if (!std::isfinite(*value))
         fail(fmt::format("{} (numbers must be finite)", base::sanitise(field)));
       row.push_back(*value);
     }
     if (table.rows.empty()) usual_separator = separator;
     if (separator != usual_separator) {
-      fail(fmt::format("numbers between {} after rows with {} (choose one)",
+      fail(fmt::format("fields separated by {} after rows with {}; use one separator",
                        name_of_separator(separator), name_of_separator(usual_separator)));
     }
     const std::size_t columns = table.rows.empty() ? row.size() : table.columns();
@@ -152,26 +152,26 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
       fail(fmt::format("{} column{} (must be two or three)", columns, columns == 1 ? "" : "s"));
     }
     if (row.size() != columns) {
-      fail(fmt::format("{} columns after rows of {}", row.size(), columns));
+      fail(fmt::format("{} columns after rows of {} (must be equal)", row.size(), columns));
     }
     if (table.rows.empty()) {
       const auto names = lower_case(table.names.empty() ? comment : table.names);
       most = velocity_column(names) < names.size() ? kMostOfAGrid : kMostRows;
     }
     if (table.rows.size() == most) {
-      fail(fmt::format("more than {} rows (a density has no use for as many: leave some out)",
-                       most));
+      fail(fmt::format("more than {} rows; give a coarser density", most));
     }
     table.rows.push_back(std::move(row));
     table.lines.push_back(line_number);
   }
   if (table.rows.empty()) {
-    throw InputError(fmt::format("{}: no numbers (must be two or three columns of them)",
-                                 base::sanitise(source)));
+    throw InputError(
+        fmt::format("{}: no numbers (must be two or three columns)", base::sanitise(source)));
   }
   if (table.names.empty() && comment.size() == table.columns()) table.names = lower_case(comment);
   if (!table.names.empty() && table.names.size() != table.columns()) {
-    table.fail(0, fmt::format("{} columns under {} names", table.columns(), table.names.size()));
+    table.fail(0, fmt::format("{} columns under {} names (must be equal)", table.columns(),
+                              table.names.size()));
   }
   return table;
 }

@@ -20,10 +20,10 @@ using transform::Moments;
 using transform::Solution;
 using transform::Status;
 
-// Relative to the peak, or to 1.
+// Tolerances: the first two relative to the peak, the third to a mass of 1.
 constexpr double kNegative = 1e-6, kCutOff = 1e-4, kOffOne = 1e-3;
 
-// The largest average on the edges at which the cells end, but for walls.
+// The largest average in the outermost cells, except at walls.
 double at_the_end(const transform::GridDensity& grid, const DensityPoints& points) {
   double most = 0;
   for (std::size_t i = 0; i < grid.ny(); ++i) {
@@ -45,22 +45,22 @@ std::string ends_of(const transform::GridDensity& grid, const DensityPoints& poi
   return fmt::format("at {}|y'| = {:.3g}", ends, grid.v_edges.back());
 }
 
-// Why the function is no density; empty where it is one.
+// The reason for the status inadmissible; empty where the function is a density.
 std::string objection(const transform::GridDensity& grid, const DensityPoints& points, double peak,
                       double least, double mass) {
   if (least < -kNegative * peak) {
-    return fmt::format("it is negative, down to {:.1e} of its peak", least / peak);
+    return fmt::format("the density is negative, down to {:.1e} of its peak", least / peak);
   }
   const double end = at_the_end(grid, points);
   if (end > kCutOff * peak) {
-    return fmt::format("it is {:.1e} of its peak (allowed {:.0e}) where it is cut off, {}",
+    return fmt::format("the density is cut off at {:.1e} of its peak (limit {:.0e}), {}",
                        end / peak, kCutOff, ends_of(grid, points));
   }
-  if (std::abs(mass - 1) > kOffOne) return fmt::format("its integral is {:.6g} and not 1", mass);
+  if (std::abs(mass - 1) > kOffOne) return fmt::format("the integral is {:.6g}, not 1", mass);
   return {};
 }
 
-// Balances are stated in the frame.
+// The residuals of the balances in wall coordinates.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const PointIntegrals& integrals, double mass) {
   const problem::Frame frame = problem::wall_frame(problem.system);
@@ -87,7 +87,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
     momentum.mean_absolute_force = mean([&](double x, double) { return std::abs(force(x)); });
   }
   transform::BalanceResiduals residuals{.virial = problem::virial_balance(seen, virial).residual()};
-  // Without a wall and a mean of the impulses both sides are 0.
+  // Without a wall and with zero-mean impulses both sides of the momentum balance are 0.
   const bool pushed = problem.impulses.rate_moment(1) != 0;
   if (problem.system.left() || problem.system.right() || pushed) {
     residuals.momentum = problem::momentum_balance(seen, momentum).residual();
@@ -110,10 +110,10 @@ transform::Identity identity_of(const OwnDensity& own, std::string_view method,
     identity.role = transform::Role::closure;
     identity.equation = own.equation;
     identity.impact = own.impact;
-    identity.meaning = fmt::format("A density of one's own, {}.", what);
+    identity.meaning = fmt::format("An external density, {}.", what);
   } else {
-    identity.meaning = fmt::format(
-        "A density of one's own, {}: neither its equation nor its impact is known.", what);
+    identity.meaning =
+        fmt::format("An external density, {}; its equation and impact are unknown.", what);
   }
   return identity;
 }
@@ -122,7 +122,7 @@ void note_rest(const problem::Problem& problem, transform::MetricBuilder& builde
   if (!problem::features(problem).rests_in_contact) return;
   builder.text(
       "notes[0]",
-      "the mass that rests in contact with a wall is no part of it, and counts as missing");
+      "the mass at rest in contact with a wall is not part of the density and counts as missing");
 }
 
 double require_density(const OwnDensity& own, const DensityPoints& points,
@@ -141,7 +141,7 @@ double require_density(const OwnDensity& own, const DensityPoints& points,
   const double mass = PointIntegrals(points, values).mass();
   if (!(mass > 0) || !std::isfinite(mass)) {
     throw InputError(
-        fmt::format("density '{}': its integral is {:.4g} (must be positive)", own.label, mass));
+        fmt::format("density '{}': the integral is {:.4g} (must be positive)", own.label, mass));
   }
   return mass;
 }
@@ -182,7 +182,7 @@ Solution solution_of(const problem::Problem& problem, const Setting& setting, co
   note_rest(problem, builder);
   solution.metrics = builder.take();
   if (own.equation && setting.residuals != nullptr) {
-    // Whether it meets its equation nobody has asked.
+    // An empty prefix of the reason: the density was not tested against the equation.
     state_measured_error(*setting.residuals, how.accuracy, solution, {}, "");
   }
   return solution;

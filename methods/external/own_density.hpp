@@ -9,55 +9,55 @@
 #include "methods/external/density_points.hpp"
 #include "methods/method.hpp"
 
-/// Densities that somebody brings along, as methods that solve nothing. Where it is said what they
-/// are to solve they are closures: judged by their distance to the reference and its error budget,
-/// and never the judge.
+/// External densities as methods that solve nothing. A density with an equation is a closure: it is
+/// compared with the reference and has an error budget, but is never the reference.
 namespace fpkcheck::methods {
 
-/// What is said of such a density.
+/// The description of an external density.
 struct OwnDensity {
   std::string label;  ///< the solution's id (methods/external/label.hpp)
-  /// Nothing: nobody knows, and there is no error budget.
+  /// The equation that the density approximates. No value: unknown, without an error budget.
   std::optional<problem::Equation> equation = {};
-  problem::Impact impact = problem::Impact::map;  ///< of an equation
-  std::size_t place = 0;                          ///< among several, for pictures
-  std::optional<int> order = {};                  ///< where it stands among closures
+  problem::Impact impact = problem::Impact::map;  ///< impact condition of the equation
+  std::size_t place = 0;                          ///< index among external densities, for figures
+  std::optional<int> order = {};                  ///< order of the closure
 };
 
-/// Who it is.
-/// @param method transform::kGivenMethods
-/// @param what "given as a function"
+/// The identity of the solution.
+/// @param method transform::kExternalFile or transform::kExternalFunction
+/// @param origin for the glossary, as "given as a function"
 transform::Identity identity_of(const OwnDensity& own, std::string_view method,
                                 const std::string& what);
 
-/// How the values of a joint density are taken.
+/// Options for the values of a joint density.
 struct OwnFunction {
-  bool normalise = true;  ///< divide by the integral ("normalised_by" says by what)
-  /// Of an equation: largest error of p(y) and of p(y') in L1, as its residuals measure it, with
-  /// which it is ok.
+  bool normalise = true;  ///< divide by the integral; the metric "normalised_by" is the divisor
+  /// For a density with an equation: largest residual-based L1 error estimate of p(y) and of p(y')
+  /// with the status ok.
   double accuracy = 0.02;
-  std::string objection = {};  ///< why it is no density, as is known already; empty: it is not
+  std::string objection = {};  ///< known reason for the status inadmissible; empty if none
 };
 
-/// A function, from its values; as averages over the cells of the points. Its status is
-/// `inadmissible` where values are negative, where it is cut off at the last edge, or where it is
-/// not normalised and its integral is not 1.
+/// A method whose solution is a function, given by its values; the density is stored as averages
+/// over the cells of the points. The status is `inadmissible` where values are negative, where the
+/// density is cut off at the last edge, or where the integral of an unnormalised density is not 1.
 /// @param values row-major, shape (points.y(), points.v())
 /// @throws InputError when a value is not finite, or the integral is not positive
 Method own_function(const OwnDensity& own, const OwnFunction& how, const DensityPoints& points,
                     std::vector<double> values);
 
-/// Says, as notes[0], that the mass which rests in contact (problem::Features) is no part of a
-/// density of one's own.
+/// Adds the note notes[0]: the mass at rest in contact (problem::Features) is not part of an
+/// external density.
 void note_rest(const problem::Problem& problem, transform::MetricBuilder& builder);
 
-/// The integral of values as own_function takes them.
-/// @throws InputError as own_function
+/// The integral of values as passed to make_function_method.
+/// @throws InputError as make_function_method
 double require_density(const OwnDensity& own, const DensityPoints& points,
                        const std::vector<double>& values);
 
-/// The solution that own_function's method returns, from values that require_density took.
-/// @param mass their integral
+/// The solution of the method of make_function_method.
+/// @param values that require_density accepts
+/// @param mass integral of the values
 transform::Solution solution_of(const problem::Problem& problem, const Setting& setting,
                                 const OwnDensity& own, const OwnFunction& how,
                                 const DensityPoints& points, std::vector<double> values,

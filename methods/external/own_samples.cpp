@@ -22,7 +22,7 @@ using transform::Variable;
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
-// What is kept of samples.
+// Samples with their effective number.
 struct Samples {
   std::vector<double> y, v;
   double independent;
@@ -35,7 +35,7 @@ std::optional<std::size_t> bin_of(const std::vector<double>& edges, double value
   return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin()) - 1;
 }
 
-// Those that do not rest in contact with a wall.
+// The samples that are not at rest in contact with a wall.
 Samples moving(const Samples& samples, const problem::Problem& problem) {
   if (!problem::features(problem).rests_in_contact) return samples;
   const problem::Walls walls = problem.system.walls();
@@ -49,7 +49,7 @@ Samples moving(const Samples& samples, const problem::Problem& problem) {
   return left;
 }
 
-// Shares of all `n` samples, and their errors.
+// Adds a marginal: the fractions of all `n` samples in the bins, and their standard errors.
 void put_marginal(const std::vector<double>& edges, const std::vector<double>& values, double n,
                   double independent, Variable variable, Solution& solution) {
   std::vector<double> shares(edges.size() - 1);
@@ -73,7 +73,7 @@ void put_marginal(const std::vector<double>& edges, const std::vector<double>& v
   solution.estimated_marginals.emplace_back(variable, std::move(marginal));
 }
 
-// Means of powers, and their standard errors.
+// Sets the means of powers and their standard errors.
 void put_moments(const Samples& samples, Solution& solution) {
   constexpr int kPowers[] = {1, 2, 4, 1, 2, 4};  // of y, then of y'
   static_assert(std::size(kPowers) == std::size(transform::kMoments));
@@ -128,8 +128,9 @@ Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<c
   const auto refuse = [label = own.label](const std::string& why) {
     throw InputError(fmt::format("samples '{}': {}", label, why));
   };
-  if (y.size() != v.size()) refuse(fmt::format("{} of y and {} of y'", y.size(), v.size()));
-  if (y.size() < kFewest) refuse(fmt::format("{} (must be {} at least)", y.size(), kFewest));
+  if (y.size() != v.size())
+    refuse(fmt::format("{} of y and {} of y' (must be equal)", y.size(), v.size()));
+  if (y.size() < kFewest) refuse(fmt::format("{} pairs (must be at least {})", y.size(), kFewest));
   for (std::size_t k = 0; k < y.size(); ++k) {
     if (!std::isfinite(y[k]) || !std::isfinite(v[k])) {
       refuse(fmt::format("y = {:.4g}, y' = {:.4g} (must be finite)", y[k], v[k]));
@@ -137,8 +138,8 @@ Method own_samples(const OwnDensity& own, std::span<const double> y, std::span<c
   }
   const auto all = static_cast<double>(y.size());
   if (!(independent >= 0 && independent <= all)) {
-    refuse(
-        fmt::format("independent = {:g} (must be 0 .. {}, their number)", independent, y.size()));
+    refuse(fmt::format("independent = {:g} (must be 0 .. {}, the number of samples)", independent,
+                       y.size()));
   }
   auto samples = std::make_shared<const Samples>(
       Samples{{y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});

@@ -1,5 +1,5 @@
-// fpkcheck._fpkcheck: what the package of this name stands on. Its functions take and give numbers,
-// texts and NumPy arrays; what users see is made of them in Python.
+// fpkcheck._fpkcheck: the extension module of the Python package. Its functions take and return
+// numbers, texts and NumPy arrays. The public classes and functions are written in Python.
 #include <fmt/format.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -46,7 +46,7 @@ namespace py = pybind11;
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using RunPointer = std::shared_ptr<results::Run>;
 
-/// The registry of the program, once.
+/// The registry of the program, created once.
 const methods::Registry& registry() {
   static const auto one = methods::builtin();
   return one;
@@ -64,7 +64,8 @@ base::Value value_in(const py::handle& object, const std::string& name) {
   if (object.is_none()) return {};
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) {
-    // One that no integer here holds is out of every range.
+    // An integer beyond 64 bits is out of the range of every option: the conversion to double keeps
+    // it out of range.
     int overflows = 0;
     const auto whole = PyLong_AsLongLongAndOverflow(object.ptr(), &overflows);
     if (overflows != 0) return object.cast<double>();
@@ -72,7 +73,7 @@ base::Value value_in(const py::handle& object, const std::string& name) {
   }
   if (py::isinstance<py::float_>(object)) return object.cast<double>();
   if (py::isinstance<py::str>(object)) return object.cast<std::string>();
-  throw py::type_error(fmt::format("{} is of type {} (use a number, a text, a bool or None)",
+  throw py::type_error(fmt::format("{} has the type {} (must be number, text, bool or None)",
                                    base::in_quotes(name), Py_TYPE(object.ptr())->tp_name));
 }
 
@@ -150,7 +151,7 @@ void bind_problems(py::module_& module) {
   });
 }
 
-// -- what users bring along
+// -- external densities
 
 methods::OwnDensity own_density(const std::string& label,
                                 const std::optional<std::string>& equation,
@@ -163,7 +164,7 @@ methods::OwnDensity own_density(const std::string& label,
     throw InputError(fmt::format("{} = {} (must be 1 or more)", of("order"), *order));
   }
   if (equation) own.equation = base::parse_enum<problem::Equation>(of("equation"), *equation);
-  // Trajectories alone are reflected exactly.
+  // The impact "exact" belongs to simulations only.
   own.impact = base::parse_enum<problem::Impact>(of("impact"), impact,
                                                  std::span(problem::kImpactNames).first(2));
   return own;
@@ -246,7 +247,7 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
                       const std::vector<methods::Method>& against, int threads,
                       std::optional<double> max_seconds, bool bounds, const py::object& progress,
                       const std::string& command) {
-  if (problems.empty()) throw InputError("no case to solve");
+  if (problems.empty()) throw InputError("there is no case to solve; give at least one");
   if (threads < 0) throw InputError(fmt::format("threads = {} (must be 0 or more)", threads));
   Task task{problems, {}, threads, bounds, command};
   auto settings = values_in(options);
@@ -278,7 +279,7 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
     const std::chrono::duration<double> elapsed = Clock::now() - begin;
     if (max_seconds && elapsed.count() > *max_seconds) {
       const auto text =
-          fmt::format("not solved in {:g} s: {} of {} solutions, last {} (raise max_seconds)",
+          fmt::format("not solved in {:g} s: {} of {} solutions, last {}; increase max_seconds",
                       *max_seconds, last.done, last.total, last.method);
       PyErr_SetString(PyExc_TimeoutError, text.c_str());
       throw py::error_already_set();
@@ -350,7 +351,7 @@ void bind_runs(py::module_& module) {
 
 }  // namespace
 
-// InputError is a std::invalid_argument, which is a ValueError there; other exceptions become
+// pybind11 converts InputError, a std::invalid_argument, to ValueError, and other exceptions to
 // RuntimeError.
 PYBIND11_MODULE(_fpkcheck, module) {
   module.attr("__version__") = results::this_program("").version;

@@ -17,7 +17,7 @@ using base::NamedValue;
 using base::Value;
 using base::Values;
 
-// The name that the solver knows the option by; nothing where it is none of its.
+// The name of the option without the solver's name; no value where the solver has no such option.
 std::optional<std::string> own_name(const methods::Solver& solver, const std::string& option) {
   const auto dot = option.find('.');
   if (dot != std::string::npos && option.substr(0, dot) != solver.name) return std::nullopt;
@@ -38,11 +38,11 @@ void require_known(const methods::Registry& registry, const std::string& option)
   if (known.empty()) {
     for (const auto& solver : registry.solvers()) known.push_back(solver.name + ".NAME");
   }
-  throw InputError(fmt::format("options: {} is no option (known: {})", base::in_quotes(option),
+  throw InputError(fmt::format("options: unknown option {}; use {}", base::in_quotes(option),
                                fmt::join(known, ", ")));
 }
 
-// Of the type that the parameter takes.
+// Converts a value to the type of the parameter.
 Value fitting(const base::Parameter& parameter, const NamedValue& given) {
   const std::string label = fmt::format("options: {} =", base::sanitise(given.name));
   if (const auto* text = std::get_if<std::string>(&given.value)) {
@@ -69,8 +69,9 @@ methods::Method with_options(const methods::Registry& registry, const methods::M
   }
   auto made = registry.method(solver, replaced);
   if (made.id() != method.id()) {
-    throw InputError(fmt::format("options: they make {} of {} (name that among the methods)",
-                                 made.id(), method.id()));
+    throw InputError(
+        fmt::format("options: they select {} in place of {}; list the former in methods", made.id(),
+                    method.id()));
   }
   return made;
 }

@@ -18,14 +18,15 @@
 namespace fpkcheck::python {
 namespace {
 
-// netCDF is for one thread at a time.
+// netCDF is not thread-safe.
 std::mutex& files_mutex() {
   static std::mutex& one = *new std::mutex;
   return one;
 }
 
-// HDF5 complains on standard error of every attribute that it looks for in vain, unless the thread
-// has said that it need not: netCDF says so in the first thread that uses it alone.
+// HDF5 prints a message on standard error for every attribute that it does not find, unless the
+// thread disables this output. netCDF disables the output only in the first thread that uses
+// netCDF.
 void let_hdf5_be_silent_here() {
   using SetAuto = int (*)(std::int64_t, void*, void*);
   const auto set_auto = reinterpret_cast<SetAuto>(dlsym(RTLD_DEFAULT, "H5Eset_auto2"));

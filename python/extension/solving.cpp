@@ -23,15 +23,15 @@ constexpr auto kBetweenLooks = 50ms;
 constexpr auto kToEndByItself = 300ms;
 
 struct GivenUp : std::exception {
-  const char* what() const noexcept override { return "given up"; }
+  const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// A run on its way; both threads own it, since either may be the last.
+/// A run in progress. The worker and the calling thread share ownership, since either may end last.
 class Work {
  public:
   explicit Work(Task task) : task_(std::move(task)) {}
 
-  /// What the thread does.
+  /// The function of the worker thread.
   void run() noexcept {
     try {
       solve_all();
@@ -43,7 +43,8 @@ class Work {
     changed_.notify_all();
   }
 
-  /// @return whether it has ended
+  /// Waits for the end of the run.
+  /// @return whether the run has ended
   template <class Duration>
   bool wait_for(Duration duration) {
     std::unique_lock lock(mutex_);
@@ -53,7 +54,7 @@ class Work {
 
   void give_up() { given_up_ = true; }
 
-  /// What was told since it was asked for last.
+  /// The latest progress since the previous call, if any.
   std::optional<methods::RunProgress> news() {
     const std::lock_guard lock(mutex_);
     return std::exchange(news_, std::nullopt);
@@ -88,7 +89,7 @@ class Work {
   results::Run run_;
   std::exception_ptr failure_;
   std::atomic<bool> given_up_ = false;
-  std::mutex mutex_;  // guards what stands below
+  std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   bool ended_ = false;
   std::optional<methods::RunProgress> news_;
@@ -99,7 +100,7 @@ struct LeftBehind {
   std::thread thread;
 };
 
-// Never destroyed: a process that ends by a signal leaves it as it is.
+// Never destroyed, since its threads may still run at the end of the process.
 struct Abandoned {
   std::mutex mutex;
   std::vector<LeftBehind> all;
@@ -151,7 +152,7 @@ results::Run solve(Task task, const std::function<void(const methods::RunProgres
 
 void prepare_for_exit() {
   if (!any_abandoned()) return;
-  // What is registered last is called first, before any destructor.
+  // Handlers run in reverse order of registration: this handler runs before any destructor.
   on_exit(
       [](int status, void*) {
         if (!any_abandoned()) return;

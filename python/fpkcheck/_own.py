@@ -1,4 +1,4 @@
-"""Densities of one's own."""
+"""External densities: functions, samples and files."""
 
 from __future__ import annotations
 
@@ -22,28 +22,27 @@ Sampler = Callable[[np.random.Generator, int], Any]
 class Density:
     """A joint density p(y, y') on y >= 0 as a function.
 
-    It is called once, before anything is solved, at the Gauss-Legendre points of cells that reach 10 deviations of
-    equivalent linearisation far; what is compared are its averages over these cells.
+    The function is evaluated once, before any method runs, at the Gauss-Legendre points of cells. The cells extend to
+    10 standard deviations of equivalent linearisation. The comparison uses the averages over these cells.
 
     Parameters
     ----------
     function : callable
-        ``p(y, v)``. It is given two arrays of shape (601, 600) and may return any that has, or broadcasts to, that
-        shape. Where it raises TypeError or ValueError, it is called point by point with two floats.
+        ``p(y, v)``. The arguments are two arrays of shape (601, 600); the result must have that shape or broadcast to
+        it. If the call raises TypeError or ValueError, the function is called point by point with two floats.
     equation : {"kf", "km4", "km4-pade", "white"}, optional
-        What it is meant to solve: then it is a closure, with a status, an error of its own (by its residuals
-        against the full problem) and an error budget. Without it nothing is known, and it has distances alone.
+        The equation that the density approximates. The density is then a closure, with a status, an error estimate
+        (residual-based, against the full problem) and an error budget. Without an equation there are only distances.
     impact : {"map", "delta"}
-        That of the equation: exact, or to first order in 1 - r.
+        Impact condition of the equation: exact, or to first order in 1 - r.
     normalise : bool
-        Divide by the integral. Otherwise one that is not 1 makes it ``inadmissible``.
+        Divide the density by its integral. Otherwise an integral other than 1 gives the status ``inadmissible``.
     accuracy : float
-        Largest error of p(y) and of p(y') in L1 with which a closure is ``ok``; above it is ``inaccurate``.
+        Largest L1 error estimate of p(y) and of p(y') with which a closure is ``ok``; above it is ``inaccurate``.
     vectorised : bool, optional
-        Whether it takes arrays; otherwise that is tried.
+        Whether the function accepts arrays. By default arrays are tried first.
     order : int, optional
-        Where it stands among closures. Densities whose labels end with their orders (``"chi-n2"``, ``"chi-n4"``) make
-        a family.
+        Order of the closure. Densities whose labels end with their orders (``"chi-n2"``, ``"chi-n4"``) form a family.
     """
 
     function: Function
@@ -55,7 +54,7 @@ class Density:
     order: int | None = None
 
     def _values(self, label: str, y: Array, v: Array) -> Array:
-        """At all points: shape (len(y), len(v))."""
+        """Values at all points: shape (len(y), len(v))."""
         shape = (len(y), len(v))
         if self.vectorised is not False:
             ys, vs = np.meshgrid(y, v, indexing="ij")
@@ -82,23 +81,22 @@ class Density:
 
 @dataclass(frozen=True)
 class Samples:
-    """Samples of (y, y'), or what draws them.
+    """Samples of (y, y'), or a sampler.
 
     Parameters
     ----------
     source : array of shape (n, 2), or callable
-        y and y' of each sample; or ``sampler(rng, n)`` that returns such an array, with ``rng`` a
+        y and y' of each sample; or a sampler ``sampler(rng, n)`` that returns such an array, with ``rng`` a
         `numpy.random.Generator`.
     equation, impact, order
-        As of `Density`: what the samples are meant to solve. Samples have no residuals; what they state is their
-        error by chance.
+        As in `Density`. Samples have no residual-based error estimate, only sampling errors.
     n : int
-        How many a sampler is asked for.
+        Number of samples that the sampler must draw.
     seed : int
-        Of the generator that it is given.
+        Seed of the generator for the sampler.
     independent : float, optional
-        How many independent samples they are worth, for their errors by chance: those along a trajectory are worth
-        fewer than there are. All of them, unless given.
+        Effective number of independent samples, for sampling errors. Samples along a trajectory have a smaller
+        effective number. By default the number of samples.
     """
 
     source: Union[Sampler, Array, Any]
@@ -122,7 +120,7 @@ class Samples:
 
 @dataclass(frozen=True)
 class File:
-    """A density in a file (docs/foreign.md), with what is said of it.
+    """A density in a file (docs/foreign.md), with its equation and order.
 
     Parameters
     ----------
@@ -130,11 +128,11 @@ class File:
         Columns of a marginal or of a joint density, netCDF-4, a closed form as JSON, or the ``summary.json`` or
         ``joint.nc`` of a run.
     equation, impact
-        As of `Density`; ``"exact"`` too.
+        As in `Density`; the impact may also be ``"exact"``.
     order : int, optional
-        Where it stands among closures.
+        Order of the closure.
     solution, case : str, optional
-        Of a file of a run: which density.
+        The solution and case to use, where the file is of a run.
     """
 
     path: str | os.PathLike[str]
@@ -145,14 +143,14 @@ class File:
     case: str | None = None
 
     def _argument(self, label: str) -> str:
-        """As `fpkcheck run --against` has it."""
+        """The argument of `fpkcheck run --against`."""
         said = {key: getattr(self, key) for key in ("equation", "impact", "order", "solution", "case")}
         settings = "".join(f",{key}={value}" for key, value in said.items() if value is not None)
         return f"{os.fspath(self.path)}:{label}{settings}"
 
 
 def _is_sampler(function: Callable[..., Any]) -> bool:
-    """By the names of its arguments: (rng, n), (seed, size), ..."""
+    """Whether a function is a sampler, by the name of its first argument: (rng, n), (seed, size), ..."""
     try:
         names = list(inspect.signature(function).parameters)
     except (TypeError, ValueError):
@@ -161,7 +159,7 @@ def _is_sampler(function: Callable[..., Any]) -> bool:
 
 
 def _as_own(what: Any) -> Density | Samples | None:
-    """What a user brings along as what it is; None for files."""
+    """Converts a function, an array or samples to the corresponding class; returns None for files."""
     if isinstance(what, (Density, Samples)):
         return what
     if callable(what):

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::results {
 
-/// The parameters of a problem as attributes of a variable, or of the file: `damping`, ..,
+/// Writes the parameters of a problem as attributes of a variable, or of the file: `damping`, ..,
 /// `impulse_rate`, `impulse_law`, ..
 void write_parameters(NetCdfWriter& file, const problem::Problem& problem,
                       int variable = NetCdfWriter::kFile);

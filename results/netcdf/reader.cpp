@@ -11,7 +11,7 @@
 namespace fpkcheck::results {
 namespace {
 
-// Of one variable: all solutions of a case on their cells are less than a million.
+// Limit for one variable: all solutions of a case have less than a million values on their cells.
 constexpr std::size_t kMostValues = std::size_t{1} << 24;
 constexpr std::size_t kMostLabels = 10000;
 constexpr std::size_t kLongestAttribute = 10000;
@@ -25,9 +25,9 @@ void check_read(int status, const std::string& what) {
 }  // namespace
 
 NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
-  // All that this program writes is HDF5; readers of the older forms trust their headers.
-  if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("no netCDF-4");
-  // From memory: libnetcdf takes some paths for addresses in the network, and changes others.
+  // This program writes HDF5 only. libnetcdf does not validate the headers of the older formats.
+  if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("not netCDF-4");
+  // From memory: libnetcdf interprets some paths as network addresses, and changes others.
   check_read(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
              "cannot be opened");
 }
@@ -88,11 +88,12 @@ std::size_t NetCdfReader::count_of(const std::string& name) {
     }
     count *= length;
   }
-  // A file of a kilobyte may claim any number of values: those that nobody wrote are not in it.
-  constexpr std::size_t kMostPerByte = 260;  // of single precision, as deflate compresses
+  // A file of one kilobyte may declare any number of values, since unwritten values take no space.
+  // kMostPerByte is the limit for single precision with the highest compression of deflate.
+  constexpr std::size_t kMostPerByte = 260;
   asked_for_ += count;
   if (asked_for_ > kMostPerByte * bytes_.size()) {
-    throw std::runtime_error(fmt::format("{}: more values than the file can hold", name));
+    throw std::runtime_error(fmt::format("{}: more values than the file can contain", name));
   }
   nc_type type = NC_NAT;
   check_read(nc_inq_vartype(id_, id, &type), name);
@@ -103,10 +104,10 @@ std::size_t NetCdfReader::count_of(const std::string& name) {
   std::vector<std::size_t> chunk(lengths.size());
   check_read(nc_inq_var_chunking(id_, id, &storage, chunk.data()), name);
   if (storage != NC_CHUNKED) return count;
-  // A chunk is held in memory as a whole, however few of its values there are.
+  // The library allocates whole chunks, even if few of their values exist.
   for (std::size_t k = 0; k < chunk.size(); ++k) {
     if (chunk[k] > std::max<std::size_t>(lengths[k], 1)) {
-      throw std::runtime_error(fmt::format("{}: chunks beyond its values", name));
+      throw std::runtime_error(fmt::format("{}: a chunk exceeds the dimensions", name));
     }
   }
   return count;
@@ -121,7 +122,7 @@ std::vector<double> NetCdfReader::values(const std::string& name) {
 std::vector<std::string> NetCdfReader::labels(const std::string& name) {
   const auto lengths = shape(name);
   if (lengths.size() != 2 || lengths[0] > kMostLabels) {
-    throw std::runtime_error(fmt::format("{}: no texts", name));
+    throw std::runtime_error(fmt::format("{}: not a list of texts", name));
   }
   std::string characters(count_of(name), '\0');
   check_read(nc_get_var_text(id_, variable(name), characters.data()), name);
@@ -144,7 +145,7 @@ std::vector<double> NetCdfReader::edges(const std::string& coordinate) {
   for (std::size_t cell = 0; cell < lengths[0]; ++cell) {
     const double lower = ends[2 * cell], upper = ends[2 * cell + 1];
     if (lower != edges.back() || !(upper > lower)) {
-      throw std::runtime_error(fmt::format("{}: the cells do not join", bounds));
+      throw std::runtime_error(fmt::format("{}: the cells do not adjoin", bounds));
     }
     edges.push_back(upper);
   }
@@ -158,7 +159,7 @@ std::string NetCdfReader::text(const std::string& name, const std::string& attri
   nc_type type = NC_NAT;
   check_read(nc_inq_att(id_, id, attribute.c_str(), &type, &length), what);
   if (type != NC_CHAR || length > kLongestAttribute) {
-    throw std::runtime_error(fmt::format("{}: no short text", what));
+    throw std::runtime_error(fmt::format("{}: not a short text", what));
   }
   std::string text(length, '\0');
   check_read(nc_get_att_text(id_, id, attribute.c_str(), text.data()), what);

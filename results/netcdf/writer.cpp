@@ -16,7 +16,7 @@ namespace {
 
 void check_written(int status, const std::string& what) {
   if (status != NC_NOERR) {
-    throw std::runtime_error(fmt::format("netCDF: {} ({})", what, nc_strerror(status)));
+    throw std::runtime_error(fmt::format("netCDF: {}: {}", what, nc_strerror(status)));
   }
 }
 
@@ -45,8 +45,8 @@ void fill_with_nan(int file, int variable, const std::string& name) {
 
 NetCdfWriter::NetCdfWriter() {
   static_assert(kFile == NC_GLOBAL);
-  constexpr std::size_t kFirstSize = 1 << 20;  // it grows
-  check_written(nc_create_mem("in memory", NC_NETCDF4, kFirstSize, &id_), "cannot begin");
+  constexpr std::size_t kFirstSize = 1 << 20;  // initial size; the library extends it
+  check_written(nc_create_mem("in memory", NC_NETCDF4, kFirstSize, &id_), "cannot create the file");
 }
 
 NetCdfWriter::~NetCdfWriter() {
@@ -147,7 +147,7 @@ void NetCdfWriter::attribute(const std::string& name, int value, int variable) {
 std::string NetCdfWriter::bytes() {
   open_ = false;
   NC_memio file = {};
-  check_written(nc_close_memio(id_, &file), "cannot finish");
+  check_written(nc_close_memio(id_, &file), "cannot close the file");
   const std::unique_ptr<void, decltype(&std::free)> owner(file.memory, &std::free);
   return {static_cast<const char*>(file.memory), file.size};
 }

@@ -13,7 +13,7 @@ namespace {
 
 using transform::Variable;
 
-/// Closures beside finite differences of the full jump equation.
+/// Closures compared with finite volumes for the full jump equation.
 class Closures {
  public:
   Closures(const problem::Problem& problem, const std::string& list)
@@ -33,8 +33,8 @@ class Closures {
   results::Case case_;
 };
 
-// The closure on the half-plane and finite differences share nothing but the problem. Bars a few
-// per cent above what was measured; finite differences are good to 6e-5.
+// The closure on the half-plane and the finite volumes share only the problem. The limits are a few
+// per cent above the measured values; finite volumes are accurate to 6e-5.
 TEST(MomentClosure, ComesAsNearToFiniteDifferencesAsItsOrderAllows) {
   const std::map<int, std::pair<double, double>> bars{
       {6, {0.003, 0.004}}, {8, {0.0015, 0.0025}}, {12, {0.0005, 0.0018}}};
@@ -48,7 +48,7 @@ TEST(MomentClosure, ComesAsNearToFiniteDifferencesAsItsOrderAllows) {
       EXPECT_TRUE(closures.is_ok(id));
       EXPECT_LT(closures.l1(id, Variable::y), bar.first);
       EXPECT_LT(closures.l1(id, Variable::ydot), bar.second);
-      // Were the two the same computation, they would agree to rounding.
+      // Identical computations would agree to rounding.
       EXPECT_GT(closures.l1(id, Variable::ydot), 1e-4);
       if (order == 8) {
         EXPECT_LT(closures.tail(id, Variable::y), 0.1);
@@ -58,7 +58,7 @@ TEST(MomentClosure, ComesAsNearToFiniteDifferencesAsItsOrderAllows) {
   }
 }
 
-// Other laws, a mean of the impulses, stronger losses: the same process on both sides.
+// Both methods solve the same process for other laws, a non-zero mean and stronger losses.
 TEST(MomentClosure, FollowsEveryImpulseLawAndMean) {
   for (const char* law : {"laplace", "two_point", "uniform"}) {
     for (const double mean : {-0.1, 0.15}) {
@@ -76,14 +76,14 @@ TEST(MomentClosure, FollowsEveryImpulseLawAndMean) {
   }
 }
 
-// The same at equal numbers of unknowns, with the exponent in amplitude and phase: strong losses
-// and rare impulses too, where polynomials of y and y' miss the step at the origin. Bars 35
-// to 80 per cent above what was measured.
+// The same number of unknowns with the exponent in amplitude and phase. Includes strong losses and
+// rare impulses, where polynomials of y and y' cannot represent the jump at the origin. The limits
+// are 35 to 80 per cent above the measured values.
 TEST(PolarClosure, CarriesTheStepAtTheOrigin) {
   struct Bars {
     tests::Parameters parameters;
     double y, ydot;    // at n = 6
-    double advantage;  // least ratio of the L1 of p(y') of moment and polar, both at n = 6
+    double advantage;  // lower limit of the ratio of L1 errors of p(y'), moment to polar, n = 6
     bool is_usual = true;
   };
   for (const auto& [parameters, y, ydot, advantage, is_usual] :

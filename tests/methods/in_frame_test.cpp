@@ -18,8 +18,8 @@ WallParameters between(double left, double right) {
   return {.left = left, .left_restitution = 0.9, .right = right, .right_restitution = 0.8};
 }
 
-// y - a + a is not y for most walls a: the bins of a histogram are the axes' own all the same, and
-// so are its intervals.
+// In floating point y - a + a differs from y for most walls a. The bins and intervals of a
+// histogram must nevertheless be exactly those of the axes.
 TEST(InFrame, MarginalsOfASimulationAreOnTheVeryAxesWhereverTheWallsStand) {
   std::vector<WallParameters> all{between(-1, 1.2), between(-0.6, 0.8)};
   for (int k = -4; k <= 4; ++k) {

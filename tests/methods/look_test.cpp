@@ -16,7 +16,7 @@ namespace {
 using Rgb = std::array<double, 3>;
 using transform::PlotStyle;
 
-// Linear light of "#RRGGBB".
+// Linear RGB values of "#RRGGBB".
 Rgb light_of(const std::string& colour) {
   Rgb light{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -62,7 +62,7 @@ double apart(const Rgb& a, const Rgb& b) {
   return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
 }
 
-/// What a case's picture and a sweep may show together.
+/// A style that may appear with others in the figure of a case or a sweep.
 struct Shown {
   std::string id, family;
   PlotStyle plot_style;
@@ -82,9 +82,9 @@ std::vector<Shown> all_looks() {
   return all;
 }
 
-// Marks on a line tell it from another; of points there is no line.
+// Whether two styles agree in marker, line and dashes. Markers distinguish lines as well.
 bool same_without_colour(const PlotStyle& a, const PlotStyle& b) {
-  constexpr double kBroad = 2;  // times as wide is another line
+  constexpr double kBroad = 2;  // ratio of widths that distinguishes two lines
   return a.as_points == b.as_points && a.symbol == b.symbol && a.dash == b.dash &&
          a.width < kBroad * b.width && b.width < kBroad * a.width;
 }
@@ -99,7 +99,7 @@ TEST(PlotStyle, OfEveryFamilyHasAMarkOfItsOwn) {
 }
 
 TEST(PlotStyle, OfAnyTwoIsToldApartInGreyAndByADeuteranope) {
-  constexpr double kApart = 15;  // of 100 between black and white
+  constexpr double kApart = 15;  // L* difference, of 100 between black and white
   const auto all = all_looks();
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -112,7 +112,7 @@ TEST(PlotStyle, OfAnyTwoIsToldApartInGreyAndByADeuteranope) {
   }
 }
 
-// The schemes of a study of grids differ in dash as well.
+// The schemes of a grid study also differ in their dashes.
 TEST(PlotStyle, OfAnOrderOfTheSchemeIsOneOfFiniteDifferences) {
   std::set<std::string> dashes;
   for (std::size_t place = 0; place < 4; ++place) {

@@ -14,7 +14,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // of case 1, to 7e-10
+constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // case 1, accurate to 7e-10
 
 double integral(const transform::GridDensity& map) {
   double sum = 0;
@@ -35,7 +35,7 @@ TEST(OwnErrors, OfEverySolutionCorrectItToTheTruth) {
                 0, {});
   add_own_errors(cases.front(), ProblemResiduals(tests::paper_case(1)), 0);
   const auto& one = cases.front();
-  ASSERT_EQ(one.own_errors.size(), 5u);  // not of the histogram
+  ASSERT_EQ(one.own_errors.size(), 5u);  // all solutions but the histogram
   ASSERT_EQ(one.error_sources.size(), 10u);
   for (const auto& own : one.own_errors) {
     SCOPED_TRACE(own.solution);
@@ -48,8 +48,8 @@ TEST(OwnErrors, OfEverySolutionCorrectItToTheTruth) {
     for (const auto& source : one.error_sources) {
       if (source.solution != own.solution) continue;
       const double error = source.moment == "y2" ? own.error.y2 : own.error.v2;
-      // The solver's moments and those of its density differ by quadrature; what lies beyond the
-      // cells is lost.
+      // The solver's moments and those of its density differ by quadrature errors. Contributions
+      // from beyond the cells are missing.
       EXPECT_NEAR(integral(source.density), error, 5e-6 + 2e-3 * std::abs(error));
     }
   }
@@ -87,7 +87,7 @@ TEST(OwnErrors, OfAMirroredProblemAreOnThePhysicalAxes) {
   const auto& map = one.error_sources[0].density;
   EXPECT_EQ(map.y_edges, cells.y_edges);
   EXPECT_NEAR(integral(map), one.own_errors[0].error.y2, 1e-5);
-  // Nothing lies far from where the density is: at the low end of y there is nothing.
+  // The error sources vanish far from the density: at the low end of y.
   double low = 0, high = 0;
   for (std::size_t j = 0; j < map.nv(); ++j) {
     for (std::size_t i = 0; i < 5; ++i) {

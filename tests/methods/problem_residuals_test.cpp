@@ -32,7 +32,7 @@ TEST(MeasuredError, OfAClosureIsItsDistanceToTheJumpEquation) {
   const auto p = tests::paper_case(1);
   const auto axes = compare::comparison_axes(p);
   const auto reference = solved("fd-kf");
-  // From a quarter to a hundredth of a per cent, the model's error included.
+  // The errors are between 0.25 and 0.01 per cent and include the error of the model.
   for (const char* id : {"epc-gaussian-n2", "epc-gaussian-n4", "epc-moment-n4", "epc-moment-n8",
                          "epc-moment-white-n8", "epc-polar-n4"}) {
     const auto closure = solved(id);
@@ -83,11 +83,11 @@ TEST(MeasuredError, OfWhatHasNoMeanIsUnknownAndSoNotOk) {
   solution.density = transform::SmoothDensity{[](double, double) { return 0.0; }, 6, 6};
   state_measured_error(ProblemResiduals(tests::paper_case(1)), 1e-3, solution);
   EXPECT_EQ(solution.status, Status::inaccurate);
-  EXPECT_NE(solution.reason.find("cannot be measured"), std::string::npos);
+  EXPECT_NE(solution.reason.find("cannot be estimated"), std::string::npos);
 }
 
 TEST(MeasuredError, IsTheSameOnPhysicalAxesAndInTheFrame) {
-  // One wall, at the right: the exact density of weaker noise is off by what is known.
+  // A single wall, at the right. The exact density of weaker noise has a known error.
   const problem::System system({.damping = 0.2, .stiffness = 1},
                                {.right = 0.5, .right_restitution = 1});
   const auto known = tests::with_noise(system, 0.4), weaker = tests::with_noise(system, 0.36);
@@ -102,7 +102,7 @@ TEST(MeasuredError, IsTheSameOnPhysicalAxesAndInTheFrame) {
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   const double y1 = law.moment(1, 0) - exact::EnergyLaw(known).moment(1, 0);
   EXPECT_NEAR(solution.error->moments.y1, std::abs(y1), 1e-3 * std::abs(y1));
-  EXPECT_GT(solution.error->ydot_l1, 0.05);  // 1 - sqrt(0.9) of a Gaussian, nearly
+  EXPECT_GT(solution.error->ydot_l1, 0.05);  // about 1 - sqrt(0.9), as for a Gaussian
   EXPECT_LT(solution.error->ydot_l1, 0.1);
 
   const auto seen = tests::in_wall_coordinates(known);
@@ -130,7 +130,8 @@ TEST(MeasuredError, IsRefusedWhereTheLawHasAnAtom) {
   EXPECT_NE(solution.reason.find("atom"), std::string::npos) << solution.reason;
 }
 
-/// Two wells that exchange mass about once in exp(14) oscillations, and their exact density.
+/// A system with two wells that exchange mass about once in exp(14) oscillations, and its exact
+/// density.
 struct DeepWells {
   problem::Problem problem = tests::with_noise(
       problem::System({.damping = 0.2, .constant = 0.02, .stiffness = -1, .cubic = 1},

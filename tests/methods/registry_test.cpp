@@ -46,9 +46,9 @@ TEST(Registry, WhatIsNoMethodIsRefusedByName) {
        {"", "fdm", "fd-kf2", "epc-gaussian-n", "epc-gaussian-n6x", "epc,,mcs", "mcs2"}) {
     EXPECT_THROW(ids(bad), InputError) << bad;
   }
-  EXPECT_THROW(ids("epc-gaussian-n7"), InputError);    // odd
-  EXPECT_THROW(ids("epc-gaussian-n400"), InputError);  // huge
-  EXPECT_THROW(ids("epc-moment-km4-n6"), InputError);  // no process belongs to it
+  EXPECT_THROW(ids("epc-gaussian-n7"), InputError);    // odd order
+  EXPECT_THROW(ids("epc-gaussian-n400"), InputError);  // order out of range
+  EXPECT_THROW(ids("epc-moment-km4-n6"), InputError);  // km4 is the equation of no process
 }
 
 TEST(Registry, SolutionsAreWhoTheirMethodPromised) {
@@ -73,7 +73,7 @@ TEST(Registry, SimulationCountsOnTheComparisonAxes) {
   const auto axes = compare::comparison_axes(problem);
   const auto solution = builtin().by_id("mcs", {{"time", 5000.0}})->solve(problem, {axes, {}});
   const auto m = marginal(solution, transform::Variable::y, axes.y_edges);
-  EXPECT_FALSE(m.lower.empty());  // its own estimate, with intervals
+  EXPECT_FALSE(m.lower.empty());  // estimated by the simulation, with intervals
 }
 
 TEST(Registry, EveryMethodSaysWhatItIsAndLooksLikeNoOther) {

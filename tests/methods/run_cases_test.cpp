@@ -16,7 +16,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// A solver whose result names its problem, and that counts how many run at once.
+// A solver whose reason is the name of its problem, and that counts simultaneous calls.
 struct Probe {
   std::atomic<int> running = 0;
   std::atomic<int> most_at_once = 0;
@@ -121,7 +121,7 @@ TEST(RunCases, GoesOnWhereMemoryDoesNotSufficeForOneMethod) {
       EXPECT_TRUE(failed->reason.starts_with("out of memory")) << failed->reason;
     }
   }
-  // Only memory: another failure of the system is none of one method.
+  // Only a lack of memory is attributed to one method. Other system errors propagate.
   EXPECT_THROW(
       run_cases(two_problems(),
                 {without("disk", std::system_error(std::make_error_code(std::errc::io_error)))}, 2,

@@ -11,8 +11,8 @@
 #include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/case_file.hpp"
 
-// Each shipped system (docs/systems.md): its exact law where one is known, else finite differences and
-// simulation, which share the problem alone.
+// Each shipped system (docs/systems.md): finite volumes against the exact law where one is known,
+// else against the simulation, which shares only the problem with them.
 namespace fpkcheck::methods {
 namespace {
 
@@ -70,7 +70,7 @@ TEST(LinearSystem, HasItsCumulants) {
 
 class OtherSystems : public testing::TestWithParam<const char*> {};
 
-// L1 by chance varies by some tens of per cent.
+// The sampling error in L1 varies by some tens of per cent.
 TEST_P(OtherSystems, AreTheSameByFiniteDifferencesAndSimulation) {
   const auto problem = problem::load_case(GetParam());
   const Solution differences = solved(problem, "fd-kf");

@@ -10,7 +10,7 @@
 #include "scan_of_rates.hpp"
 #include "thorough.hpp"
 
-/// Nothing is `ok` without a stated error, whatever made it.
+/// No solution of any method is `ok` without an error estimate.
 namespace fpkcheck::methods {
 namespace {
 
@@ -26,7 +26,7 @@ Solution answer_of(const problem::Problem& problem) {
   return solution;
 }
 
-// Says `ok` of a good density, and nothing of its error.
+// A method that returns a good density with status `ok` and without an error estimate.
 Method silent(Role role, const std::string& id = "silent") {
   Method method{
       .identity = {.id = id,
@@ -56,7 +56,7 @@ TEST(StatedErrors, OfAClosureWithoutAReferenceIsWhatItsResidualsMeasure) {
       run_cases({tests::paper_case(1)}, {silent(Role::closure)}, 1, {}).front().solutions;
   EXPECT_EQ(solutions.front().status, Status::ok) << solutions.front().reason;
   ASSERT_TRUE(solutions.front().error);
-  // epc-polar at n = 4: docs/results.md
+  // The error of epc-polar at n = 4 (docs/results.md).
   EXPECT_GT(solutions.front().error->y_l1, 8.6e-4);
   EXPECT_LT(solutions.front().error->y_l1, 2 * 8.6e-4);
 }
@@ -71,7 +71,7 @@ TEST(StatedErrors, OfWhatStatesNoneIsItsDistanceToTheReference) {
   for (int k = 0; k < 2; ++k) {
     ASSERT_TRUE(solutions[k].error);
     EXPECT_EQ(solutions[k].status, Status::ok);
-    // epc-polar at n = 4: docs/results.md
+    // The error of epc-polar at n = 4 (docs/results.md).
     EXPECT_NEAR(solutions[k].error->y_l1, 8.6e-4, 2e-4);
     EXPECT_GE(solutions[k].error->moments.y2,
               std::abs(solutions[k].moments.y2 - solutions[2].moments.y2));
@@ -89,7 +89,8 @@ TEST(StatedErrors, ThatAreNoNumbersAreNone) {
   EXPECT_EQ(solution.status, Status::inaccurate);
 }
 
-// Where E[y'^2] is known exactly the statement is checked, with what an estimate may be low by.
+// Where E[y'^2] is known exactly, checks the error estimate, which may be too low by the factor
+// kLow.
 void check(const problem::Problem& problem, const Solution& solution) {
   SCOPED_TRACE(problem.name + ", " + solution.id());
   if (!solution.is_ok()) {
@@ -104,7 +105,8 @@ void check(const problem::Problem& problem, const Solution& solution) {
             kLow * solution.error->moments.v2 + kRounding);
 }
 
-// At high rates cells are wider than impulses: coarser grids had no answer, and so fd no estimate.
+// At high rates cells are wider than impulses. Coarser grids then had no solution, and fd therefore
+// no error estimate.
 TEST(StatedErrors, StandBesideEveryOkAtAnyRate) {
   tests::ScanOfRates scan;
   if (!tests::thorough()) {
@@ -117,7 +119,7 @@ TEST(StatedErrors, StandBesideEveryOkAtAnyRate) {
   for (const auto& problem : scan.problems()) {
     for (const auto& one : run_cases({problem}, methods, 1, {})) {
       for (const auto& solution : one.solutions) check(problem, solution);
-      // Frequent impulses are no harder than white noise.
+      // Frequent impulses must be solved as reliably as white noise.
       if (problem.impulses.arrival_rate() < 1e3) continue;
       EXPECT_TRUE(transform::find_solution(one.solutions, "fd-kf")->is_ok()) << problem.name;
     }

@@ -18,8 +18,8 @@
 #include "workflows/check/check.hpp"
 #include "workflows/study/order.hpp"
 
-/// A method from outside the tree: by its entry in the registry alone it stands in every table,
-/// picture and file, in the error budget, the study of orders and the regression test.
+/// A method from outside the source tree. Its registry entry alone adds the method to every table,
+/// figure and file, to the error budget, the study of orders and the regression test.
 namespace fpkcheck {
 namespace {
 
@@ -52,7 +52,7 @@ std::optional<Bell> bell_of(std::string_view id) {
   return std::nullopt;
 }
 
-// The Gaussian of equivalent linearisation, a little narrower with each order.
+// The Gaussian of equivalent linearisation, slightly narrower with each order.
 transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double shrink = 1 - 0.005 * bell.order;
@@ -116,7 +116,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 class ToyClosure : public testing::Test {
  protected:
-  // Once for all tests of a process.
+  // Solved once for all tests of a process.
   static const results::Run& solved_run() {
     static const results::Run run{
         results::this_program("fpkcheck run"),
@@ -185,7 +185,7 @@ TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
   const auto moved = check::check(baseline.run, again, {}).moved();
   ASSERT_EQ(moved.size(), 1u);
   EXPECT_EQ(moved[0].solution, "toy-bell-n2");
-  // Without its entry nobody knows how to solve it again.
+  // Without the registry entry the solution cannot be solved again.
   EXPECT_THROW(check::load_baseline(directory.path(), methods::builtin(), {}), InputError);
 }
 

@@ -1,4 +1,4 @@
-"""Ctrl-C while something is solved: KeyboardInterrupt within a second, and everything works afterwards.
+"""Ctrl-C during solve(): KeyboardInterrupt within a second, and later calls work.
 
     interruption_test.py        with the package on PYTHONPATH
 """
@@ -18,7 +18,7 @@ import fpkcheck as fpk
 
 class Interruption(unittest.TestCase):
     def interrupt(self, after, call):
-        """Seconds from the signal to KeyboardInterrupt, and whether the call had ended before."""
+        """Seconds from the signal to KeyboardInterrupt, and whether the call had ended before the signal."""
         sent = []
 
         def send():

@@ -1,4 +1,4 @@
-"""The package for Python: what it gives is what the program gives.
+"""The Python package: its results agree with those of the program.
 
     package_test.py FPKCHECK        with the package on PYTHONPATH; exit code 77 (skipped) without xarray
 """
@@ -36,7 +36,7 @@ def refusal(call, *arguments, **keywords):
 
 
 class TheProgramsRun(unittest.TestCase):
-    """A run of the program, and the same from Python."""
+    """A run of the program, and the same run from Python."""
 
     @classmethod
     def setUpClass(cls):
@@ -45,7 +45,7 @@ class TheProgramsRun(unittest.TestCase):
         subprocess.run(
             [PROGRAM, "run", "case1", "--set", "system.restitution=0.95", "--methods", METHODS, "--seed", "3"]
             + ["--time", "2e4", "--quiet", "--out", str(cls.directory)]
-        )  # epc-gaussian-n4 is no density: exit code 1
+        )  # epc-gaussian-n4 is inadmissible: exit code 1
         cls.summary = json.loads((cls.directory / "summary.json").read_text())
         cls.run_ = fpk.solve(
             "case1", METHODS.split(","), restitution=0.95, options={"mcs.seed": 3, "mcs.time": 20_000}
@@ -56,7 +56,7 @@ class TheProgramsRun(unittest.TestCase):
         cls.folder.cleanup()
 
     def assert_same(self, one, other, at=""):
-        """Numbers to 1e-7 of their size and of 1: iterations may end one step apart."""
+        """Compares numbers to 1e-7, relative and absolute: iteration counts may differ by one."""
         timed = ("seconds", "_seconds", "milliseconds")
         if isinstance(one, dict):
             self.assertEqual(set(one), set(other), at)
@@ -73,7 +73,7 @@ class TheProgramsRun(unittest.TestCase):
             self.assertEqual(one, other, at)
 
     def test_is_the_same_from_python(self):
-        # Bounds are as narrow as a second allows.
+        # The width of bounds depends on the time limit of one second.
         for key in ("system", "impulse", "comparisons", "budget", "reference", "limits"):
             self.assert_same(self.summary["cases"][0][key], self.run_.case.record[key], key)
         for one, other in zip(self.summary["cases"][0]["solutions"], self.run_.solutions.values()):
@@ -92,7 +92,7 @@ class TheProgramsRun(unittest.TestCase):
         self.assertEqual(self.run_.reference, self.summary["cases"][0]["reference"])
         self.assertGreater(self.run_.solutions["mcs"].standard_errors["y2"], 0)
         lower, upper = self.run_.bounds["E[y^2]"]
-        # Bounds may be narrower than what finite differences know: as a second allows.
+        # Bounds may be narrower than the error of the finite volumes, depending on the time limit.
         slack = 2 * kf.error.moments["y2"]
         self.assertTrue(lower - slack < kf.moments["y2"] < upper + slack)
         self.assertLess(upper - lower, 1e-3)
@@ -164,13 +164,13 @@ class Input(unittest.TestCase):
             (refusal(case, "case9"), "no case 'case9'"),
             (refusal(case, "case1", dampin=1), "unknown key 'dampin'; known keys: system.{damping"),
             (refusal(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
-            (refusal(solve, "case1", "fd-nonsense"), "--methods: 'fd-nonsense' is no method"),
-            (refusal(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "'mcs.sed' is no option (known: mcs."),
+            (refusal(solve, "case1", "fd-nonsense"), "--methods: unknown method 'fd-nonsense'"),
+            (refusal(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "unknown option 'mcs.sed'; use mcs."),
             (refusal(solve, "case1", "mcs", options={"mcs.time": "x"}), "options: mcs.time = 'x'"),
             (refusal(solve, "case1", "mcs", options={"mcs.time": -1}), "must be"),
             (refusal(solve, "case1", "epc-gaussian-n6", options={"epc.order": 4}), "epc-gaussian-n4"),
             (refusal(solve, ["case1", "case2"], "fd-kf", against={"a": "b.csv"}), "2 cases"),
-            (refusal(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is a method's"),
+            (refusal(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is the name of a method"),
             (refusal(solve, "case1", "fd-kf", against={"lab": "nowhere.csv"}), "nowhere.csv"),
             (refusal(fpk.Problem.case, "case1", law="cauchy"), "impulse.law = 'cauchy' (must be one of gaussian"),
             (refusal(fpk.Problem, self.one_line, name="a\nb"), "the name of the case, taken from its file, contains control"),
@@ -208,7 +208,7 @@ class Input(unittest.TestCase):
 
 
 def half_normal_l1(one, other):
-    """L1 of two centred normal densities, and of their halves, by erf at where they cross."""
+    """L1 distance of two centred normal densities, and of their halves, by erf at the crossing point."""
     at = one * other * math.sqrt(2 * math.log(other / one) / (other**2 - one**2))
     return 2 * (math.erf(at / one / math.sqrt(2)) - math.erf(at / other / math.sqrt(2)))
 
@@ -235,7 +235,7 @@ class OwnDensities(unittest.TestCase):
         )
         for variable in ("y", "ydot"):
             self.assertLess(run.l1("exact", "fd-white")[variable], 1e-4)
-            # Of averages over bins: the one in which they cross counts less.
+            # The distance of bin averages is smaller, since the densities cross within a bin.
             self.assertAlmostEqual(run.l1("exact", "wide")[variable], far, delta=3e-4)
             self.assertAlmostEqual(run.l1("nobody", "fd-white")[variable], far, 3)
             budget = run.budget.sel(variable=variable)
@@ -249,7 +249,7 @@ class OwnDensities(unittest.TestCase):
         self.assertAlmostEqual(exact.mass, 1, 9)
         self.assertAlmostEqual(exact.record["normalised_by"], math.pi / 2, 8)
         self.assertLess(abs(exact.energy_residual), 1e-8)
-        # Its own error is that of white noise in place of jumps.
+        # The error estimate is the error of the white-noise model.
         distance = run.l1("exact", "fd-kf")["y"]
         self.assertTrue(distance < exact.error.y_l1 < 1.7 * distance)
         wide, nobody = run.solutions["wide"], run.solutions["nobody"]
@@ -260,7 +260,7 @@ class OwnDensities(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             run.save(folder)
             self.assertEqual(fpk.load(folder).solutions, run.solutions)
-            # What users bring along cannot be solved again.
+            # External densities cannot be solved again.
             check = subprocess.run(
                 [PROGRAM, "check", str(pathlib.Path(folder, "summary.json"))], capture_output=True, text=True
             )
@@ -299,10 +299,10 @@ class OwnDensities(unittest.TestCase):
         self.assertIn("cut off", solved(lambda y, v: 1 + 0 * y).reason)
         off = solved(self.normal(1), normalise=False)
         self.assertEqual(off.status, "inadmissible")
-        self.assertIn("its integral is 1.5708", off.reason)
+        self.assertIn("the integral is 1.5708", off.reason)
         for function, expected in (
             (lambda y, v: np.log(y), "must be a finite number"),
-            (lambda y, v: -np.exp(-(y**2) - v**2), "its integral is"),
+            (lambda y, v: -np.exp(-(y**2) - v**2), "the integral is"),
             (lambda y, v: np.ones(7), "shape (7,)"),
         ):
             with np.errstate(divide="ignore"):
@@ -342,7 +342,7 @@ class OwnDensities(unittest.TestCase):
         own = run.marginals.sel(solution="drawn")
         within = ((own.p_y_lower <= inside) & (inside <= own.p_y_upper))[:50]
         self.assertGreater(float(within.mean()), 0.85)
-        for samples, expected in ((np.zeros((5, 2)), "must be 100"), (np.zeros(300), "shape (300,)"),
+        for samples, expected in ((np.zeros((5, 2)), "must be at least 100"), (np.zeros(300), "shape (300,)"),
                                   (-np.ones((200, 2)), "y >= 0"), (np.full((200, 2), np.nan), "finite")):
             self.assertIn(expected, refusal(fpk.solve, self.problem, "fd-white", against={"own": samples}))
 
@@ -369,7 +369,7 @@ class Solving(unittest.TestCase):
             try:
                 run.marginals
             except ImportError as error:
-                print("need xarray" in str(error))
+                print("require xarray" in str(error))
             """
         done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
         self.assertEqual(done.stdout, "(140,) ok\nTrue\n", done.stderr)
@@ -390,7 +390,7 @@ class Solving(unittest.TestCase):
         during = count - before
         stop.set()
         thread.join()
-        # With the lock held there would be at most one, before or after.
+        # If solve() held the interpreter lock, there would be at most one, before or after.
         self.assertGreater(during, 10)
 
     def test_tells_where_it_stands_and_ends_in_time(self):
@@ -414,7 +414,7 @@ class Solving(unittest.TestCase):
         run = fpk.solve(["case1", fpk.Problem.case("case4")], "epc-moment-n4", bounds=False)
         self.assertEqual(list(run), ["case1", "case4"])
         self.assertNotEqual(run["case1"].problem, run["case4"].problem)
-        self.assertIn("say which", refusal(lambda: run.solutions))
+        self.assertIn("select run[", refusal(lambda: run.solutions))
         self.assertEqual(run["case4"].joint.attrs["case"], "case4")
 
     def test_threads_may_solve_at_once(self):

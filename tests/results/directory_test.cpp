@@ -36,7 +36,7 @@ TEST(RunDirectory, IsMadeWithItsParentsAndLeftEmpty) {
   const auto made = make_writable(directory);
   EXPECT_TRUE(fs::is_directory(directory));
   EXPECT_FALSE(fs::exists(directory / "figures"));
-  { const auto none = make_writable(directory); }  // again is fine, and makes nothing
+  { const auto none = make_writable(directory); }  // a second call creates nothing
   EXPECT_TRUE(fs::is_directory(directory));
 }
 
@@ -52,7 +52,7 @@ TEST(RunDirectory, GoesAgainWhenNothingIsPutIntoIt) {
   EXPECT_TRUE(fs::exists(parent.path() / "a" / "f"));
 }
 
-// What a process of its own does, which exits with 0 when `action` returns.
+// Runs `action` in a child process, which exits with 0 when `action` returns.
 template <typename Action>
 pid_t elsewhere(const Action& action) {
   const pid_t child = fork();
@@ -70,7 +70,8 @@ bool ended_well(pid_t child) {
   return waitpid(child, &status, 0) == child && status == 0;
 }
 
-// Of two runs into one directory the first may end, having nothing to write, while the other solves.
+// One of two runs with the same output directory may end, without files, while the other still
+// solves.
 TEST(RunDirectory, StaysAsLongAsAnotherRunNeedsIt) {
   const tests::TemporaryDirectory parent;
   const fs::path directory = parent.path() / "a" / "b", holds = parent.path() / "holds",
@@ -124,12 +125,12 @@ TEST(RunDirectory, WhereAFileStandsIsRefused) {
   EXPECT_EQ(tests::contents(parent.path() / "file"), "text");
 }
 
-// Of somebody else, of a run that is at work, and of one that was stopped.
+// Files of another program, of an active run, and of an interrupted run.
 TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
   const tests::TemporaryDirectory directory;
   const std::string own = base::partial_path(directory.path() / "f").filename().string();
   const std::string before_pid = own.substr(0, own.rfind('-') + 1);
-  constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
+  constexpr const char* kNobody = "4194999";  // exceeds the largest process id
   const std::vector<std::string> stay{".movie.mkv.partial-download",
                                       ".f.partial-" + std::string(kNobody),
                                       ".f.partial-elsewhere-" + std::string(kNobody),
@@ -147,7 +148,7 @@ TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
 }
 
 TEST(RunDirectory, ThatIsNotWritableIsRefused) {
-  // Holds for the superuser too.
+  // Not writable even for the superuser.
   EXPECT_NE(refusal_to_write("/proc/self").find("cannot write into"), std::string::npos);
 }
 

@@ -37,7 +37,7 @@ TEST(Json, IsReadWithinBounds) {
   EXPECT_LT(refusal_of("[1" + std::string(1'000'000, '0') + "e999]").size(), 200u);
 }
 
-// The path made of "a[" was followed without end as it was written again.
+// Writing the path of the key "a[" did not terminate.
 TEST(Json, NamesOfResultsHaveNothingThatAPathIsTakenApartBy) {
   for (const char* key : {"", ".", "a.b", "a[", "a[1000000000]", "[]", "]", "a[]"}) {
     const Json json{{"nested", {{key, 1}}}};

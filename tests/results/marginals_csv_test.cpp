@@ -13,7 +13,7 @@ namespace {
 
 using transform::Variable;
 
-/// The curves of a run of one made-up case, and of cases with such curves alone.
+/// The curves of a synthetic run with one case, and of cases that have only such curves.
 std::vector<Case> cases_with(std::vector<std::pair<std::string, std::vector<Curve>>> curves) {
   std::vector<Case> cases;
   for (auto& [name, own] : curves) {
@@ -77,7 +77,7 @@ TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
             "c,t,y,0.5,0.25,0.125,1\n");
 }
 
-// A simulation whose trajectories left the range of numbers has a density of what they were.
+// A simulation whose trajectories exceeded the range of numbers has a density that is not finite.
 TEST(MarginalsCsv, HasNumbersThatAreNotFiniteOnlyOfWhatBrokeDown) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto read = [&](const std::string& row) -> std::string {
@@ -112,7 +112,7 @@ TEST(MarginalsCsv, NamesTheLineThatIsWrong) {
   EXPECT_TRUE(tests::contains(message("a,b\n"), "m.csv:1: not a file of marginals"));
   EXPECT_TRUE(tests::contains(message(""), "m.csv:1: not a file of marginals"));
   EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,,\nc,s,y,0\n"), "m.csv:3: 4 fields"));
-  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,\n"), "m.csv:2: an interval with one"));
+  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,\n"), "m.csv:2: an interval has one"));
   EXPECT_TRUE(
       tests::contains(message(header + "c,s,y,0,one,,\n"), "m.csv:2: 'one' is not a number"));
   EXPECT_TRUE(tests::contains(message(header + "c,s,z,0,1,,\n"), "variable 'z'"));

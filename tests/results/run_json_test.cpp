@@ -46,7 +46,7 @@ TEST(RunJson, SaysThatTheRunWasStopped) {
   EXPECT_EQ(read(summary_text(whole)).stopped, "");
 }
 
-// With something in every field.
+// A run with a value in every field.
 results::Run full_run() {
   results::Run run = tests::made_up_run();
   auto& solutions = run.cases[0].solutions;
@@ -142,7 +142,7 @@ TEST(Summary, HasEveryFieldOfTheContract) {
   for (const char* key : {"mass", "min_density", "energy_residual"}) {
     EXPECT_TRUE(s.at(key).is_number()) << key;
   }
-  EXPECT_EQ(s.at("order"), 2);  // what its solver alone knows
+  EXPECT_EQ(s.at("order"), 2);  // a metric of the solver
   EXPECT_EQ(s.at("coefficients").dump(), R"([{"x1":2,"a":-0.25},{"x1":0}])");
   EXPECT_EQ(s.at("support").dump(), R"({"edge_density":1e-09})");
   EXPECT_EQ(s.at("branches").dump(), "[]");
@@ -233,19 +233,20 @@ TEST(Summary, OfAnOlderProgramHasSolutionsWithoutAFamily) {
 
 TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
   const std::string text = summary_text(full_run());
-  EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON (at byte"));
-  EXPECT_TRUE(contains(refusal("[]"), "it has no schema"));
-  EXPECT_TRUE(contains(refusal(R"({"schema": 7})"), "has schema 7 (this program reads schema 1"));
+  EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON: error at byte"));
+  EXPECT_TRUE(contains(refusal("[]"), "\"schema\" is missing"));
+  EXPECT_TRUE(
+      contains(refusal(R"({"schema": 7})"), "has schema 7, but this program reads schema 1"));
   EXPECT_TRUE(contains(refusal(R"({"schema": 1e999})"), "is not JSON"));
   Json json = Json::parse(text);
   json["cases"][0]["solutions"][0].erase("status");
   EXPECT_TRUE(contains(refusal(json.dump()), "key 'status' not found")) << refusal(json.dump());
   json = Json::parse(text);
   json["cases"].push_back(json["cases"][0]);
-  EXPECT_TRUE(contains(refusal(json.dump()), "case1 is there twice"));
+  EXPECT_TRUE(contains(refusal(json.dump()), "case1 occurs twice"));
   json = Json::parse(text);
   json["cases"][0]["solutions"][1]["id"] = "epc-gaussian-n2";
-  EXPECT_TRUE(contains(refusal(json.dump()), "epc-gaussian-n2 is there twice"));
+  EXPECT_TRUE(contains(refusal(json.dump()), "epc-gaussian-n2 occurs twice"));
   json = Json::parse(text);
   json["cases"][0]["system"]["restitution"] = 1.5;
   EXPECT_TRUE(contains(refusal(json.dump()), "system.restitution = 1.5"));
@@ -260,7 +261,7 @@ TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
   }
 }
 
-// What no int holds would become one whose value the language leaves open.
+// The conversion of a number out of the range of int is undefined behaviour.
 TEST(Summary, WithWhatIsNoIntegerWhereOneMustBeIsRefused) {
   for (const Json& wrong : {Json(1e300), Json(-1e300), Json(3000000000), Json(1.5), Json("6")}) {
     for (const char* place : {"/order", "/trust", "/look/layer"}) {
@@ -275,7 +276,7 @@ TEST(Summary, WithWhatIsNoIntegerWhereOneMustBeIsRefused) {
   EXPECT_TRUE(contains(refusal(json.dump()), "\"bins\" is 1e+300 (must be an integer"));
 }
 
-// Deeper JSON than any stack holds must not be descended into.
+// Recursion into deeply nested JSON must not exhaust the stack.
 TEST(Summary, ThatIsNestedWithoutEndIsRefused) {
   const std::string opening(100000, '[');
   EXPECT_TRUE(contains(refusal(opening + std::string(100000, ']')), "nested more than"));

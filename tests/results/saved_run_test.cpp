@@ -55,7 +55,7 @@ TEST(SavedRun, WithSmoothBinsAndOwnErrorsIsReadBackWhole) {
   EXPECT_EQ(read.cases[0].pairs.back().l1_standard_error, one.pairs.back().l1_standard_error);
   EXPECT_EQ(read.cases[0].solutions.back().smooth_sampling->ydot_99, 6e-6);
   EXPECT_EQ(read.cases[0].own_errors[0].error.v2, -1e-6);
-  // And of a run without them nothing of an earlier one is left.
+  // Saving a run without them removes those of an earlier run.
   save(directory.path(), tests::made_up_run());
   EXPECT_FALSE(fs::exists(directory.path() / kSmoothFile));
 }
@@ -92,7 +92,7 @@ TEST(SavedRun, WhoseFilesAreOfSeveralRunsIsRefused) {
   EXPECT_TRUE(contains(refusal_to_load(one.path()), "are not of the same run"));
 }
 
-// Files that fit each other in all but the numbers.
+// Files that differ from those of the run only in their numbers.
 TEST(SavedRun, OfWhichAFileWasChangedIsRefused) {
   const tests::TemporaryDirectory directory;
   save(directory.path(), tests::made_up_run("case1"));
@@ -103,7 +103,7 @@ TEST(SavedRun, OfWhichAFileWasChangedIsRefused) {
   ++changed[digit];
   base::write_file(file, changed);
   EXPECT_TRUE(contains(refusal_to_load(directory.path()), "are not of the same run"));
-  // The ends of lines do not count.
+  // Line ends may differ.
   std::string other_ends;
   for (const char c : text) other_ends += c == '\n' ? std::string("\r\n") : std::string(1, c);
   base::write_file(file, other_ends);

@@ -57,11 +57,11 @@ TEST(GivenArguments, OfNoUseAreRefused) {
   EXPECT_EQ(refusal_of_argument("a.csv,impact=soft"),
             "--against: impact = 'soft' (must be one of map, delta, exact)");
   EXPECT_EQ(refusal_of_argument("a.csv,impact=delta"),
-            "--against: impact = delta without an equation (name both)");
+            "--against: impact = delta lacks an equation; give both");
   EXPECT_EQ(refusal_of_argument("a.csv,order=0"),
             "--against: order = '0' (must be an integer, 1 .. 99)");
   EXPECT_EQ(refusal_of_argument("a.csv,colour=red"),
-            "--against: 'colour' is unknown (use equation, impact, order, solution or case)");
+            "--against: unknown key 'colour'; use equation, impact, order, solution or case");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ using tests::contains;
 using transform::Status;
 using transform::Variable;
 
-// A made-up run with the paper's equation, and files of its densities.
+// A synthetic run with the paper's equation, and files of its densities.
 class JointDensityFiles : public testing::Test {
  protected:
   JointDensityFiles() {
@@ -120,7 +120,8 @@ TEST_F(JointDensityFiles, WithoutAnEquationHaveDistancesAlone) {
   EXPECT_EQ(transform::word(mine.metrics, "files[0].form"), "joint points");
 }
 
-// A simulation reflects exactly, and an equation by the map: no part of a budget lies between.
+// The simulation's exact reflection and the impact map of an equation are equivalent. The budget
+// has no part between them.
 TEST_F(JointDensityFiles, OfExactImpactsHaveTheChainOfTheMap) {
   const auto one = case_with({points_of("fd-km4", "mine.csv") + ",equation=km4,impact=exact"});
   EXPECT_EQ(transform::equation_and_impact_text(one.solutions.front().identity), "km4/exact");
@@ -140,8 +141,8 @@ TEST_F(JointDensityFiles, OfARunAreItsDensities) {
   EXPECT_LT(*one.l1("a", "fd-kf", Variable::y), 2e-5);
   EXPECT_LT(*one.l1("a", "fd-kf", Variable::ydot), 2e-5);
   EXPECT_LT(*one.l1("given-fd-km4-delta", "fd-km4-delta", Variable::y), 2e-5);
-  EXPECT_TRUE(contains(refusal({file}), "solutions (name one by solution: "));
-  EXPECT_TRUE(contains(refusal({file + ":a,solution=fd"}), "holds no solution 'fd' (use "));
+  EXPECT_TRUE(contains(refusal({file}), "solutions; select one by solution=: "));
+  EXPECT_TRUE(contains(refusal({file + ":a,solution=fd"}), "contains no solution 'fd'; use "));
   EXPECT_TRUE(contains(refusal({file + ":a,solution=fd-kf,case=case9"}), "no case 'case9'"));
 }
 
@@ -171,8 +172,8 @@ TEST_F(JointDensityFiles, OfOthersMayBeNetCdf) {
     EXPECT_LT(*one.l1(id, "fd-kf", Variable::ydot), 1e-3);
   }
   EXPECT_LT(*one.l1("a", "b", Variable::y), 1e-12);
-  EXPECT_TRUE(contains(refusal({write("c.nc", false, "q")}), "name the coordinates y and v"));
-  EXPECT_TRUE(contains(refusal({path("a.nc") + ":d,solution=fd-kf"}), "has no solution to choose"));
+  EXPECT_TRUE(contains(refusal({write("c.nc", false, "q")}), "name them y and v"));
+  EXPECT_TRUE(contains(refusal({path("a.nc") + ":d,solution=fd-kf"}), "omit the key solution"));
 }
 
 TEST_F(JointDensityFiles, MayBeClosedFormsThatWereWrittenDown) {
@@ -182,7 +183,7 @@ TEST_F(JointDensityFiles, MayBeClosedFormsThatWereWrittenDown) {
         {"x1": 0, "x2": 2, "a": -1.2}, {"x1": 0, "x2": 4, "a": 0.025}]})";
     return path(name);
   };
-  // That of fd-kf, which is cut off where its v^4 rises again.
+  // The form of fd-kf, with its support limited before the term v^4 increases again.
   const std::string support =
       fmt::format(R"("support": {{"y_max": {}, "v_max": {}}}, )", axes_.y_edges.back(), 4.5);
   const auto one = case_with({write("mine.json", support) + ",equation=kf"});
@@ -191,10 +192,10 @@ TEST_F(JointDensityFiles, MayBeClosedFormsThatWereWrittenDown) {
   EXPECT_EQ(mine.identity.order, 4);
   EXPECT_LT(*one.l1("mine", "fd-kf", Variable::y), 1e-4);
   EXPECT_LT(*one.l1("mine", "fd-kf", Variable::ydot), 1e-3);
-  // A constant is taken at its word.
+  // A given normalisation constant is used without normalisation.
   const auto wrong = case_with({write("wrong.json", support + "\"C\": 0.1, ")});
   EXPECT_EQ(wrong.solutions.front().status, Status::inadmissible);
-  EXPECT_TRUE(contains(wrong.solutions.front().reason, "its integral is 0."));
+  EXPECT_TRUE(contains(wrong.solutions.front().reason, "the integral is 0."));
   EXPECT_TRUE(
       contains(refusal({write("bad.json", "\"C\": 0, ")}), "\"C\" is 0 (must be positive)"));
 }
@@ -234,18 +235,20 @@ TEST_F(JointDensityFiles, OfNoUseAreRefused) {
   };
   using namespace std::string_literals;
   EXPECT_TRUE(contains(refusal({write("a.csv", "y,v\0\1"s)}), "a.csv is binary (must be columns"));
-  EXPECT_TRUE(contains(refusal({write("a.nc", "CDF\1\0\0"s)}), "must be netCDF-4: nccopy"));
+  EXPECT_TRUE(contains(refusal({write("a.nc", "CDF\1\0\0"s)}), "convert it to netCDF-4 by nccopy"));
   EXPECT_TRUE(contains(refusal({write("b.nc", "\x89HDF\r\n\x1a\n..."s)}), "b.nc: "));
   EXPECT_TRUE(contains(refusal({write("a.json", "{")}), "is not JSON"));
   EXPECT_TRUE(contains(refusal({write("b.json", "{}")}), "b.json: no \"coordinates\""));
   const auto joint = points_of("fd-kf", "joint.csv", 8);
   std::ofstream(path("y.csv")) << "y,p\n0,1\n1,0.5\n2,0.1\n3,0\n";
-  EXPECT_TRUE(contains(refusal({joint + ":a", path("y.csv") + ":a"}), "is a joint density"));
-  EXPECT_TRUE(contains(refusal({path("y.csv") + ":a", joint + ":a"}), "is a joint density"));
-  EXPECT_TRUE(contains(refusal({joint + ":a,case=case1"}), "has no case to choose"));
+  EXPECT_TRUE(
+      contains(refusal({joint + ":a", path("y.csv") + ":a"}), "one of them a joint density"));
+  EXPECT_TRUE(
+      contains(refusal({path("y.csv") + ":a", joint + ":a"}), "one of them a joint density"));
+  EXPECT_TRUE(contains(refusal({joint + ":a,case=case1"}), "omit the key case"));
   std::string zeros = "y,v,p\n";
   for (int k = 0; k < 16; ++k) zeros += fmt::format("{},{},0\n", k / 4, k % 4);
-  EXPECT_TRUE(contains(refusal({write("zero.csv", zeros)}), "'zero': its integral is 0"));
+  EXPECT_TRUE(contains(refusal({write("zero.csv", zeros)}), "'zero': the integral is 0"));
 }
 
 }  // namespace

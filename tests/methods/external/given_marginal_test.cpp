@@ -39,7 +39,7 @@ double bell_below(double v) { return 0.5 * std::erfc(-v / std::sqrt(2.0)); }
 
 using tests::uniform_edges;
 
-// L1 to the normal density (or twice it, on y >= 0).
+// L1 distance from the normal density (from twice that density on y >= 0).
 double l1_to_bell(const transform::Marginal& m, double factor = 1) {
   double sum = 0;
   for (std::size_t b = 0; b < m.size(); ++b) {
@@ -116,11 +116,11 @@ TEST(GivenMarginal, SaysItsVariableByItsNamesOrElseByItsSigns) {
   const std::string rows = "0 1\n1 1\n2 1\n3 1\n";
   EXPECT_EQ(read(rows).variable(), Variable::y);
   EXPECT_EQ(read("ydot p\n" + rows).variable(), Variable::ydot);
-  EXPECT_EQ(read("x p(y')\n" + rows).variable(), Variable::y);  // both: by the signs
+  EXPECT_EQ(read("x p(y')\n" + rows).variable(), Variable::y);  // contradictory names: by signs
   EXPECT_EQ(read("-1 1\n" + rows).variable(), Variable::ydot);
   EXPECT_TRUE(contains(refusal("y p\n-1 1\n" + rows),
                        "mine.csv:2: y = -1 under the names 'y,p' (must be y >= 0; name"));
-  EXPECT_TRUE(contains(refusal("x p\n-1 1\n" + rows), "name the abscissa 'v' if"));
+  EXPECT_TRUE(contains(refusal("x p\n-1 1\n" + rows), "name the abscissa 'v' for"));
 }
 
 TEST(GivenMarginal, IsOfTheVariableThatItsNamesSayWithoutTheirUnits) {
@@ -130,7 +130,7 @@ TEST(GivenMarginal, IsOfTheVariableThatItsNamesSayWithoutTheirUnits) {
     EXPECT_EQ(read(header + rows).variable(), Variable::ydot) << header;
   }
   const std::string negative = "-1,1\n" + rows;
-  // Whatever is plotted over the abscissa may be called y.
+  // Files often name any ordinate y.
   EXPECT_EQ(read("x,y\n" + negative).variable(), Variable::ydot);
   EXPECT_EQ(read("x,y\n" + rows).variable(), Variable::y);
   EXPECT_EQ(read("v,y\n" + rows).variable(), Variable::ydot);
@@ -156,7 +156,7 @@ TEST(GivenMarginal, CountsOfUnequalBinsAreNotDensities) {
   };
   EXPECT_NEAR(first_bin("lower,upper,count\n" + rows), 1.0 / 4, 1e-12);
   EXPECT_NEAR(first_bin(rows), 1.0 / 4, 1e-12);
-  EXPECT_NEAR(first_bin("0,1,0.5\n" + rows.substr(7)), 0.5 / 70.5, 1e-12);  // not whole
+  EXPECT_NEAR(first_bin("0,1,0.5\n" + rows.substr(7)), 0.5 / 70.5, 1e-12);  // not integers
   const auto whole = read("0,0.25,2\n0.25,0.75,1\n0.75,1,0\n1,2,0\n");      // integral 1
   EXPECT_NEAR(whole.on(std::vector<double>{0, 0.25}).density[0], 2, 1e-12);
   const auto on = read(rows).on(std::vector<double>{2, 4, 8, 9});
@@ -174,9 +174,9 @@ TEST(GivenMarginal, TellsProbabilitiesAndCountsFromDensities) {
   const std::string shares = "0,0.5,0.4\n0.5,1,0.3\n1,2,0.2\n2,4,0.1\n";
   EXPECT_EQ(values(shares), "probability");
   EXPECT_NEAR(first_bin(shares), 0.8, 1e-12);
-  EXPECT_TRUE(contains(note(shares), "its probabilities per bin were divided by the widths"));
+  EXPECT_TRUE(contains(note(shares), "the probabilities per bin were divided by the bin widths"));
   EXPECT_FALSE(read(shares).file().divided_by);
-  EXPECT_NEAR(first_bin("lower,upper,density\n" + shares), 0.4 / 0.75, 1e-12);  // its integral
+  EXPECT_NEAR(first_bin("lower,upper,density\n" + shares), 0.4 / 0.75, 1e-12);  // normalised
 
   const std::string percent = "0,0.5,40\n0.5,1,30.5\n1,2,19.5\n2,4,10\n";
   EXPECT_EQ(values("from,to,probability [%]\n" + percent), "probability");
@@ -186,7 +186,7 @@ TEST(GivenMarginal, TellsProbabilitiesAndCountsFromDensities) {
   const std::string few = "0,0.5,2\n0.5,1,1\n1,1.02,1\n1.02,1.04,1\n";  // integral 1.54
   EXPECT_EQ(values(few), "count");
   EXPECT_NEAR(first_bin(few), 2 / 5.0 / 0.5, 1e-12);
-  EXPECT_TRUE(contains(note(few), "its counts were divided by their sum, 5"));
+  EXPECT_TRUE(contains(note(few), "the counts were divided by their sum, 5"));
   for (const char* header : {"a,b,samples\n", "a,b,frequency\n", "a,b,n\n", "a,b,Counts [-]\n"}) {
     EXPECT_EQ(values(header + few), "count") << header;
     EXPECT_EQ(values(header + shares), "probability") << header;
@@ -197,10 +197,11 @@ TEST(GivenMarginal, TellsProbabilitiesAndCountsFromDensities) {
 TEST(GivenMarginal, OfBinsWithGapsIsNotTakenForPoints) {
   const std::string gaps = "0,0.032,1\n0.033,0.066,9\n0.067,0.1,9\n0.101,0.133,3\n";
   EXPECT_TRUE(
-      contains(refusal(gaps), "mine.csv:2: a bin from 0.033 after one to 0.032 (bins must"));
-  EXPECT_TRUE(contains(refusal("0 9 5\n10 19 7\n20 29 3\n30 39 1\n"), "bins must join"));
-  EXPECT_TRUE(contains(refusal("x,p,samples\n0,3,5\n1,2,7\n2,1,3\n3,0,1\n"), "bins must join"));
-  const auto points = read("0 0.9 0.1\n1 1.2 0.1\n2 2.1 0.1\n3 0.1 0.1\n");  // the last is none
+      contains(refusal(gaps), "mine.csv:2: a bin from 0.033 after a bin to 0.032 (bins must"));
+  EXPECT_TRUE(contains(refusal("0 9 5\n10 19 7\n20 29 3\n30 39 1\n"), "bins must adjoin"));
+  EXPECT_TRUE(contains(refusal("x,p,samples\n0,3,5\n1,2,7\n2,1,3\n3,0,1\n"), "bins must adjoin"));
+  const auto points =
+      read("0 0.9 0.1\n1 1.2 0.1\n2 2.1 0.1\n3 0.1 0.1\n");  // the last row is no bin
   EXPECT_EQ(points.file().form, "points");
 }
 
@@ -210,8 +211,8 @@ TEST(GivenMarginal, EndsWhereTheFileEndsAndSaysSo) {
   EXPECT_EQ(on.density[0], 0);
   EXPECT_EQ(on.density[1], 0);
   EXPECT_NEAR(on.density[2], (bell_below(0) - bell_below(-1)) / 1 / bell_below(1), 1e-3);
-  ASSERT_EQ(cut.file().notes.size(), 2u);  // normalised; cut at -1 alone
-  EXPECT_TRUE(contains(cut.file().notes[1], "p(y') ends at -1 with 0.6"));
+  ASSERT_EQ(cut.file().notes.size(), 2u);  // normalisation; cut-off at -1 only
+  EXPECT_TRUE(contains(cut.file().notes[1], "p(y') is cut off at -1, at 0.6"));
   EXPECT_EQ(cut.file().from, -1);
   EXPECT_TRUE(read(points(1, "", "{} {}\n")).file().notes.empty());
 }
@@ -231,23 +232,24 @@ TEST(GivenMarginal, OfPointsBesideTheWallIsContinuedToIt) {
     steep += fmt::format("{} {}\n", 0.1 + 0.2 * k, std::exp(-0.1 - 0.2 * k));
   EXPECT_NEAR(read(steep).on(std::vector<double>{0, 0.1}).density[0], (1 - std::exp(-0.1)) / 0.1,
               6e-3);
-  EXPECT_TRUE(contains(read(far).file().notes.back(), "ends at 0.35"));
+  EXPECT_TRUE(contains(read(far).file().notes.back(), "is cut off at 0.35"));
 }
 
 TEST(GivenMarginal, HasIntervalsWhereItHasStandardErrors) {
   const GivenMarginal marginal = read(points(1, "v p error\n", "{} {} 0.01\n"));
   const auto on = marginal.on(uniform_edges(-6, 6, 60));
   ASSERT_EQ(on.lower.size(), 60u);
-  // The bins are two intervals wide: trapezoids weigh the points 1/4, 1/2, 1/4.
+  // The bins are two intervals wide: the trapezoidal rule has the weights 1/4, 1/2, 1/4.
   const double half = 1.959964 * 0.01 * std::sqrt(6.0) / 4;
   EXPECT_NEAR(on.upper[30] - on.density[30], half, 1e-6);
   EXPECT_NEAR(on.density[30] - on.lower[30], half, 1e-6);
-  EXPECT_EQ(on.upper[0], 0);  // outside
+  EXPECT_EQ(on.upper[0], 0);  // outside the file's range
   EXPECT_GE(on.lower[8], 0);
   EXPECT_TRUE(read(points(1, "", "{} {}\n")).on(uniform_edges(0, 1, 2)).lower.empty());
 }
 
-// Of the density 1 on 0..1 and noise at its points: distances of many files from the truth.
+// L1 distances from the exact density for many files of the density 1 on 0..1 with noise at its
+// points.
 void expect_distances_as_announced(int points, int bins, bool centres) {
   constexpr int kFiles = 400;
   constexpr double kError = 0.05;
@@ -275,7 +277,7 @@ void expect_distances_as_announced(int points, int bins, bool centres) {
   }
   const double mean = sum / kFiles;
   const double chance = std::sqrt((squares / kFiles - mean * mean) / kFiles);
-  // Straight lines between sparse points vary up to 8 % less than Akima's curve.
+  // Linear interpolation between sparse points varies up to 8 % less than Akima's interpolant.
   EXPECT_NEAR(mean, announced.expected, 4 * chance + 0.08 * mean) << points << " " << bins;
   EXPECT_GE(mean, announced.expected - 4 * chance) << points << " " << bins;
   EXPECT_LE(above, 0.04 * kFiles) << points << " " << bins;
@@ -284,10 +286,10 @@ void expect_distances_as_announced(int points, int bins, bool centres) {
 }
 
 TEST(GivenMarginal, IsAsFarFromTheTruthAsItsErrorsSay) {
-  expect_distances_as_announced(200, 20, false);  // 10 points a bin
+  expect_distances_as_announced(200, 20, false);  // 10 points per bin
   expect_distances_as_announced(41, 40, false);
   expect_distances_as_announced(11, 100, false);  // 10 bins between points
-  expect_distances_as_announced(10, 20, true);    // on to the wall by a straight line
+  expect_distances_as_announced(10, 20, true);    // linear extrapolation to the wall
 }
 
 TEST(GivenMarginal, HasTheErrorsOfBinAverages) {
@@ -304,9 +306,10 @@ TEST(GivenMarginal, HasTheErrorsOfBinAverages) {
   EXPECT_NEAR(on[0], 0.01 * std::hypot(0.75, 0.25), 1e-9);
   EXPECT_NEAR(on[1], 0.01 / 1.5 * std::hypot(0.125, 0.875, 0.5), 1e-9);
   EXPECT_NEAR(on[2], std::hypot(0.01 * 0.75, 0.02 * 0.25), 1e-9);
-  EXPECT_NEAR(on[3], 0.5 * std::hypot(0.01 * 0.25, 0.02 * 0.75), 1e-9);  // half outside
+  EXPECT_NEAR(on[3], 0.5 * std::hypot(0.01 * 0.25, 0.02 * 0.75),
+              1e-9);  // half of the bin is outside
   EXPECT_EQ(on[4], 0);
-  // The average over 0..0.5 is the line's value at 0.25, p1 - (p2 - p1) / 4.
+  // The average over 0..0.5 is the extrapolated value at 0.25, p1 - (p2 - p1) / 4.
   const auto wall = errors("0.5 0.3 0.01\n1.5 0.3 0.03\n2.5 0.3 0.01\n3.5 0.3 0.01\n", {0, 0.5});
   EXPECT_NEAR(wall[0], std::hypot(1.25 * 0.01, 0.25 * 0.03), 1e-9);
 }
@@ -328,7 +331,7 @@ TEST(GivenMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
       {"y p\n0 1\n1 one\n", "mine.csv:3: 'one' is not a number"},
       {"0 half\n1 1\n", "mine.csv:1: 'half' is not a number"},
       {"0,0;0,5\n1;0,5\n", "mine.csv:2: '0,5' is not a number"},
-      {"0;1\n1;0,5\n", "mine.csv:2: '0,5' is not a number (with a decimal point)"},
+      {"0;1\n1;0,5\n", "mine.csv:2: '0,5' is not a number; use a decimal point"},
       {"0 1\n1 nan\n", "mine.csv:2: nan (numbers must be finite)"},
       {"0 1\n1 inf\n", "mine.csv:2: inf (numbers must be finite)"},
       {"0 1\n1 1\n\n# more\n2 1\n", "mine.csv:5: 3 rows (must be at least 4)"},
@@ -338,9 +341,9 @@ TEST(GivenMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
       {"0 1 1\n1 1 -1\n2 1 1\n3 1 1\n", "mine.csv:2: standard error -1 (must not be negative)"},
       {"0 1 1\n1 2 -1\n2 3 1\n3 4 1\n", "mine.csv:2: density or count -1 (must not"},
       {"lower upper p\n0 1 1\n1 2 1\n2.5 3 1\n3 4 1\n",
-       "mine.csv:4: a bin from 2.5 after one to 2 (bins must join)"},
+       "mine.csv:4: a bin from 2.5 after a bin to 2 (bins must adjoin)"},
       {"0 0\n1 0\n2 0\n3 0\n", "0 everywhere"},
-      {"0 1e308\n1 1e308\n2 1e308\n3 1e308\n", "its integral overflows"},
+      {"0 1e308\n1 1e308\n2 1e308\n3 1e308\n", "the integral overflows"},
       {"y p q\n0 1\n1 1\n2 1\n3 1\n", "mine.csv:2: 2 columns under 3 names"},
   };
   for (const auto& [text, expected] : bad) {
@@ -353,9 +356,9 @@ TEST(GivenMarginal, ThatIsNoneIsRefusedByLineValueAndWhatIsAllowed) {
 
 TEST(GivenMarginal, OneSeparatorInAllRows) {
   EXPECT_TRUE(contains(refusal("0,1\n1,2\n2;3\n3,1\n"),
-                       "mine.csv:3: numbers between semicolons after rows with commas"));
+                       "mine.csv:3: fields separated by semicolons after rows with commas"));
   EXPECT_TRUE(contains(refusal("0 1\n1\t2\n2 3\n3 1\n"),
-                       "mine.csv:2: numbers between tabs after rows with blanks"));
+                       "mine.csv:2: fields separated by tabs after rows with blanks"));
 }
 
 TEST(GivenMarginal, NamesAbscissaeWithAllTheirDigits) {
@@ -365,23 +368,24 @@ TEST(GivenMarginal, NamesAbscissaeWithAllTheirDigits) {
 
 TEST(GivenMarginal, OfCountsBeyondAllNumbersIsRefused) {
   EXPECT_TRUE(contains(refusal("lower,upper,count\n0,1,1e308\n1,2,1e308\n2,3,1e308\n3,4,1\n"),
-                       "its integral overflows"));
-  // Its sum is a number, its density in narrow bins is none.
+                       "the integral overflows"));
+  // The sum is finite, but the density in narrow bins overflows.
   const std::string narrow =
       refusal("lower,upper,count\n0,1e-9,1e308\n1e-9,2e-9,5e307\n2e-9,3e-9,1\n3e-9,4e-9,1\n");
-  EXPECT_TRUE(contains(narrow, "(choose other units)")) << narrow;
+  EXPECT_TRUE(contains(narrow, "; choose other units")) << narrow;
 }
 
 TEST(GivenMarginal, OfBinsWithinABinIsRefused) {
-  // What the inner one lacks of joining is little beside the width of the outer one.
+  // The gap to the inner bin is small relative to the width of the outer bin.
   EXPECT_TRUE(contains(refusal("lower,upper,count\n-1e9,2,0\n-9,2,1\n2,3,1\n3,4,1\n"),
-                       "mine.csv:3: a bin from -9 after one to 2 (bins must join)"));
+                       "mine.csv:3: a bin from -9 after a bin to 2 (bins must adjoin)"));
   EXPECT_TRUE(contains(refusal("lower,upper,count\n-1e9,2,0\n-9,3,1\n3,4,1\n4,5,1\n"),
-                       "mine.csv:3: a bin from -9 after one to 2 (bins must join)"));
-  // Widths that no number holds.
+                       "mine.csv:3: a bin from -9 after a bin to 2 (bins must adjoin)"));
+  // Widths that overflow.
   const std::string widest = "-1.7e308,1.7e308,0\n-1.2e307,1.7e308,1\n";
-  EXPECT_TRUE(contains(refusal("lower,upper,count\n" + widest + "2,3,1\n3,4,1\n"),
-                       "mine.csv:3: a bin from -1.2e+307 after one to 1.7e+308 (bins must join)"));
+  EXPECT_TRUE(
+      contains(refusal("lower,upper,count\n" + widest + "2,3,1\n3,4,1\n"),
+               "mine.csv:3: a bin from -1.2e+307 after a bin to 1.7e+308 (bins must adjoin)"));
   EXPECT_TRUE(contains(refusal("lower,upper,count\n0,1,1\n1,1,1\n2,3,1\n3,4,1\n"),
                        "mine.csv:3: a bin from 1 to 1 (edges must increase)"));
 }

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using tests::contains;
 using transform::Variable;
 
-// A made-up run, files of its fd-kf, and the run with these files read.
+// A synthetic run, files of the marginals of its fd-kf, and the run with these files added.
 class GivenMethods : public testing::Test {
  protected:
   std::string write(const std::string& name, Variable variable, double standard_error = 0) {
@@ -108,7 +108,7 @@ TEST_F(GivenMethods, TheirErrorsExplainTheDifferenceOrNot) {
   EXPECT_TRUE(contains(sentence(1e-2), "the densities agree")) << sentence(1e-2);
   EXPECT_FALSE(contains(sentence(1e-2), "disagree")) << sentence(1e-2);
   EXPECT_TRUE(contains(sentence(1e-2), "from the full jump equation (fd-kf) by L1"));
-  // Chance of the file and of the simulation (0.0011) together.
+  // Sampling errors of the file and of the simulation (0.0011) together.
   const auto who = solutions_.back().identity;
   solutions_.back() = solutions_[0];
   solutions_.back().identity = who;
@@ -117,7 +117,7 @@ TEST_F(GivenMethods, TheirErrorsExplainTheDifferenceOrNot) {
 }
 
 TEST_F(GivenMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
-  // sigma of relative 5 %, 30 points a bin, bias of 8 % in turns.
+  // Relative standard error 5 %, 30 points per bin, bias of 8 % with alternating sign.
   const auto sentence = [&](double bias) {
     const auto& density = std::get<transform::SmoothDensity>(*solutions_[6].density);
     const double end = axes_.y_edges.back();
@@ -147,7 +147,7 @@ TEST_F(GivenMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
 
 TEST_F(GivenMethods, SayWhatLiesBeyondTheAxes) {
   const double end = axes_.y_edges.back();
-  const auto file_of = [&](double length) {  // of an exponential density of this mean
+  const auto file_of = [&](double length) {  // exponential density with this mean
     const fs::path file = directory_.path() / "far.csv";
     std::ofstream out(file);
     for (int k = 0; k <= 400; ++k) {
@@ -170,7 +170,7 @@ TEST_F(GivenMethods, SayWhatLiesBeyondTheAxes) {
   EXPECT_NEAR(share(within), std::exp(-10), 1e-5);
   EXPECT_EQ(note(within), "");
   EXPECT_NEAR(share(far), std::exp(-2), 1e-4);
-  EXPECT_TRUE(contains(note(far), "13.5 % of it lies beyond the axes of the comparison, y = 0 to "))
+  EXPECT_TRUE(contains(note(far), "13.5 % of the mass is outside the comparison axes, y = 0 to "))
       << note(far);
 }
 
@@ -222,19 +222,20 @@ TEST_F(GivenMethods, LabelsAreIdsOfTheirOwn) {
     EXPECT_TRUE(contains(refusal({y + ":" + label}), "must be 1 to 24 letters")) << label;
   }
   for (const char* label : {"mcs", "fd-kf", "fd", "epc-gaussian-n6", "mcs-white"}) {
-    EXPECT_TRUE(contains(refusal({y + ":" + label}), "is a method's")) << label;
+    EXPECT_TRUE(contains(refusal({y + ":" + label}), "is the name of a method")) << label;
   }
   EXPECT_EQ(refusal({y + ":a", v + ":a"}), "accepted");
   EXPECT_TRUE(contains(refusal({y + ":a", y + ":a"}), "two files of 'a' are densities of y "));
   EXPECT_TRUE(contains(refusal({"absent.csv:a"}), "'absent.csv' is not a readable file"));
 }
 
-// Variables of netCDF files and blocks of data in pictures have no '-' and no '.'.
+// Names of netCDF variables and of gnuplot data blocks cannot contain '-' or '.'.
 TEST_F(GivenMethods, LabelsThatOtherNamesCannotTellApartAreRefused) {
   const auto y = write("y.csv", Variable::y), v = write("v.csv", Variable::ydot);
-  EXPECT_TRUE(contains(refusal({y + ":fd_kf"}), "label 'fd_kf' is a method's"));
-  EXPECT_TRUE(contains(refusal({y + ":epc.gaussian"}), "label 'epc.gaussian' is a method's"));
-  EXPECT_TRUE(contains(refusal({y + ":a.b", v + ":a-b"}), "labels 'a.b' and 'a-b' are too alike"));
+  EXPECT_TRUE(contains(refusal({y + ":fd_kf"}), "label 'fd_kf' is the name of a method"));
+  EXPECT_TRUE(
+      contains(refusal({y + ":epc.gaussian"}), "label 'epc.gaussian' is the name of a method"));
+  EXPECT_TRUE(contains(refusal({y + ":a.b", v + ":a-b"}), "labels 'a.b' and 'a-b' differ only in"));
   EXPECT_EQ(refusal({y + ":a.b", v + ":a.b"}), "accepted");
   EXPECT_EQ(refusal({y + ":fdm"}), "accepted");
 }

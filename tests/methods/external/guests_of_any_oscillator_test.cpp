@@ -22,8 +22,8 @@
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 
-// Densities of others, of oscillators that are not the paper's: their laws are known exactly where
-// walls take nothing.
+// External densities of oscillators outside the paper's class. Without impact losses their laws are
+// known exactly.
 namespace fpkcheck::methods {
 namespace {
 
@@ -41,7 +41,7 @@ Problem bistable() {
   return tests::with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, {.none = true}),
                            0.1);
 }
-// A wall on the right alone: solvers see it mirrored.
+// A system with a right wall only, which solvers treat mirrored.
 Problem mirrored() {
   return tests::with_noise(System({.damping = 0.2, .constant = 0.3, .stiffness = 1},
                                   WallParameters{.right = 0.4, .right_restitution = 1}),
@@ -104,7 +104,7 @@ std::string refusal(const std::function<void()>& what) {
   return "accepted";
 }
 
-// L1 over the bins of the comparison.
+// L1 distance from the exact law over the comparison bins.
 double far_from_the_law(const transform::Solution& solution, const Problem& problem,
                         Variable variable) {
   const exact::EnergyLaw law(problem);
@@ -166,8 +166,8 @@ TEST(GuestsOfAnyOscillator, AreCutOffWhereNoWallStandsAlone) {
     return solved(own_function({.label = "own"}, {}, points, values), problem).reason;
   };
   EXPECT_EQ(status_of(two_walls()), "");
-  EXPECT_TRUE(contains(status_of(mirrored()), "cut off, at y = -"));
-  EXPECT_TRUE(contains(status_of(bistable()), "cut off, at y = -"));
+  EXPECT_TRUE(contains(status_of(mirrored()), "), at y = -"));
+  EXPECT_TRUE(contains(status_of(bistable()), "), at y = -"));
 }
 
 TEST(GuestsOfAnyOscillator, HaveCellsBeyondTheAxesWhereNoWallStands) {
@@ -185,7 +185,7 @@ TEST(GuestsOfAnyOscillator, HaveCellsBeyondTheAxesWhereNoWallStands) {
   EXPECT_NEAR(ends(mirrored()).first, kAll, kCell);
   EXPECT_EQ(ends(mirrored()).second, 0);
   EXPECT_EQ(ends(two_walls()), (std::pair{0.0, 0.0}));
-  // A wall so far away that the motion does not reach it is no end, and nothing lies behind it.
+  // Cells do not begin at a wall beyond the reach of the motion, but no cell is behind this wall.
   Problem far = tests::with_noise(
       System({.damping = 0.2, .stiffness = 1}, WallParameters{.left = -9, .left_restitution = 1}),
       0.4);
@@ -199,7 +199,7 @@ class FilesOfAnyOscillator : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
 
-  // Centres of cells, or edges of bins, between two ends.
+  // Writes a marginal at centres of cells, or over bins, between two ends.
   std::string marginal_of(const Problem& problem, double from, double to, bool bins) const {
     const exact::EnergyLaw law(problem);
     std::ofstream out(path("y.csv"));
@@ -242,7 +242,7 @@ TEST_F(FilesOfAnyOscillator, OfMarginalsMayHaveAnySignOfY) {
     const auto own = of(marginal_of(problem, from, to, false), problem);
     EXPECT_LT(far_from_the_law(own, problem, Variable::y), 1e-3);
     EXPECT_EQ(transform::word(own.metrics, "files[0].variable"), "y");
-    // On to the walls from the centres of the cells: nothing ends there.
+    // Extrapolated to the walls from the centres of the cells: no note on a cut-off.
     EXPECT_FALSE(transform::word(own.metrics, "files[0].notes[0]"))
         << *transform::word(own.metrics, "files[0].notes[0]");
     EXPECT_NEAR(own.moments.y1, exact::EnergyLaw(problem).moment(1, 0), 1e-3);
@@ -305,7 +305,7 @@ TEST_F(FilesOfAnyOscillator, OfARunAreItsDensities) {
     EXPECT_LT(far_from_the_law(own, problem, Variable::y), 1e-3);
     EXPECT_LT(far_from_the_law(own, problem, Variable::ydot), 1e-3);
   }
-  // The last one is of y from -0.5 on.
+  // The last density has y >= -0.5.
   EXPECT_TRUE(
       contains(refusal([&] {
                  of(path("joint.nc") + ",solution=fd-kf",
@@ -336,7 +336,7 @@ TEST_F(FilesOfAnyOscillator, BehindAWallAreRefused) {
   EXPECT_EQ(refusal([&] { samples.check(bistable()); }), "accepted");
 }
 
-// What is continued to a wall on the right has the errors of what is continued to one on the left.
+// Extrapolation to a right wall and to a left wall give the same errors for mirror images.
 TEST(GuestsOfAnyOscillator, HaveTheErrorsOfTheirMirrorImages) {
   const auto read = [](const std::string& text, const Walls& walls) {
     std::istringstream in("y p error\n" + text);
@@ -371,8 +371,8 @@ TEST(GuestsOfAnyOscillator, AreWithoutTheMassAtRestAndSaySo) {
   const auto own = solved(own_samples({.label = "a"}, y, v), pressed);
   EXPECT_NEAR(own.mass, 0.75, 1e-12);
   EXPECT_EQ(own.estimated_marginals.front().second.density[0], 0);
-  EXPECT_TRUE(contains(transform::word(own.metrics, "notes[0]").value(), "rests in contact"));
-  // Under noise nothing rests.
+  EXPECT_TRUE(contains(transform::word(own.metrics, "notes[0]").value(), "at rest in contact"));
+  // Under white noise no mass is at rest.
   Problem lifted = pressed;
   lifted.noise.intensity = 0.1;
   const auto all = solved(own_samples({.label = "a"}, y, v), lifted);

@@ -34,10 +34,10 @@ std::string refusal_of_joint(const std::string& text) {
   return "accepted";
 }
 
-// At r = 1 under white noise, where the density is known exactly.
+// Joint densities at r = 1 under white noise, where the density is known exactly.
 class JointTables : public testing::Test {
  protected:
-  // Cells or points in 10 deviations of y, twice as many in y'.
+  // Cells or points over 10 standard deviations of y, twice as many over those of y'.
   std::string file(int n, const char* names = "y,v,p", bool swapped = false) const {
     std::string text = std::string(names) + '\n';
     for (int i = 0; i <= n; ++i) {
@@ -75,7 +75,7 @@ TEST_F(JointTables, AreInterpolatedToThirdOrder) {
   const double coarse = l1_of_y(read_joint(file(24))), middle = l1_of_y(read_joint(file(48))),
                fine = l1_of_y(read_joint(file(96)));
   const double first = std::log2(coarse / middle), second = std::log2(middle / fine);
-  // Akima's slopes are of second order, at extrema of first.
+  // The slopes of Akima's interpolant have order 2, at extrema order 1.
   EXPECT_GT(first, 2.5) << coarse << ' ' << middle << ' ' << fine;
   EXPECT_LT(first, 4.2) << coarse << ' ' << middle << ' ' << fine;
   EXPECT_GT(second, 2.5) << coarse << ' ' << middle << ' ' << fine;
@@ -100,7 +100,7 @@ TEST_F(JointTables, GoOnToTheWallFromCentresOfCells) {
     }
   }
   const auto values = values_at(read_joint(text), points_);
-  // On the straight line through the first two, 5 at y = 0.1 and 4 at 0.3.
+  // On the straight line through the first two points: 5 at y = 0.1 and 4 at y = 0.3.
   const std::size_t nv = points_.v().size(), middle = nv / 2;
   EXPECT_NEAR(values[middle] / values[nv * 2 + middle], 5.5 / (5.5 - 5 * points_.y()[2]), 1e-6);
 }
@@ -134,7 +134,8 @@ TEST_F(JointTables, ThatAreNoGridAreRefused) {
   const auto last = whole.substr(0, whole.size() - 1).rfind('\n');
   EXPECT_TRUE(contains(refusal_of_joint(whole.substr(0, last + 1)),
                        "mine.csv: 44 rows with 5 values of y and 9 of y' (must be one for every"));
-  EXPECT_TRUE(contains(refusal_of_joint(whole + "0,0,1\n"), "mine.csv:47: y = 0, y' = 0 for the"));
+  EXPECT_TRUE(
+      contains(refusal_of_joint(whole + "0,0,1\n"), "mine.csv:47: y = 0, y' = 0 occurs twice"));
   EXPECT_TRUE(contains(refusal_of_joint(file(2)), "3 values of y (must be at least 4)"));
   EXPECT_EQ(refusal_of_joint(whole), "accepted");
   std::istringstream marginal("y,v,error\n0,1,2\n1,2,3\n2,3,4\n3,4,5\n");

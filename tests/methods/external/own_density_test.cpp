@@ -25,7 +25,7 @@ using transform::Status;
 using transform::Variable;
 using Function = std::function<double(double, double)>;
 
-// At r = 1, where the density under white noise is known exactly.
+// External densities at r = 1, where the density under white noise is known exactly.
 class OwnDensities : public testing::Test {
  protected:
   Method of(const Function& p,
@@ -67,7 +67,7 @@ TEST_F(OwnDensities, AreKnownAsTheFunctionIs) {
   EXPECT_NEAR(transform::number(own.metrics, "balances.momentum").value(), 0, 1e-7);
   EXPECT_EQ(transform::equation_and_impact_text(own.identity), "white/map");
   const auto y = transform::marginal(own, Variable::y, axes_.y_edges);
-  // An average over a bin is not the density at its centre.
+  // The average over a bin differs from the density at its centre.
   for (const std::size_t b : {0, 20, 70}) {
     EXPECT_NEAR(y.density[b] / exact_.displacement_marginal(y.centre(b)), 1, 3e-3);
   }
@@ -84,7 +84,7 @@ TEST_F(OwnDensities, AreClosuresWithABudgetWhereTheirEquationIsSaid) {
   EXPECT_EQ(own.identity.role, transform::Role::closure);
   EXPECT_EQ(one.find("nobody")->identity.role, transform::Role::external);
   EXPECT_EQ(own.status, Status::ok);
-  // Its error against the full problem is that of white noise.
+  // The error against the full problem is that of the white-noise model.
   const double far = one.l1("own", "fd-kf", Variable::y).value();
   EXPECT_GT(own.error.value().y_l1, far);
   EXPECT_LT(own.error.value().y_l1, 1.7 * far);
@@ -104,8 +104,8 @@ TEST_F(OwnDensities, SayWhatIsNoDensity) {
     return std::string(name(own.status)) + ": " + own.reason;
   };
   EXPECT_EQ(status_of([&](double y, double v) { return exact_(y, v); }, false),
-            "inadmissible: its integral is 0.5 and not 1");
-  EXPECT_TRUE(contains(status_of([](double, double) { return 1; }), "cut off, at y ="));
+            "inadmissible: the integral is 0.5, not 1");
+  EXPECT_TRUE(contains(status_of([](double, double) { return 1; }), "), at y ="));
   EXPECT_TRUE(
       contains(status_of([&](double y, double v) { return exact_(y, v) * (2 - y); }), "negative"));
 }
@@ -122,15 +122,15 @@ TEST_F(OwnDensities, OfNoUseAreRefused) {
   const auto samples = [&](const auto& y, const auto& v, double independent = 0) {
     return refusal([&] { own_samples({.label = "a"}, y, v, independent).check(problem_); });
   };
-  EXPECT_EQ(samples(few, few), "samples 'a': 99 (must be 100 at least)");
+  EXPECT_EQ(samples(few, few), "samples 'a': 99 pairs (must be at least 100)");
   EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y'");
   EXPECT_TRUE(contains(samples(behind, many), "y = -1, y' = 1 (must be y >= 0)"));
   EXPECT_TRUE(contains(samples(many, many, 101), "independent = 101 (must be 0 .. 100"));
   EXPECT_EQ(samples(many, many, 100), "accepted");
   const auto all = builtin();
-  EXPECT_TRUE(contains(refusal([&] { require_free("fd.kf", all); }), "is a method's"));
-  EXPECT_TRUE(contains(refusal([&] { require_unlike("a.b", "a-b"); }), "too alike"));
-  // Who gave it had no option of the program in hand.
+  EXPECT_TRUE(contains(refusal([&] { require_free("fd.kf", all); }), "is the name of a method"));
+  EXPECT_TRUE(contains(refusal([&] { require_unlike("a.b", "a-b"); }), "differ only in"));
+  // The message must not name a command-line option: the caller used the library.
   for (const char* label : {"fd.kf", "a b"}) {
     EXPECT_FALSE(contains(refusal([&] { require_free(label, all); }), "--")) << label;
   }
@@ -158,7 +158,7 @@ TEST_F(OwnDensities, SamplesAreAsFarAsTheirErrorsSay) {
   EXPECT_NEAR(drawn.mass, 1, 1e-9);
   EXPECT_NEAR(drawn.moments.v2, 0.5, 4 * drawn.standard_errors->moments.v2);
   EXPECT_NEAR(drawn.standard_errors->moments.v2, 0.5 * std::sqrt(2.0 / kSamples), 1e-4);
-  // A quarter as many independent ones: twice the errors.
+  // A quarter as many independent samples double the errors.
   const auto fewer = solved(own_samples({.label = "a"}, y, v, kSamples / 4.0));
   EXPECT_NEAR(fewer.sampling->y.value() / drawn.sampling->y.value(), 2, 1e-9);
   EXPECT_NEAR(fewer.standard_errors->moments.y1 / drawn.standard_errors->moments.y1, 2, 1e-9);

@@ -97,7 +97,7 @@ TEST_F(BaselineTest, ReportsSolutionsThatCannotBeSolvedAgain) {
   expect_message("options.order = 'six' (must be an even number",
                  [&](Json& json) { first(json)["options"]["order"] = "six"; });
   expect_message("order = 5", [&](Json& json) { first(json)["options"]["order"] = 5; });
-  expect_message("options are those of epc-gaussian-n6",
+  expect_message("options belong to epc-gaussian-n6",
                  [&](Json& json) { first(json)["options"]["order"] = 6; });
   expect_message("method 'magic'", [&](Json& json) { first(json)["method"] = "magic"; });
   expect_message("case1: system.stiffness is missing",
@@ -107,9 +107,9 @@ TEST_F(BaselineTest, ReportsSolutionsThatCannotBeSolvedAgain) {
   expect_message("impulse.law = 3 (must be one of",
                  [](Json& json) { json["cases"][0]["impulse"]["law"] = 3; });
   expect_message("schema 2", [](Json& json) { json["schema"] = 2; });
-  expect_message("not a whole summary", [](Json& json) { json.erase("cases"); });
-  expect_message("not a whole summary", [&](Json& json) { first(json).erase("options"); });
-  expect_message("is there twice",
+  expect_message("not a complete summary", [](Json& json) { json.erase("cases"); });
+  expect_message("not a complete summary", [&](Json& json) { first(json).erase("options"); });
+  expect_message("occurs twice",
                  [](Json& json) { json["cases"].push_back(Json(json["cases"][0])); });
   expect_message("no solution that can be solved again",
                  [](Json& json) { json["cases"] = Json::array(); });
@@ -125,7 +125,7 @@ TEST_F(BaselineTest, ASimulationMustBeCompleteWithStandardErrors) {
     expect_message("sampling L1 in 99 of 100 of p(y') = ",
                    [&](Json& json) { mcs(json)["sampling_l1"]["ydot_99"] = bad; });
   }
-  expect_message("not a whole summary",
+  expect_message("not a complete summary",
                  [&](Json& json) { mcs(json)["standard_errors"]["y2"] = "small"; });
 }
 

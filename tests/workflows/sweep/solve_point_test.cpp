@@ -46,7 +46,7 @@ TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
   const auto found = solve_point(plan, 1).result.methods;
   ASSERT_TRUE(found[0].l1 && found[1].l1 && found[2].error);
   EXPECT_EQ(found[0].status, Status::inaccurate);
-  EXPECT_NE(found[0].reason.find("off from fd-kf by L1 0.0044 in p(y) and 0.03 in p(y')"),
+  EXPECT_NE(found[0].reason.find("its L1 distance from fd-kf is 0.0044 in p(y) and 0.03 in p(y')"),
             std::string::npos)
       << found[0].reason;
   EXPECT_EQ(found[1].status, Status::ok);
