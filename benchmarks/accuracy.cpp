@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
+#include "case_on_grid.hpp"
 #include "elastic_white_noise.hpp"
 #include "fd_fpk/solve.hpp"
-#include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "case_on_grid.hpp"
 #include "fd_fpk/solve.hpp"
-#include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
 namespace {

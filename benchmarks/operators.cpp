@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include "case_on_grid.hpp"
 #include "fd_fpk/axis/jump_matrix.hpp"
-#include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
 namespace {
@@ -17,14 +17,14 @@ void jump_matrix_of_a_line(benchmark::State& state) {
 BENCHMARK(jump_matrix_of_a_line)->Arg(88)->Arg(176)->Arg(352)->Unit(benchmark::kMillisecond);
 
 void operator_assembly(benchmark::State& state) {
-  const Setting setting(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(setting.op());
+  const CaseOnGrid problem_on_grid(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(problem_on_grid.op());
 }
 BENCHMARK(operator_assembly)->Arg(4000)->Arg(16000)->Arg(64000)->Unit(benchmark::kMillisecond);
 
 void preconditioner_assembly(benchmark::State& state) {
-  const Setting setting(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(setting.preconditioner());
+  const CaseOnGrid problem_on_grid(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(problem_on_grid.preconditioner());
 }
 BENCHMARK(preconditioner_assembly)
     ->Arg(4000)
@@ -33,9 +33,9 @@ BENCHMARK(preconditioner_assembly)
     ->Unit(benchmark::kMillisecond);
 
 void operator_product(benchmark::State& state) {
-  const Setting setting(state.range(0));
-  const FokkerPlanckOperator op = setting.op();
-  const Eigen::VectorXd p = gaussian_start(setting.grid(), setting.problem);
+  const CaseOnGrid problem_on_grid(state.range(0));
+  const FokkerPlanckOperator op = problem_on_grid.op();
+  const Eigen::VectorXd p = gaussian_start(problem_on_grid.grid(), problem_on_grid.problem);
   for (auto _ : state) benchmark::DoNotOptimize((op * p).eval());
 }
 BENCHMARK(operator_product)->Arg(4000)->Arg(16000)->Arg(64000)->Unit(benchmark::kMillisecond);

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include "case_on_grid.hpp"
 #include "fd_fpk/solve.hpp"
-#include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
 namespace {

@@ -75,20 +75,20 @@ double runge_kutta_loop(const problem::Problem& problem, double time, unsigned s
   return sum / time;
 }
 
-std::vector<double> even(double from, double to) {
+std::vector<double> uniform_edges(double from, double to) {
   std::vector<double> edges;
   for (int k = 0; k <= 140; ++k) edges.push_back(from + (to - from) * k / 140);
   return edges;
 }
 
-struct Lanes {
+struct SimulationResult {
   double flights;
   double mean_square;
 };
 
-Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
-                 const simd::CodeVariant& lanes, bool records) {
-  const mcs::BinFinder y(even(0, 5)), v(even(-5, 5));
+SimulationResult simulation_loop(const problem::Problem& problem, double time, unsigned seed,
+                                 const simd::CodeVariant& lanes, bool records) {
+  const mcs::BinFinder y(uniform_edges(0, 5)), v(uniform_edges(-5, 5));
   const mcs::Motion motion{.oscillator = mcs::Oscillator(problem.system),
                            .step = kStep,
                            .sampling_interval = 0.23,  // about 25 samples per period
@@ -111,7 +111,7 @@ Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
     pointers.push_back(&streams.back());
   }
   mcs::advance(motion, pointers, time / kStreams, lanes);
-  Lanes result{0, 0};
+  SimulationResult result{0, 0};
   double samples = 0;
   for (const mcs::Stream& stream : streams) {
     result.flights += static_cast<double>(stream.record.flights);
@@ -130,7 +130,8 @@ double processor_seconds() {
 
 /// Simulated time per second of all threads together, the best of three runs. Each thread measures
 /// its own processor time, to reduce the influence of other load.
-double speed(int threads, double time, const std::function<void(unsigned)>& work) {
+double simulated_time_per_second(int threads, double time,
+                                 const std::function<void(unsigned)>& work) {
   double best = 0;
   for (int repetition = 0; repetition < 3; ++repetition) {
     std::vector<double> rates(static_cast<std::size_t>(threads));
@@ -220,23 +221,23 @@ int main(int argc, char** argv) {
   }
   const auto problem = problem::load_case("case1");
   std::vector<double> found(static_cast<std::size_t>(threads));
-  const double plain = speed(
+  const double plain = simulated_time_per_second(
       threads, time / 10, [&](unsigned t) { found[t] = runge_kutta_loop(problem, time / 10, t); });
   fmt::print("case1, {} threads; steps: simulated time / 0.05\n", threads);
   fmt::print("scalar RK4 loop                   {:.2e} steps/s   E[v^2] {:.4f}\n",
              plain / kRungeKuttaStep, found[0]);
   for (const auto& lanes : simd::available_variants()) {
     for (const bool records : {false, true}) {
-      std::vector<Lanes> seen(static_cast<std::size_t>(threads));
-      const double rate = speed(threads, time, [&](unsigned t) {
-        seen[t] = lanes_loop(problem, time, t, lanes, records);
+      std::vector<SimulationResult> results(static_cast<std::size_t>(threads));
+      const double rate = simulated_time_per_second(threads, time, [&](unsigned t) {
+        results[t] = simulation_loop(problem, time, t, lanes, records);
       });
       fmt::print("{:8} {} lanes, {:16} {:.2e} steps/s, {:5.2f} of RK4", name(lanes.instructions),
                  lanes.width, records ? "with histogram" : "motion alone", rate / kRungeKuttaStep,
                  rate / plain);
       if (records) {
-        fmt::print("   E[v^2] {:.4f}, {:.2e} flights/s", seen[0].mean_square,
-                   rate * seen[0].flights / time);
+        fmt::print("   E[v^2] {:.4f}, {:.2e} flights/s", results[0].mean_square,
+                   rate * results[0].flights / time);
       }
       fmt::print("\n");
     }

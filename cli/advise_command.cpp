@@ -59,7 +59,7 @@ std::set<std::string> telling_options(const methods::Solver& solver) {
   std::set<std::string> telling;
   std::map<std::string, base::Value> first;
   for (const auto& family : solver.families) {
-    for (const auto& id : family.usual) {
+    for (const auto& id : family.default_ids) {
       const auto options = solver.options_of(id);
       if (!options) continue;
       for (const auto& [name, value] : *options) {
@@ -74,15 +74,15 @@ std::set<std::string> telling_options(const methods::Solver& solver) {
 std::string command_of(const std::string& id, const std::string& words,
                        const methods::Registry& registry) {
   // Finite differences as the map has them: without stepping.
-  const auto method = registry.by_id(id, {{"stepper", std::string("direct")}});
+  const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
   const auto* solver = method ? registry.find(method->identity.method) : nullptr;
   if (solver == nullptr) return fmt::format("fpkcheck run {} --methods {}", words, id);
   const auto telling = telling_options(*solver);
   std::string command = fmt::format("fpkcheck {} {}", solver->name, words);
   for (const auto& option : method->options) {
-    const auto* parameter = solver->parameters->find(option.name);
+    const auto* parameter = solver->option_descriptions->find(option.name);
     const auto usual =
-        std::ranges::find(solver->usual_options, option.name, &base::NamedValue::name);
+        std::ranges::find(solver->default_options, option.name, &base::NamedValue::name);
     if (parameter == nullptr || parameter->flag.empty()) continue;
     if (base::is_unset(option.value)) continue;
     if (*usual == option && !telling.contains(option.name)) continue;

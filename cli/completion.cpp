@@ -23,7 +23,7 @@ Words methods_in(const methods::Registry& registry) {
     add(solver.name);
     for (const auto& family : solver.families) {
       add(family.name);
-      for (const auto& id : family.usual) add(id);
+      for (const auto& id : family.default_ids) add(id);
     }
   }
   return names;
@@ -47,7 +47,7 @@ Words choices_of(const std::string& flag, const std::string& command,
   const auto* const own = registry.find(command);
   for (const auto& solver : registry.solvers()) {
     if (own != nullptr && own != &solver) continue;
-    for (const auto& parameter : solver.parameters->all()) {
+    for (const auto& parameter : solver.option_descriptions->all()) {
       if ("--" + parameter.flag != flag) continue;
       for (const auto& choice : parameter.choices) {
         if (std::ranges::find(choices, choice) == choices.end()) choices.push_back(choice);

@@ -109,7 +109,7 @@ OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
     : rescue_([this] { directory_ = {}; }) {
   if (!out) return;
   const base::WriteGuard in_hand;
-  directory_ = results::make_writable(*out);
+  directory_ = results::prepare_output_directory(*out);
 }
 
 void note_kept(const std::string& what) {

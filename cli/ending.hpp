@@ -32,14 +32,14 @@ class Rescue {
   std::function<void()> action_;
 };
 
-/// The directory of --out, prepared (results::make_writable); what it made and nothing was put into
+/// The directory of --out, prepared (results::prepare_output_directory); what it made and nothing was put into
 /// goes again, also when the process is ended by another thread. Without --out nothing.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::optional<std::string>& out);
 
  private:
-  results::PreparedDirectory directory_;
+  results::OutputDirectoryLock directory_;
   Rescue rescue_;
 };
 

@@ -18,7 +18,7 @@
 #include "cli/program.hpp"
 #include "cli/standard_streams.hpp"
 #include "epc/density.hpp"
-#include "methods/external/form_file.hpp"
+#include "methods/external/closed_form_file.hpp"
 #include "methods/external/number_table.hpp"
 #include "problem/case_file.hpp"
 #include "results/json_values.hpp"
@@ -85,13 +85,14 @@ std::vector<Point> points_over(const transform::SmoothDensity& density, const st
   return points;
 }
 
-methods::FormFile form_in(const std::string& text, const std::string& where,
-                          const std::optional<std::string>& solution,
-                          const std::optional<std::string>& case_name) {
+methods::ClosedFormFile form_in(const std::string& text, const std::string& where,
+                                const std::optional<std::string>& solution,
+                                const std::optional<std::string>& case_name) {
   if (results::is_summary(text, where)) {
-    return methods::read_form(text, where, {.solution = solution, .case_name = case_name});
+    return methods::read_closed_form_file(text, where,
+                                          {.solution = solution, .case_name = case_name});
   }
-  auto file = methods::read_form(text, where, {.solution = solution});
+  auto file = methods::read_closed_form_file(text, where, {.solution = solution});
   if (case_name) file.problem = problem::load_case(*case_name, {});
   return file;
 }
@@ -105,7 +106,7 @@ std::string csv_of(const std::vector<Point>& points, const std::vector<double>& 
 }
 
 std::string json_of(const std::vector<Point>& points, const std::vector<double>& values,
-                    const std::string& file, const methods::FormFile& form) {
+                    const std::string& file, const methods::ClosedFormFile& form) {
   nlohmann::ordered_json json{{"file", file}, {"case", nullptr}, {"solution", nullptr}};
   if (form.solution) {
     json["case"] = form.problem->name;

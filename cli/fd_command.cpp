@@ -45,8 +45,8 @@ TransientOptions transient_options(const Values& given) {
 
 int fd_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  Values values = solver.usual_options, over_time;
-  auto own = options_for(*solver.parameters, values);
+  Values values = solver.default_options, over_time;
+  auto own = options_for(*solver.option_descriptions, values);
   own.add(options_for(fd_fpk::transient_description(), names_with_flags(), over_time));
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {

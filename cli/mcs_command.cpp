@@ -83,7 +83,7 @@ void require_time_alone(const base::Values& values) {
 // What all ranks but the first do: their part of each case.
 int help(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
-    methods::solve_by(simulation, problem, {compare::comparison_axes(problem), {}});
+    methods::solve_with(simulation, problem, {compare::comparison_axes(problem), {}});
   }
   return kDone;
 }
@@ -92,10 +92,10 @@ int help(const CommonArguments& common, const methods::Method& simulation) {
 
 int mcs_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  base::Values values = solver.usual_options;
+  base::Values values = solver.default_options;
   methods::SimulationControl control{.stop = base::stop_requested,
                                      .warn = [](const std::string& text) { complain(text); }};
-  auto own = options_for(*solver.parameters, values);
+  auto own = options_for(*solver.option_descriptions, values);
   own.add(file_options(control));
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
@@ -106,7 +106,7 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
         "--checkpoint and --resume with several cases (a file holds one: name one case)");
   }
   const auto solve = [&] {
-    const auto simulation = methods::under_control(call.registry.method(solver, values), control);
+    const auto simulation = methods::with_control(call.registry.method(solver, values), control);
     return control.team.part > 0
                ? help(common, simulation)
                : solve_and_report(

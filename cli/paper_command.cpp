@@ -77,7 +77,7 @@ int paper_command(const Call& call) {
       common, call.registry.select(paper::kRequiredMethods, given),
       {.required = Required::references,
        .threads = threads_in(given),
-       .with_dual = true,
+       .with_backward = true,
        .supplement = [&](const results::Run& run) { return claims_of(run, common.figures.width); }},
       call.command_line);
 }

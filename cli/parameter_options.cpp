@@ -80,7 +80,7 @@ po::options_description options_for(const base::DescriptionBase& description,
 po::options_description options_of_a_run(const methods::Registry& registry, base::Values& given) {
   po::options_description shared;
   for (const auto& solver : registry.solvers()) {
-    shared.add(options_for(*solver.parameters, solver.set_by_a_run, given));
+    shared.add(options_for(*solver.option_descriptions, solver.run_options, given));
   }
   return shared;
 }

@@ -22,7 +22,7 @@ boost::program_options::options_description options_for(const base::DescriptionB
                                                         base::Values& given);
 
 /// The options that the solvers let a command set which solves by many methods
-/// (methods::Solver::set_by_a_run).
+/// (methods::Solver::run_options).
 boost::program_options::options_description options_of_a_run(const methods::Registry& registry,
                                                              base::Values& given);
 

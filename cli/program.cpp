@@ -177,7 +177,9 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
 
 }  // namespace
 
-int run_program(const Arguments& arguments) { return run_program(arguments, methods::builtin()); }
+int run_program(const Arguments& arguments) {
+  return run_program(arguments, methods::builtin_registry());
+}
 
 int run_program(const Arguments& arguments, const methods::Registry& registry) {
   const InterruptionGuard guard;

@@ -39,7 +39,7 @@ int report_command(const Call& call) {
     throw InputError("report takes one directory (that of a saved run, e.g. fpkcheck-out)");
   }
   results::Run run = results::load_run(directories.front());
-  call.registry.introduce(run);
+  call.registry.annotate(run);
   std::vector<transform::Identity> there;
   for (const auto& one : run.cases) {
     for (const auto& solution : one.solutions) there.push_back(solution.identity);

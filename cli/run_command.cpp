@@ -13,7 +13,7 @@
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "methods/external/given_methods.hpp"
+#include "methods/external/external_methods.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::cli {
@@ -96,7 +96,7 @@ int run_command(const Call& call) {
     }
     // Before the others: nothing is known of how far they may be trusted.
     auto from_files =
-        methods::given_methods(against, call.registry, load_cases(common).front().name);
+        methods::external_methods(against, call.registry, load_cases(common).front().name);
     methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),
                    std::make_move_iterator(from_files.end()));
   }
@@ -107,7 +107,7 @@ int run_command(const Call& call) {
                           {.required = list ? Required::all : Required::references,
                            .named = named,
                            .threads = threads_in(given),
-                           .with_dual = true},
+                           .with_backward = true},
                           call.command_line);
 }
 

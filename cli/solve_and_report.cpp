@@ -95,13 +95,13 @@ std::string joined(const std::vector<std::string>& names) {
 
 // results::Run::stopped
 std::string stopped_text(const std::vector<results::Case>& cases,
-                         const std::vector<problem::Problem>& problems, bool with_dual) {
+                         const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
   for (const auto& problem : problems) {
     const auto found = std::ranges::find(cases, problem.name, &results::Case::name);
     if (found == cases.end()) {
       missing.push_back(problem.name);
-    } else if (with_dual && !found->bounds) {
+    } else if (with_backward && !found->bounds) {
       unbounded.push_back(problem.name);
     }
   }
@@ -154,7 +154,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   std::atomic<bool> solved = false;
   const auto stopped_run = [&] {
     results::Run stopped{results::this_program(command_line), finished.in_order(problems)};
-    if (!solved) stopped.stopped = stopped_text(stopped.cases, problems, control.with_dual);
+    if (!solved) stopped.stopped = stopped_text(stopped.cases, problems, control.with_backward);
     return stopped;
   };
   std::optional<Rescue> rescue;
@@ -168,7 +168,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     run.cases = methods::complete_run(
         problems, methods,
         {.threads = control.threads,
-         .with_dual = control.with_dual,
+         .with_backward = control.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
                // Before that a method has nothing to finish early with.
@@ -176,7 +176,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                progress.show(at);
              },
          .case_listener = [&](const results::Case& one) { finished.put(one); },
-         .look = throw_if_interrupted});
+         .poll = throw_if_interrupted});
     solved = !base::stop_requested();
   } catch (const Interrupted&) {
   }

@@ -36,7 +36,7 @@ struct SolveControl {
   std::vector<std::string> named = {};
   int threads = 0;  ///< for methods side by side; 0 for one per processor
   OnInterruption on_interruption = OnInterruption::give_up;
-  bool with_dual = false;  ///< bounds, and every density's own error, by the backward equation
+  bool with_backward = false;  ///< bounds, and every density's own error, by the backward equation
   std::function<Supplement(const results::Run&)> supplement = {};  ///< may be none
 };
 

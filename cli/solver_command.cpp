@@ -9,8 +9,8 @@ namespace fpkcheck::cli {
 
 int solver_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  base::Values values = solver.usual_options;
-  auto own = options_for(*solver.parameters, values);
+  base::Values values = solver.default_options;
+  auto own = options_for(*solver.option_descriptions, values);
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
     return kDone;

@@ -53,7 +53,7 @@ int study_grid(const Call& call) {
           po::value(&options.coarsest)->value_name("F")->default_value(options.coarsest),
           "refinement of the first level; 1 is the automatic grid");
   for (const auto& solver : call.registry.solvers()) {
-    own.add(options_for(*solver.parameters, solver.set_by_a_run, options.simulation));
+    own.add(options_for(*solver.option_descriptions, solver.run_options, options.simulation));
   }
   own.add(figure_options(common.figures));
   if (!parse(call.arguments, kGridUsage,

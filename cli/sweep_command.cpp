@@ -24,7 +24,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
 #include "workflows/sweep/execution/merge_journals.hpp"
 #include "workflows/sweep/execution/solve_on_ranks.hpp"
@@ -148,10 +148,10 @@ void add_options_of_plan(const std::vector<base::IniSetting>& lines,
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
   std::vector<const base::Parameter*> options;
   for (const auto& solver : registry.solvers()) {
-    for (const auto& name : solver.set_by_a_run) {
+    for (const auto& name : solver.run_options) {
       if (name == "threads") continue;
       known.push_back(name);
-      options.push_back(solver.parameters->find(name));
+      options.push_back(solver.option_descriptions->find(name));
     }
   }
   for (const auto& line : lines) {

@@ -11,7 +11,7 @@ namespace fpkcheck::cli {
 /// transient.nc and its picture when a directory was given. The directory is prepared before
 /// anything is solved.
 /// @return an ExitCode
-/// @throws InputError as load_cases, make_writable and fd_fpk::validate do, and for several cases
+/// @throws InputError as load_cases, prepare_output_directory and fd_fpk::validate do, and for several cases
 int transient_and_report(const CommonArguments& common, const fd_fpk::Options& options,
                          fd_fpk::TransientOptions transient, const std::string& command_line);
 

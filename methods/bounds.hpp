@@ -13,6 +13,6 @@ compare::Bounds guaranteed_bounds(const problem::Problem& problem,
 
 /// Computes the guaranteed bounds of a case, as narrow as about a second allows.
 /// @param threads 0 for all processors
-void add_bounds(results::Case& one, int threads);
+void add_bounds(results::Case& case_result, int threads);
 
 }  // namespace fpkcheck::methods

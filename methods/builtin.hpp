@@ -11,6 +11,6 @@ Solver fd_solver();
 Solver mcs_solver();
 
 /// The registry of all these solvers.
-Registry builtin();
+Registry builtin_registry();
 
 }  // namespace fpkcheck::methods

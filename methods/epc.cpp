@@ -2,7 +2,7 @@
 #include "epc/options.hpp"
 #include "epc/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -39,11 +39,12 @@ examples:
   fpkcheck epc case2 --order 8 --equation kf
 )";
 
-Family family(const std::string& name, const std::string& meaning, std::vector<std::string> usual,
-              const Ramp& ramp, const std::string& symbol) {
-  return {name, transform::Role::closure, meaning, std::move(usual),
+Family family(const std::string& name, const std::string& meaning,
+              std::vector<std::string> default_ids, const ColourRamp& ramp,
+              const std::string& symbol) {
+  return {name, transform::Role::closure, meaning, std::move(default_ids),
           [&ramp, symbol](const transform::Identity& identity) {
-            return closure_look(ramp, identity, symbol);
+            return closure_style(ramp, identity, symbol);
           }};
 }
 
@@ -68,12 +69,12 @@ Solver epc_solver() {
                           "As epc-moment, with a polynomial of amplitude and phase, or of "
                           "amplitude and velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
-      .set_by_a_run = {"accuracy"},
-      .parameters = nullptr,
-      .usual_options = {},
+      .run_options = {"accuracy"},
+      .option_descriptions = nullptr,
+      .default_options = {},
       .options_of = {},
       .method = {}};
-  return with_front<epc::Options>(
+  return with_traits<epc::Options>(
       std::move(entry),
       {.description = epc::description(),
        .validate = epc::validate,
@@ -81,16 +82,17 @@ Solver epc_solver() {
        .options_of = epc::options_of,
        .solve =
            [](const problem::Problem& problem, const epc::Options& options,
-              const Setting& setting) {
+              const SolveContext& context) {
              auto solution = epc::solve(problem, options).solution;
-             if (!solution.density || !options.accuracy || !setting.measure_error) {
+             if (!solution.density || !options.accuracy || !context.estimate_error) {
                return solution;
              }
-             if (setting.residuals != nullptr) {
-               state_measured_error(*setting.residuals, *options.accuracy, solution, problem.frame);
+             if (context.error_estimator != nullptr) {
+               set_residual_error_estimate(*context.error_estimator, *options.accuracy, solution,
+                                           problem.frame);
              } else {
-               state_measured_error(ProblemResiduals(problem), *options.accuracy, solution,
-                                    problem.frame);
+               set_residual_error_estimate(ResidualErrorEstimator(problem), *options.accuracy,
+                                           solution, problem.frame);
              }
              return solution;
            },

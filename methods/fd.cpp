@@ -2,7 +2,7 @@
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -42,21 +42,21 @@ Solver fd_solver() {
       .families = {{.name = "fd",
                     .role = transform::Role::equation,
                     .meaning = "Finite volumes for the density equation that the id names.",
-                    .usual = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
-                    .plot_style = equation_look}},
-      .set_by_a_run = {"max_seconds"},
-      .parameters = nullptr,
-      .usual_options = {},
+                    .default_ids = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
+                    .plot_style = equation_style}},
+      .run_options = {"max_seconds"},
+      .option_descriptions = nullptr,
+      .default_options = {},
       .options_of = {},
       .method = {}};
-  return with_front<fd_fpk::Options>(
+  return with_traits<fd_fpk::Options>(
       std::move(entry),
       {.description = fd_fpk::description(),
        .validate = fd_fpk::validate,
        .identity = fd_fpk::identity,
        .options_of = fd_fpk::options_of,
        .solve = [](const problem::Problem& problem, const fd_fpk::Options& options,
-                   const Setting&) { return fd_fpk::solve(problem, options).solution; },
+                   const SolveContext&) { return fd_fpk::solve(problem, options).solution; },
        .unsupported_reason = fd_fpk::unsupported_reason});
 }
 

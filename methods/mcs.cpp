@@ -9,8 +9,8 @@
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/in_frame.hpp"
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
+#include "methods/solve_in_wall_coordinates.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -44,24 +44,24 @@ examples:
 )";
 
 transform::Solution solve(const problem::Problem& problem, const mcs::Options& options,
-                          const Setting& setting) {
-  mcs::Options on_axes = options;
-  on_axes.y_edges = setting.axes.y_edges;
-  on_axes.v_edges = setting.axes.v_edges;
-  on_axes.progress = [&](const mcs::Progress& at) {
-    if (!setting.progress) return;
-    setting.progress(at.fraction, at.y_l1 && at.ydot_l1
+                          const SolveContext& context) {
+  mcs::Options axis_options = options;
+  axis_options.y_edges = context.axes.y_edges;
+  axis_options.v_edges = context.axes.v_edges;
+  axis_options.progress = [&](const mcs::Progress& at) {
+    if (!context.progress) return;
+    context.progress(at.fraction, at.y_l1 && at.ydot_l1
                                       ? fmt::format("sampling L1 {:.1e} in p(y), {:.1e} in p(y')",
                                                     *at.y_l1, *at.ydot_l1)
                                       : std::string());
   };
-  if (options.controlled) return control_variates::solve(problem, {.simulation = on_axes});
-  return mcs::solve(problem, on_axes).solution;
+  if (options.controlled) return control_variates::solve(problem, {.simulation = axis_options});
+  return mcs::solve(problem, axis_options).solution;
 }
 
 // In a list of methods the simulation serves as the reference. Control variates are available for
 // the equation kf.
-std::optional<mcs::Options> without_noise(std::string_view id) {
+std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
   auto options = mcs::options_of(id);
   if (options) options->controlled = options->equation == mcs::Equation::kf;
   return options;
@@ -69,7 +69,7 @@ std::optional<mcs::Options> without_noise(std::string_view id) {
 
 }  // namespace
 
-Method under_control(Method simulation, const SimulationControl& control) {
+Method with_control(Method simulation, const SimulationControl& control) {
   mcs::Options options = mcs::description().read(simulation.options, "options");
   options.checkpoint = control.checkpoint;
   options.resume = control.resume;
@@ -77,12 +77,14 @@ Method under_control(Method simulation, const SimulationControl& control) {
   options.warn = control.warn;
   options.team = control.team;
   simulation.solve = [options = std::move(options)](const problem::Problem& problem,
-                                                    const Setting& setting) {
-    return solve_in_frame(
-        problem, setting,
-        [&](const problem::Problem& seen) { return mcs::unsupported_reason(seen, options); },
-        [&](const problem::Problem& seen, const Setting& there) {
-          return solve(seen, options, there);
+                                                    const SolveContext& context) {
+    return solve_in_wall_coordinates(
+        problem, context,
+        [&](const problem::Problem& transformed) {
+          return mcs::unsupported_reason(transformed, options);
+        },
+        [&](const problem::Problem& transformed, const SolveContext& transformed_context) {
+          return solve(transformed, options, transformed_context);
         });
   };
   return simulation;
@@ -96,22 +98,22 @@ Solver mcs_solver() {
                              .role = transform::Role::simulation,
                              .meaning = "Monte Carlo simulation of the impact system; bands are "
                                         "95 % confidence intervals.",
-                             .usual = {"mcs"},
-                             .plot_style = simulation_look}},
-               .parallel = true,
-               .set_by_a_run = {"time", "seed", "threads"},
-               .parameters = nullptr,
-               .usual_options = {},
+                             .default_ids = {"mcs"},
+                             .plot_style = simulation_style}},
+               .uses_all_processors = true,
+               .run_options = {"time", "seed", "threads"},
+               .option_descriptions = nullptr,
+               .default_options = {},
                .options_of = {},
                .method = {}};
-  return with_front<mcs::Options>(std::move(entry),
-                                  {.description = mcs::description(),
-                                   .validate = mcs::validate,
-                                   .identity = mcs::identity,
-                                   .options_of = without_noise,
-                                   .solve = solve,
-                                   .check = mcs::require_solvable,
-                                   .unsupported_reason = mcs::unsupported_reason});
+  return with_traits<mcs::Options>(std::move(entry),
+                                   {.description = mcs::description(),
+                                    .validate = mcs::validate,
+                                    .identity = mcs::identity,
+                                    .options_of = options_with_control_variates,
+                                    .solve = solve,
+                                    .check = mcs::require_solvable,
+                                    .unsupported_reason = mcs::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

@@ -19,6 +19,6 @@ struct SimulationControl {
 
 /// The method `simulation` with these settings.
 /// @param simulation a method of mcs_solver
-Method under_control(Method simulation, const SimulationControl& control);
+Method with_control(Method simulation, const SimulationControl& control);
 
 }  // namespace fpkcheck::methods

@@ -15,7 +15,7 @@ inline constexpr const char* kOutOfMemory =
 /// @return whether the task was completed
 /// @throws any other exception of the task
 template <class Part>
-bool unless_out_of_memory(const Part& part) {
+bool try_within_memory(const Part& part) {
   try {
     part();
     return true;

@@ -28,7 +28,7 @@ class Registry {
   /// @param overrides values that replace defaults where the solver has an option of that name
   /// @return no value when no solver has such an id
   /// @throws InputError when the options are invalid
-  std::optional<Method> by_id(std::string_view id, const base::Values& given = {}) const;
+  std::optional<Method> method_by_id(std::string_view id, const base::Values& overrides = {}) const;
 
   /// The method of a solver with these options.
   /// @throws InputError when the options cannot be read or are invalid
@@ -38,30 +38,30 @@ class Registry {
   /// id (epc-gaussian-n6, fd-km4, mcs), a family (epc-gaussian) or a solver (epc). A family or
   /// solver selects its default ids.
   /// @throws InputError with the item that is no method
-  std::vector<Method> select(const std::string& list, const base::Values& given) const;
+  std::vector<Method> select(const std::string& list, const base::Values& overrides) const;
 
   /// The method that computed a solution of a saved run, with its options. No value for an external
   /// density (a file, a function or samples).
   /// @throws InputError when the options are invalid or belong to another id, or when the registry
   ///         has no such solver
-  std::optional<Method> that_made(const transform::Solution& solution,
-                                  const base::Values& given) const;
+  std::optional<Method> method_for_solution(const transform::Solution& solution,
+                                            const base::Values& overrides) const;
 
   /// Completes the identities (family, meaning, trust, plot style) of solutions of a saved run that
   /// lacks them.
-  void introduce(results::Run& run) const;
+  void annotate(results::Run& run) const;
 
  private:
-  Method presented(Method method) const;
-  void present(transform::Identity& identity) const;
+  Method annotated_method(Method method) const;
+  void annotate(transform::Identity& identity) const;
 
   std::vector<Solver> solvers_;
 };
 
-/// True when `one` is trusted less than `other`.
-bool less_trusted(const transform::Identity& one, const transform::Identity& other);
+/// True when `first` is trusted less than `second`.
+bool is_less_trusted(const transform::Identity& first, const transform::Identity& second);
 
 /// The admissible items of a list of methods, for messages: "epc, fd, mcs, or ids such as ..".
-std::string what_to_select(const Registry& registry);
+std::string selectable_items_text(const Registry& registry);
 
 }  // namespace fpkcheck::methods

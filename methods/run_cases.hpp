@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "methods/method.hpp"
-#include "methods/problem_residuals.hpp"
+#include "methods/residual_error_estimator.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
 
@@ -28,8 +28,8 @@ using ProgressListener = std::function<void(const RunProgress&)>;
 /// options. Where memory does not suffice, the status is `failed`. A solution of a density equation
 /// or a simulation without an error estimate is not `ok`; complete_error_estimates() does the same
 /// for all others.
-transform::Solution solve_by(const Method& method, const problem::Problem& problem,
-                             const Setting& setting);
+transform::Solution solve_with(const Method& method, const problem::Problem& problem,
+                               const SolveContext& context);
 
 /// @throws InputError when the options of a method do not suit one of the problems (Method::check)
 void require_solvable(const std::vector<problem::Problem>& problems,
@@ -53,7 +53,7 @@ using CaseListener = std::function<void(const results::Case&)>;
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener,
-                                     const std::vector<ProblemResiduals>& residuals,
+                                     const std::vector<ResidualErrorEstimator>& estimators,
                                      const CaseListener& case_listener);
 
 }  // namespace fpkcheck::methods

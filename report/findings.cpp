@@ -120,8 +120,8 @@ void add_approximation_errors(const Case& one, Sentences& sentences) {
 void add_residual_based_errors(const Case& one, Sentences& sentences) {
   Sentences parts;
   double largest_gap = 0;
-  const results::OwnError* first = nullptr;
-  for (const auto& own : one.own_errors) {
+  const results::MomentErrorEstimate* first = nullptr;
+  for (const auto& own : one.moment_error_estimates) {
     const Solution* solution = one.find(own.solution);
     if (solution == nullptr || !compare::is_solution_of_full_problem(*solution)) continue;
     if (first == nullptr) first = &own;

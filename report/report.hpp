@@ -12,7 +12,7 @@
 namespace fpkcheck::report {
 
 /// Writes marginals.csv, joint.nc (if a solution has a joint density), summary.json, report.html
-/// and figures/ into a directory that results::make_writable prepared. The files replace those of
+/// and figures/ into a directory that results::prepare_output_directory prepared. The files replace those of
 /// an earlier run all together or not at all; pictures and joint densities of the earlier run are
 /// removed. After a stop request (base/process/stop.hpp) pictures are omitted without a warning.
 /// @param supplement additional files, which replace earlier ones together with the files of the

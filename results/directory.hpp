@@ -15,25 +15,26 @@ std::string file_stem(const std::string& case_name);
 /// An output directory for results. During the lifetime of this object a hidden file of this
 /// process prevents other runs from removing the directory. The destructor removes that file, and
 /// those directories that were created for it and are empty.
-class PreparedDirectory {
+class OutputDirectoryLock {
  public:
-  PreparedDirectory() = default;
+  OutputDirectoryLock() = default;
   /// @param lock_file the hidden file; empty where there is none
   /// @param created directories, outermost first
-  PreparedDirectory(std::filesystem::path hold, std::vector<std::filesystem::path> made)
-      : hold_(std::move(hold)), made_(std::move(made)) {}
-  PreparedDirectory(PreparedDirectory&& other) noexcept
-      : hold_(std::exchange(other.hold_, {})), made_(std::exchange(other.made_, {})) {}
-  PreparedDirectory& operator=(PreparedDirectory&& other) noexcept {
-    std::swap(hold_, other.hold_);
-    std::swap(made_, other.made_);
+  OutputDirectoryLock(std::filesystem::path lock_file, std::vector<std::filesystem::path> created)
+      : lock_file_(std::move(lock_file)), created_(std::move(created)) {}
+  OutputDirectoryLock(OutputDirectoryLock&& other) noexcept
+      : lock_file_(std::exchange(other.lock_file_, {})),
+        created_(std::exchange(other.created_, {})) {}
+  OutputDirectoryLock& operator=(OutputDirectoryLock&& other) noexcept {
+    std::swap(lock_file_, other.lock_file_);
+    std::swap(created_, other.created_);
     return *this;
   }
-  ~PreparedDirectory();
+  ~OutputDirectoryLock();
 
  private:
-  std::filesystem::path hold_;
-  std::vector<std::filesystem::path> made_;
+  std::filesystem::path lock_file_;
+  std::vector<std::filesystem::path> created_;
 };
 
 /// Creates the directory with its parents. Tests that the directory, and an existing subdirectory
@@ -41,6 +42,6 @@ class PreparedDirectory {
 /// may call this function for the same directory at the same time. On failure, removes the
 /// directories that it created.
 /// @throws InputError on one line
-[[nodiscard]] PreparedDirectory make_writable(const std::filesystem::path& directory);
+[[nodiscard]] OutputDirectoryLock prepare_output_directory(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::results

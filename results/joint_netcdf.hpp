@@ -29,18 +29,18 @@ namespace fpkcheck::results {
 std::string joint_netcdf(const Run& run);
 
 /// A joint density or an error source with the name of its case.
-struct JointOfCase {
+struct CaseJointDensity {
   std::string case_name;
   JointDensity joint;
 };
-struct SourceOfCase {
+struct CaseErrorSource {
   std::string case_name;
   ErrorSource source;
 };
 /// The contents of such a file.
-struct JointFile {
-  std::vector<JointOfCase> joints;
-  std::vector<SourceOfCase> sources;
+struct JointFileContent {
+  std::vector<CaseJointDensity> joints;
+  std::vector<CaseErrorSource> sources;
 };
 
 /// Whether the bytes of a netCDF file have the variables of such a file. False where the bytes
@@ -50,7 +50,7 @@ bool is_joint_netcdf(const std::string& bytes);
 /// Reads a file that joint_netcdf wrote.
 /// @param inspect receives the file's bytes first; its exceptions propagate. May be empty
 /// @throws InputError on one line: the file and the problem
-JointFile read_joint_netcdf(const std::filesystem::path& file,
-                            const std::function<void(std::string_view bytes)>& look = {});
+JointFileContent read_joint_netcdf(const std::filesystem::path& file,
+                                   const std::function<void(std::string_view bytes)>& inspect = {});
 
 }  // namespace fpkcheck::results

@@ -20,13 +20,13 @@ using transform::Metric;
 using transform::Metrics;
 
 // More than any file of this program, and far below the capacity of a stack.
-constexpr int kDeepest = 32;
+constexpr int kMaxDepth = 32;
 // Sufficient for hundreds of cases, and far below the capacity of memory.
-constexpr std::size_t kMostValues = 2'000'000;
-constexpr std::size_t kLongestText = 1 << 20;  // a very long command line
+constexpr std::size_t kMaxValues = 2'000'000;
+constexpr std::size_t kMaxTextLength = 1 << 20;  // a very long command line
 
 // The JSON value at a path; creates missing objects and lists along the path.
-Json& place(Json& object, std::string_view path) {
+Json& resolve_path(Json& object, std::string_view path) {
   Json* at = &object;
   while (!path.empty()) {
     if (path.front() == '.') path.remove_prefix(1);
@@ -50,22 +50,22 @@ Json& place(Json& object, std::string_view path) {
 
 // A name must not contain the separators of a path: resolve_path() could not locate the value
 // again.
-void require_name(const std::string& key) {
+void require_valid_key(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
   throw InputError(fmt::format("key {} (must not be empty or contain dots or brackets); run again",
                                base::in_quotes(key)));
 }
 
-void collect(const std::string& path, const Json& json, Metrics& metrics) {
+void collect_metrics(const std::string& path, const Json& json, Metrics& metrics) {
   if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
-      require_name(key);
-      collect(path.empty() ? key : path + '.' + key, value, metrics);
+      require_valid_key(key);
+      collect_metrics(path.empty() ? key : path + '.' + key, value, metrics);
     }
   } else if (json.is_array()) {
     if (json.empty()) metrics.push_back({.path = path + "[]", .value = {}});
     for (std::size_t k = 0; k < json.size(); ++k) {
-      collect(fmt::format("{}[{}]", path, k), json[k], metrics);
+      collect_metrics(fmt::format("{}[{}]", path, k), json[k], metrics);
     }
   } else {
     metrics.push_back({.path = path,
@@ -115,22 +115,22 @@ Json moments_json(const transform::Moments& m) {
   return json;
 }
 
-void add_observations(const Metrics& metrics, Json& object) {
+void add_metrics(const Metrics& metrics, Json& object) {
   for (const auto& observation : metrics) {
     const std::string_view path = observation.path;
     if (path.ends_with("[]")) {
-      place(object, path.substr(0, path.size() - 2)) = Json::array();
+      resolve_path(object, path.substr(0, path.size() - 2)) = Json::array();
       continue;
     }
-    Json& at = place(object, path);
+    Json& at = resolve_path(object, path);
     if (!at.is_null()) throw std::logic_error("two metrics with the path " + observation.path);
     at = value_json(observation.value);
   }
 }
 
-Metrics observations_in(const Json& object) {
+Metrics metrics_in(const Json& object) {
   Metrics metrics;
-  collect("", object, metrics);
+  collect_metrics("", object, metrics);
   return metrics;
 }
 
@@ -187,7 +187,7 @@ transform::Moments moments_in(const Json& json) {
   return moments;
 }
 
-std::optional<double> number_if_any(const Json& object, const char* key) {
+std::optional<double> optional_number_in(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null()) return std::nullopt;
   return found->get<double>();
@@ -205,39 +205,39 @@ std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-Json parsed(std::istream& in, const std::string& where) {
+Json parse_json(std::istream& in, const std::string& where) {
   std::size_t count = 0;
-  const auto tame = [&](int depth, Json::parse_event_t event, Json& value) {
-    if (depth > kDeepest) {
+  const auto accept_event = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth > kMaxDepth) {
       throw InputError(fmt::format("{} is nested more than {} deep: not a file of this program",
-                                   where, kDeepest));
+                                   where, kMaxDepth));
     }
-    if (++count > kMostValues) {
-      throw InputError(fmt::format("{} has more than {} values: not a file of this program", where,
-                                   kMostValues));
+    if (++count > kMaxValues) {
+      throw InputError(
+          fmt::format("{} has more than {} values: not a file of this program", where, kMaxValues));
     }
     // Any text may be printed, and terminals execute control characters.
     const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
     if (text && value.is_string()) {
-      auto& said = value.get_ref<std::string&>();
-      if (said.size() > kLongestText) {
+      auto& text_value = value.get_ref<std::string&>();
+      if (text_value.size() > kMaxTextLength) {
         throw InputError(fmt::format("{} has a text of {} bytes: not a file of this program", where,
-                                     said.size()));
+                                     text_value.size()));
       }
-      said = base::escape_controls(said);
+      text_value = base::escape_controls(text_value);
     }
     return true;
   };
   try {
-    return Json::parse(in, tame);
+    return Json::parse(in, accept_event);
   } catch (const Json::parse_error& error) {
     throw InputError(fmt::format("{} is not JSON: error at byte {}; run again", where, error.byte));
   } catch (const Json::exception& error) {  // a number out of the range of double
-    throw InputError(fmt::format("{} is not JSON: {}; run again", where, said_by(error)));
+    throw InputError(fmt::format("{} is not JSON: {}; run again", where, exception_text(error)));
   }
 }
 
-std::string said_by(const std::exception& error) {
+std::string exception_text(const std::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
   return base::sanitise(end == std::string::npos ? text : text.substr(end + 2));

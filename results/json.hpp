@@ -30,10 +30,10 @@ Json moments_json(const transform::Moments& moments);
 /// Adds metrics to an object. A path such as "quantiles.y[2].value" creates the objects and lists
 /// along it; the path "splitting_thresholds[]" creates an empty list.
 /// @throws std::logic_error when a path leads through a value, or two metrics have the same path
-void add_observations(const transform::Metrics& metrics, Json& object);
+void add_metrics(const transform::Metrics& metrics, Json& object);
 /// The metrics in an object, as add_metrics wrote them: one for each leaf. The kind follows from
 /// the type of the leaf: `text` for a string, otherwise `result`.
-transform::Metrics observations_in(const Json& object);
+transform::Metrics metrics_in(const Json& object);
 
 /// Conversions from JSON.
 /// @throws nlohmann::json::exception, InputError
@@ -49,7 +49,7 @@ transform::Moments moments_in(const Json& json);
 ///         of int
 int integer_in(const Json& object, const char* key);
 /// No value where the field is missing or null.
-std::optional<double> number_if_any(const Json& object, const char* key);
+std::optional<double> optional_number_in(const Json& object, const char* key);
 
 /// Replaces numbers that are not finite by null, since JSON has no infinities.
 Json with_null_for_non_finite(Json value);
@@ -60,9 +60,9 @@ std::string text_of(const Json& json);
 /// Parses a file's JSON, with limits on depth, number of values and length of texts.
 /// @param where the file's name in messages
 /// @throws InputError on one line
-Json parsed(std::istream& in, const std::string& where);
+Json parse_json(std::istream& in, const std::string& where);
 
 /// The text of a JSON exception without its prefix, such as "[json.exception.out_of_range.403] ".
-std::string said_by(const std::exception& error);
+std::string exception_text(const std::exception& error);
 
 }  // namespace fpkcheck::results

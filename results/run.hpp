@@ -41,7 +41,7 @@ struct JointDensity {
 
 /// Residual-based error estimates of the moments of a solution, from its density and the problem
 /// alone (docs/residuals.md).
-struct OwnError {
+struct MomentErrorEstimate {
   std::string solution;          ///< id
   transform::Moments corrected;  ///< corrected moments E[f]
   transform::Moments error;      ///< the solution's moments minus the corrected moments
@@ -68,7 +68,8 @@ struct Case {
   /// Curves of all solutions over smooth bins, where a solution has smooth estimates
   /// (compare/smooth_reference.hpp).
   std::vector<Curve> smooth = {};
-  std::vector<OwnError> own_errors = {};  ///< in the order of the solutions that have one
+  std::vector<MomentErrorEstimate> moment_error_estimates =
+      {};  ///< in the order of the solutions that have one
   std::vector<ErrorSource> error_sources = {};
   std::optional<compare::Bounds> bounds = {};  ///< no value where they were not computed
 
@@ -82,7 +83,7 @@ struct Case {
   /// The curve of a solution over smooth bins, or null.
   const Curve* smooth_curve(std::string_view solution, transform::Variable variable) const;
   /// The moment error estimates of a solution, or null.
-  const OwnError* own_error(std::string_view solution) const;
+  const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
   /// The sources of the error of a moment, or null.
   const ErrorSource* error_source(std::string_view solution, std::string_view moment) const;
   /// compare::l1_between for the pairs of this case.

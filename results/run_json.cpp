@@ -88,21 +88,22 @@ Json bounds_json(const compare::Bounds& bounds) {
           {"each", list_of(bounds.each, bound_json)}};
 }
 
-Json own_error_json(const OwnError& own) {
+Json moment_error_estimate_json(const MomentErrorEstimate& own) {
   return {{"solution", own.solution},
           {"corrected", moments_json(own.corrected)},
           {"error", moments_json(own.error)}};
 }
 
-Json case_json(const Case& one) {
-  Json json = problem_json(one.problem);
-  json["solutions"] = list_of(one.solutions, solution_json);
-  json["comparisons"] = list_of(one.pairs, pair_json);
-  json["budget"] = list_of(one.budget, row_json);
-  json["limits"] = one.limits;
-  if (one.bounds) json["bounds"] = bounds_json(*one.bounds);
-  if (!one.own_errors.empty()) json["own_errors"] = list_of(one.own_errors, own_error_json);
-  const auto* reference = compare::reference(one.solutions);
+Json case_json(const Case& case_result) {
+  Json json = problem_json(case_result.problem);
+  json["solutions"] = list_of(case_result.solutions, solution_json);
+  json["comparisons"] = list_of(case_result.pairs, pair_json);
+  json["budget"] = list_of(case_result.budget, row_json);
+  json["limits"] = case_result.limits;
+  if (case_result.bounds) json["bounds"] = bounds_json(*case_result.bounds);
+  if (!case_result.moment_error_estimates.empty())
+    json["own_errors"] = list_of(case_result.moment_error_estimates, moment_error_estimate_json);
+  const auto* reference = compare::reference(case_result.solutions);
   json["reference"] = reference == nullptr ? Json() : Json(reference->id());
   return json;
 }
@@ -116,24 +117,27 @@ Variable variable_in(const Json& object) {
 }
 
 // Null represents a number that is not finite.
-double number_or(double otherwise, const Json& value) {
-  return value.is_null() ? otherwise : value.get<double>();
+double number_or_default(double default_value, const Json& value) {
+  return value.is_null() ? default_value : value.get<double>();
 }
 
 PairDistances pair_in(const Json& json) {
-  PairDistances pair{
-      json.at("a"), json.at("b"), variable_in(json), {}, number_if_any(json, "l1_standard_error")};
+  PairDistances pair{json.at("a"),
+                     json.at("b"),
+                     variable_in(json),
+                     {},
+                     optional_number_in(json, "l1_standard_error")};
   Distances& d = pair.distances;
-  d.l1 = number_or(kNotANumber, json.at("l1"));
-  d.l2 = number_or(kNotANumber, json.at("l2"));
-  d.sup = number_or(kNotANumber, json.at("sup"));
-  d.hellinger = number_or(kNotANumber, json.at("hellinger"));
+  d.l1 = number_or_default(kNotANumber, json.at("l1"));
+  d.l2 = number_or_default(kNotANumber, json.at("l2"));
+  d.sup = number_or_default(kNotANumber, json.at("sup"));
+  d.hellinger = number_or_default(kNotANumber, json.at("hellinger"));
   // Infinity and NaN are both written as null. The distance of two densities can only be infinite.
-  d.kl = number_or(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
+  d.kl = number_or_default(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),
                             .to = tail.at("to"),
-                            .mean_abs = number_or(kNotANumber, tail.at("mean_abs")),
+                            .mean_abs = number_or_default(kNotANumber, tail.at("mean_abs")),
                             .bins = integer_in(tail, "bins"),
                             .bins_omitted = integer_in(tail, "left_out")});
   }
@@ -145,8 +149,8 @@ BudgetRow budget_row_in(const Json& json) {
   BudgetRow row{.solution = json.at("solution"),
                 .variable = variable_in(json),
                 .reference = json.at("reference"),
-                .total = number_or(kNotANumber, json.at("total")),
-                .total_tail = number_or(kNotANumber, json.at("total_tail")),
+                .total = number_or_default(kNotANumber, json.at("total")),
+                .total_tail = number_or_default(kNotANumber, json.at("total_tail")),
                 .tail_from = tail.at("from"),
                 .tail_to = tail.at("to"),
                 .tail_bins = integer_in(tail, "bins"),
@@ -155,12 +159,12 @@ BudgetRow budget_row_in(const Json& json) {
     row.parts.push_back({.links = compare::parse_links(part.at("name").get<std::string>()),
                          .from = part.at("from"),
                          .to = part.at("to"),
-                         .l1 = number_or(kNotANumber, part.at("l1")),
-                         .tail = number_or(kNotANumber, part.at("tail")),
-                         .uncertainty = number_if_any(part, "uncertainty"),
-                         .expected = number_if_any(part, "expected"),
-                         .quantile_99 = number_if_any(part, "in_99"),
-                         .standard_error = number_if_any(part, "standard_error")});
+                         .l1 = number_or_default(kNotANumber, part.at("l1")),
+                         .tail = number_or_default(kNotANumber, part.at("tail")),
+                         .uncertainty = optional_number_in(part, "uncertainty"),
+                         .expected = optional_number_in(part, "expected"),
+                         .quantile_99 = optional_number_in(part, "in_99"),
+                         .standard_error = optional_number_in(part, "standard_error")});
   }
   if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts; run again");
   return row;
@@ -169,39 +173,40 @@ BudgetRow budget_row_in(const Json& json) {
 compare::Bounds bounds_in(const Json& json) {
   compare::Bounds bounds{.reason = json.at("reason"), .seconds = json.at("seconds"), .each = {}};
   for (const auto& bound : json.at("each")) {
-    bounds.each.push_back({bound.at("functional"), number_or(-kInfinity, bound.at("lower")),
-                           number_or(kInfinity, bound.at("upper"))});
+    bounds.each.push_back({bound.at("functional"), number_or_default(-kInfinity, bound.at("lower")),
+                           number_or_default(kInfinity, bound.at("upper"))});
   }
   return bounds;
 }
 
 Case case_in(const Json& json) {
-  Case one{.problem = problem_in(json),
-           .solutions = {},
-           .pairs = {},
-           .budget = {},
-           .limits = json.value("limits", std::string()),
-           .curves = {},
-           .joints = {}};
+  Case case_result{.problem = problem_in(json),
+                   .solutions = {},
+                   .pairs = {},
+                   .budget = {},
+                   .limits = json.value("limits", std::string()),
+                   .curves = {},
+                   .joints = {}};
   std::set<std::string> ids;
   for (const auto& solution : json.at("solutions")) {
-    one.solutions.push_back(solution_in(solution));
-    if (!ids.insert(one.solutions.back().id()).second) {
-      throw InputError(base::sanitise(one.solutions.back().id()) + " occurs twice; run again");
+    case_result.solutions.push_back(solution_in(solution));
+    if (!ids.insert(case_result.solutions.back().id()).second) {
+      throw InputError(base::sanitise(case_result.solutions.back().id()) +
+                       " occurs twice; run again");
     }
   }
-  for (const auto& pair : json.at("comparisons")) one.pairs.push_back(pair_in(pair));
+  for (const auto& pair : json.at("comparisons")) case_result.pairs.push_back(pair_in(pair));
   if (json.contains("budget")) {
-    for (const auto& row : json.at("budget")) one.budget.push_back(budget_row_in(row));
+    for (const auto& row : json.at("budget")) case_result.budget.push_back(budget_row_in(row));
   }
-  if (json.contains("bounds")) one.bounds = bounds_in(json.at("bounds"));
+  if (json.contains("bounds")) case_result.bounds = bounds_in(json.at("bounds"));
   if (json.contains("own_errors")) {
     for (const auto& own : json.at("own_errors")) {
-      one.own_errors.push_back(
+      case_result.moment_error_estimates.push_back(
           {own.at("solution"), moments_in(own.at("corrected")), moments_in(own.at("error"))});
     }
   }
-  return one;
+  return case_result;
 }
 
 void require_summary(const Json& json, const std::string& where) {
@@ -225,7 +230,7 @@ std::string summary_text(const Run& run, std::span<const FileChecksum> files) {
 }
 
 Run read_summary(std::istream& in, const std::string& where) {
-  const Json json = parsed(in, where);
+  const Json json = parse_json(in, where);
   require_summary(json, where);
   try {
     const Json& program = json.at("program");
@@ -233,13 +238,13 @@ Run read_summary(std::istream& in, const std::string& where) {
             {},
             json.value("stopped", std::string())};
     std::set<std::string> names;
-    for (const auto& one : json.at("cases")) {
-      const auto name = one.at("name").get<std::string>();
+    for (const auto& case_result : json.at("cases")) {
+      const auto name = case_result.at("name").get<std::string>();
       if (!names.insert(name).second) {
         throw InputError(base::sanitise(name) + " occurs twice; run again");
       }
       try {
-        run.cases.push_back(case_in(one));
+        run.cases.push_back(case_in(case_result));
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", base::sanitise(name), error.what()));
       }
@@ -252,7 +257,7 @@ Run read_summary(std::istream& in, const std::string& where) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
   } catch (const Json::exception& error) {
     throw InputError(
-        fmt::format("{} is not a complete summary: {}; run again", where, said_by(error)));
+        fmt::format("{} is not a complete summary: {}; run again", where, exception_text(error)));
   }
 }
 

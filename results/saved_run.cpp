@@ -25,10 +25,10 @@ using base::in_quotes;
 using base::sanitise;
 
 // Sufficient for hundreds of cases.
-constexpr std::size_t kMostBytesOfText = 64 << 20;
+constexpr std::size_t kMaxTextBytes = 64 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
-  auto text = base::read_input_file(file, kMostBytesOfText);
+  auto text = base::read_input_file(file, kMaxTextBytes);
   if (!text) {
     if (!file.has_parent_path()) {
       throw InputError(
@@ -55,8 +55,8 @@ Case* find_case(Run& run, const std::string& name) {
 
 // Older runs have no checksums and are not checked.
 void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
-  const auto noted = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
-  if (noted != run.files.end() && noted->crc32 != crc32(contents)) refuse_other_run(file);
+  const auto recorded = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
+  if (recorded != run.files.end() && recorded->crc32 != crc32(contents)) refuse_other_run(file);
 }
 
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
@@ -64,31 +64,33 @@ void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curve
   require_same_run(file, csv.view(), run);
   // Trajectories of a simulation may exceed the range of numbers: the status is then `failed`, with
   // the density so far. The density of an `ok` solution is finite everywhere.
-  const auto may_break_down = [&run](const std::string& case_name, const std::string& solution) {
-    const Case* one = find_case(run, case_name);
-    const auto* found = one == nullptr ? nullptr : one->find(solution);
+  const auto allows_non_finite = [&run](const std::string& case_name, const std::string& solution) {
+    const Case* case_result = find_case(run, case_name);
+    const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
     return found != nullptr && !found->is_ok();
   };
-  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), may_break_down)) {
-    Case* one = find_case(run, case_name);
-    if (one == nullptr || one->find(curve.solution) == nullptr) refuse_other_run(file);
-    (one->*curves).push_back(std::move(curve));
+  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), allows_non_finite)) {
+    Case* case_result = find_case(run, case_name);
+    if (case_result == nullptr || case_result->find(curve.solution) == nullptr)
+      refuse_other_run(file);
+    (case_result->*curves).push_back(std::move(curve));
   }
 }
 
 // Whether exactly the solutions with a density have curves.
-bool curves_belong(const Case& one) {
+bool has_matching_curves(const Case& case_result) {
   std::set<std::string> with_curves, with_density;
-  for (const auto& curve : one.curves) with_curves.insert(curve.solution);
-  for (const auto& solution : one.solutions) {
+  for (const auto& curve : case_result.curves) with_curves.insert(curve.solution);
+  for (const auto& solution : case_result.solutions) {
     if (solution.has_density()) with_density.insert(solution.id());
   }
   return with_curves == with_density;
 }
 
 template <class Element>
-bool any_has(const Run& run, std::vector<Element> Case::*list) {
-  return std::ranges::any_of(run.cases, [&](const Case& one) { return !(one.*list).empty(); });
+bool has_any(const Run& run, std::vector<Element> Case::*list) {
+  return std::ranges::any_of(run.cases,
+                             [&](const Case& case_result) { return !(case_result.*list).empty(); });
 }
 
 // Adds the files of a run and records their checksums.
@@ -116,7 +118,7 @@ void add_curves(SavedFiles& saved, const Run& run) {
   std::ostringstream csv, smooth;
   write_marginals_csv(csv, run.cases);
   saved.add(kMarginalsFile, csv.str());
-  if (any_has(run, &Case::smooth)) {
+  if (has_any(run, &Case::smooth)) {
     write_marginals_csv(smooth, run.cases, &Case::smooth);
     saved.add(kSmoothFile, smooth.str());
   } else {
@@ -126,25 +128,25 @@ void add_curves(SavedFiles& saved, const Run& run) {
 
 void load_joints(const fs::path& file, Run& run) {
   const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
-    Case* one = find_case(run, case_name);
-    const auto* found = one == nullptr ? nullptr : one->find(solution);
+    Case* case_result = find_case(run, case_name);
+    const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
     if (found == nullptr || !found->has_density()) refuse_other_run(file);
-    return *one;
+    return *case_result;
   };
   auto [joints, sources] =
       read_joint_netcdf(file, [&](std::string_view bytes) { require_same_run(file, bytes, run); });
   for (auto& [case_name, joint] : joints) {
-    Case& one = owner(case_name, joint.solution);
-    one.joints.push_back(std::move(joint));
+    Case& case_result = owner(case_name, joint.solution);
+    case_result.joints.push_back(std::move(joint));
   }
   for (auto& [case_name, source] : sources) {
-    Case& one = owner(case_name, source.solution);
+    Case& case_result = owner(case_name, source.solution);
     const auto& cells = source.density;
-    if (one.joints.empty() || one.joints.front().density.y_edges != cells.y_edges ||
-        one.joints.front().density.v_edges != cells.v_edges) {
+    if (case_result.joints.empty() || case_result.joints.front().density.y_edges != cells.y_edges ||
+        case_result.joints.front().density.v_edges != cells.v_edges) {
       refuse_other_run(file);
     }
-    one.error_sources.push_back(std::move(source));
+    case_result.error_sources.push_back(std::move(source));
   }
 }
 
@@ -159,7 +161,7 @@ void add_summary_and_curves(base::PendingFiles& files, const fs::path& directory
 void add_run(base::PendingFiles& files, const fs::path& directory, const Run& run) {
   SavedFiles saved(files, directory);
   add_curves(saved, run);
-  if (any_has(run, &Case::joints)) {
+  if (has_any(run, &Case::joints)) {
     saved.add(kJointFile, joint_netcdf(run));
   } else {
     saved.remove(kJointFile);
@@ -177,7 +179,7 @@ void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case:
 
 void load_curves(const fs::path& file, Run& run) {
   read_curves(file, run, &Case::curves);
-  if (!std::ranges::all_of(run.cases, curves_belong)) refuse_other_run(file);
+  if (!std::ranges::all_of(run.cases, has_matching_curves)) refuse_other_run(file);
 }
 
 Run load_run(const fs::path& directory) {

@@ -22,29 +22,29 @@ using transform::Moments;
 using transform::Solution;
 
 // The equation and impact of an external density without an equation.
-constexpr const char* kGiven = "given";
-constexpr const char* kNoImpact = "-";
+constexpr const char* kUnknownEquation = "given";
+constexpr const char* kUnknownImpact = "-";
 
 // The keys of all solutions; the other keys are metrics.
-constexpr std::array<std::string_view, 17> kCommon{"id",
-                                                   "method",
-                                                   "equation",
-                                                   "impact",
-                                                   "identity",
-                                                   "options",
-                                                   "status",
-                                                   "reason",
-                                                   "seconds",
-                                                   "moments",
-                                                   "mass",
-                                                   "atoms",
-                                                   "min_density",
-                                                   "energy_residual",
-                                                   "standard_errors",
-                                                   "sampling_l1",
-                                                   "smooth_sampling_l1"};
+constexpr std::array<std::string_view, 17> kCommonKeys{"id",
+                                                       "method",
+                                                       "equation",
+                                                       "impact",
+                                                       "identity",
+                                                       "options",
+                                                       "status",
+                                                       "reason",
+                                                       "seconds",
+                                                       "moments",
+                                                       "mass",
+                                                       "atoms",
+                                                       "min_density",
+                                                       "energy_residual",
+                                                       "standard_errors",
+                                                       "sampling_l1",
+                                                       "smooth_sampling_l1"};
 // The keys of "error" of all solutions; the other keys of "error" are metrics.
-constexpr std::array<std::string_view, 3> kCommonOfError{"y_l1", "ydot_l1", "moments"};
+constexpr std::array<std::string_view, 3> kCommonErrorKeys{"y_l1", "ydot_l1", "moments"};
 
 template <std::size_t N>
 bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key) {
@@ -103,8 +103,8 @@ std::vector<transform::RestAtom> atoms_in(const Json& json) {
   for (const Json& atom : json) {
     atoms.push_back({.y = number_in(atom, "y"),
                      .probability = number_in(atom, "probability"),
-                     .standard_error = number_if_any(atom, "standard_error"),
-                     .error_estimate = number_if_any(atom, "stated_error")});
+                     .standard_error = optional_number_in(atom, "standard_error"),
+                     .error_estimate = optional_number_in(atom, "stated_error")});
   }
   return atoms;
 }
@@ -124,14 +124,14 @@ Json sampling_json(const transform::SamplingError& sampling) {
 std::optional<transform::SamplingError> sampling_in(const Json& json, const char* key) {
   const auto sampling = json.find(key);
   if (sampling == json.end()) return std::nullopt;
-  return transform::SamplingError{.y = number_if_any(*sampling, "y"),
-                                  .ydot = number_if_any(*sampling, "ydot"),
-                                  .y_99 = number_if_any(*sampling, "y_99"),
-                                  .ydot_99 = number_if_any(*sampling, "ydot_99")};
+  return transform::SamplingError{.y = optional_number_in(*sampling, "y"),
+                                  .ydot = optional_number_in(*sampling, "ydot"),
+                                  .y_99 = optional_number_in(*sampling, "y_99"),
+                                  .ydot_99 = optional_number_in(*sampling, "ydot_99")};
 }
 
 template <class Enum>
-std::optional<Enum> choice_in(const Json& json, const char* key, std::string_view unknown) {
+std::optional<Enum> enum_in(const Json& json, const char* key, std::string_view unknown) {
   const auto text = json.at(key).get<std::string>();
   if (text == unknown) return std::nullopt;
   const auto value = base::enum_from_name<Enum>(text);
@@ -161,16 +161,16 @@ void read_numbers(const Json& json, Solution& s) {
 }
 
 // The part of the object that contains the solver's metrics.
-Json observed_part(const Json& json) {
+Json metrics_part(const Json& json) {
   Json rest = Json::object();
   for (const auto& [key, value] : json.items()) {
-    if (is_one_of(kCommon, key)) continue;
+    if (is_one_of(kCommonKeys, key)) continue;
     if (key != "error") {
       rest[key] = value;
       continue;
     }
     for (const auto& [leaf, of_error] : value.items()) {
-      if (!is_one_of(kCommonOfError, leaf)) rest["error"][leaf] = of_error;
+      if (!is_one_of(kCommonErrorKeys, leaf)) rest["error"][leaf] = of_error;
     }
   }
   return rest;
@@ -182,8 +182,8 @@ Json solution_json(const Solution& s) {
   const Identity& identity = s.identity;
   Json json{{"id", identity.id},
             {"method", identity.method},
-            {"equation", identity.equation ? name(*identity.equation) : kGiven},
-            {"impact", identity.impact ? name(*identity.impact) : kNoImpact},
+            {"equation", identity.equation ? name(*identity.equation) : kUnknownEquation},
+            {"impact", identity.impact ? name(*identity.impact) : kUnknownImpact},
             {"identity", identity_json(identity)},
             {"options", values_json(s.options)},
             {"status", name(s.status)},
@@ -213,11 +213,11 @@ Json solution_json(const Solution& s) {
   }
   for (const auto& observation : s.metrics) {
     const std::string_view path = observation.path;
-    if (is_one_of(kCommon, path.substr(0, path.find_first_of(".[")))) {
+    if (is_one_of(kCommonKeys, path.substr(0, path.find_first_of(".[")))) {
       throw std::logic_error("a metric of " + s.id() + " has the reserved key " + observation.path);
     }
   }
-  add_observations(s.metrics, json);
+  add_metrics(s.metrics, json);
   return json;
 }
 
@@ -226,17 +226,17 @@ Solution solution_in(const Json& json) {
   Identity& identity = s.identity;
   identity.id = json.at("id");
   identity.method = json.at("method");
-  identity.equation = choice_in<Equation>(json, "equation", kGiven);
-  identity.impact = choice_in<Impact>(json, "impact", kNoImpact);
+  identity.equation = enum_in<Equation>(json, "equation", kUnknownEquation);
+  identity.impact = enum_in<Impact>(json, "impact", kUnknownImpact);
   if (json.contains("identity")) read_identity(json.at("identity"), identity);
   s.options = values_in(json.at("options"));
-  const auto status = choice_in<transform::Status>(json, "status", "");
+  const auto status = enum_in<transform::Status>(json, "status", "");
   if (!status) throw InputError("the status is empty; run again");
   s.status = *status;
   s.reason = json.at("reason");
   s.seconds = number_in(json, "seconds");
   read_numbers(json, s);
-  s.metrics = observations_in(observed_part(json));
+  s.metrics = metrics_in(metrics_part(json));
   return s;
 }
 

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from scipy.sparse.linalg import splu
 from scipy.special import ndtr
 
-from problem import DAMPING, PROBLEMS, V_EDGES, V_MAX, Y_EDGES, Y_MAX, force, joined, say
+from problem import DAMPING, PROBLEMS, V_EDGES, V_MAX, Y_EDGES, Y_MAX, force, rebin, print_result
 
 
 def overlap(from_edges, to_edges):
@@ -72,7 +72,7 @@ def direct(a):
     return splu(lil.tocsc()).solve(right)
 
 
-def by_time(a, cells):
+def integrate_in_time(a, cells):
     y = (np.arange(cells) + 0.5) * Y_MAX / cells
     v = -V_MAX + (np.arange(cells) + 0.5) * 2 * V_MAX / cells
     start = np.exp(-(y[:, None] ** 2) - v[None, :] ** 2).ravel()
@@ -86,12 +86,12 @@ def main():
     problem, cells, stepper = PROBLEMS[sys.argv[1]], int(sys.argv[2]), sys.argv[3]
     begin = time.process_time()
     a = generator(problem, cells)
-    masses = (direct(a) if stepper == "direct" else by_time(a, cells)).reshape(cells, cells)
+    masses = (direct(a) if stepper == "direct" else integrate_in_time(a, cells)).reshape(cells, cells)
     masses /= masses.sum()
     seconds = time.process_time() - begin
     y_edges, v_edges = np.linspace(0, Y_MAX, cells + 1), np.linspace(-V_MAX, V_MAX, cells + 1)
-    say(joined(y_edges, masses.sum(axis=1) / np.diff(y_edges), Y_EDGES),
-        joined(v_edges, masses.sum(axis=0) / np.diff(v_edges), V_EDGES), seconds)
+    print_result(rebin(y_edges, masses.sum(axis=1) / np.diff(y_edges), Y_EDGES),
+        rebin(v_edges, masses.sum(axis=0) / np.diff(v_edges), V_EDGES), seconds)
 
 
 main()

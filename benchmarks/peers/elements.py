@@ -11,7 +11,7 @@ import time
 import dolfin as fe
 import numpy as np
 
-from problem import CUBIC, DAMPING, INTENSITY, V_EDGES, V_MAX, Y_EDGES, Y_MAX, say
+from problem import CUBIC, DAMPING, INTENSITY, V_EDGES, V_MAX, Y_EDGES, Y_MAX, print_result
 
 
 def main():
@@ -46,7 +46,7 @@ def main():
     seconds = time.process_time() - begin
     dy, dv = np.diff(Y_EDGES), np.diff(V_EDGES)
     mass = np.sum(cell * dy[:, None] * dv[None, :])
-    say(cell @ dv / mass, dy @ cell / mass, seconds)
+    print_result(cell @ dv / mass, dy @ cell / mass, seconds)
 
 
 main()

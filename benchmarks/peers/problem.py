@@ -57,14 +57,14 @@ def exact_white():
             averages(V_EDGES, lambda v: v**2 / 2))
 
 
-def joined(edges, density, wanted):
+def rebin(edges, density, wanted):
     """Averages over the bins `wanted` of a density given as averages over finer bins."""
     cumulative = np.concatenate(([0], np.cumsum(density * np.diff(edges))))
     at = np.interp(wanted, edges, cumulative)  # exact where edges coincide
     return np.diff(at) / np.diff(wanted)
 
 
-def say(y, v, seconds):
+def print_result(y, v, seconds):
     """Prints the result of a program: bin averages, and processor time without imports."""
     out = csv.writer(sys.stdout)
     out.writerow(["seconds", seconds])

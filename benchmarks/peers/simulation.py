@@ -9,7 +9,7 @@ import time
 
 import numpy as np
 
-from problem import DAMPING, PROBLEMS, V_EDGES, Y_EDGES, force, say
+from problem import DAMPING, PROBLEMS, V_EDGES, Y_EDGES, force, print_result
 
 TRAJECTORIES = 4000
 
@@ -47,7 +47,7 @@ def main():
             counts_v += np.histogram(v, V_EDGES)[0]
             samples += TRAJECTORIES
     seconds = time.process_time() - begin
-    say(counts_y / samples / np.diff(Y_EDGES), counts_v / samples / np.diff(V_EDGES), seconds)
+    print_result(counts_y / samples / np.diff(Y_EDGES), counts_v / samples / np.diff(V_EDGES), seconds)
 
 
 main()

@@ -9,10 +9,10 @@
 namespace fpkcheck::methods {
 
 /// An argument of --against: FILE[:LABEL][,KEY=VALUE]...
-struct GivenArgument {
+struct ExternalArgument {
   std::filesystem::path file;
   std::string label;      ///< the file's stem by default
-  bool own_label = true;  ///< whether the argument has a label
+  bool has_label = true;  ///< whether the argument has a label
   std::optional<problem::Equation> equation = {};
   std::optional<problem::Impact> impact = {};
   std::optional<int> order = {};
@@ -23,6 +23,6 @@ struct GivenArgument {
 /// Parses an argument. File names may contain colons and commas: the name of an existing file is
 /// not split.
 /// @throws InputError on one line: an unknown key, an invalid value, an impact without an equation
-GivenArgument given_argument(const std::string& text);
+ExternalArgument parse_external_argument(const std::string& text);
 
 }  // namespace fpkcheck::methods

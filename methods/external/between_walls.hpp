@@ -13,23 +13,24 @@
 /// numbers.
 namespace fpkcheck::methods {
 
-bool is_at(const std::optional<problem::Wall>& wall, double y);
-bool is_between(const problem::Walls& walls, double y);
+bool is_at_wall(const std::optional<problem::Wall>& wall, double y);
+bool is_between_walls(const problem::Walls& walls, double y);
 
 /// The walls to which a density is extrapolated: those whose distance to the first or last abscissa
 /// is at most the spacing of the abscissae there, as for the centres of cells.
-struct Reached {
+struct WallExtrapolation {
   bool left = false, right = false;
 };
 /// @param y increasing, at least two
-Reached reached_from(const problem::Walls& walls, const std::vector<double>& y);
+WallExtrapolation walls_to_extrapolate_to(const problem::Walls& walls,
+                                          const std::vector<double>& y);
 
 /// The value at the wall of the straight line through the points `first` and `first` + 1; at least
 /// `least`.
-double continued_to(double wall, std::span<const double> y, std::span<const double> values,
-                    std::size_t first, double least);
+double extrapolate_to_wall(double wall, std::span<const double> y, std::span<const double> values,
+                           std::size_t first, double least);
 
 /// The range of y as text: "y >= 0", "y <= 1", "-0.5 <= y <= 1"; "any y" without walls.
-std::string between(const problem::Walls& walls);
+std::string admissible_range_text(const problem::Walls& walls);
 
 }  // namespace fpkcheck::methods

@@ -12,7 +12,7 @@ namespace fpkcheck::methods {
 namespace {
 
 // The integral over the bin as a linear combination of the values at the knots (trapezoidal rule).
-BinError trapezoids(std::span<const double> knots, double lower, double upper) {
+BinError trapezoidal_rule(std::span<const double> knots, double lower, double upper) {
   BinError bin{.width = upper - lower, .first = 0, .factors = {}};
   const auto after = std::ranges::upper_bound(knots, lower) - knots.begin();
   bin.first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0));
@@ -27,7 +27,7 @@ BinError trapezoids(std::span<const double> knots, double lower, double upper) {
 }
 
 // Replaces the value at the first knot by v[1] - (v[2] - v[1]) * ratio.
-void continue_to_first(BinError& bin, double ratio) {
+void extrapolate_first(BinError& bin, double ratio) {
   if (bin.first > 0) {
     --bin.first;
     return;
@@ -41,7 +41,7 @@ void continue_to_first(BinError& bin, double ratio) {
 }
 
 // Replaces the value at the last knot, with index `points`, likewise.
-void continue_to_last(BinError& bin, std::size_t points, double ratio) {
+void extrapolate_last(BinError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();
   bin.factors.pop_back();
@@ -55,21 +55,22 @@ void continue_to_last(BinError& bin, std::size_t points, double ratio) {
 
 }  // namespace
 
-double BinError::standard() const {
+double BinError::standard_error() const {
   return std::sqrt(std::inner_product(factors.begin(), factors.end(), factors.begin(), 0.0));
 }
 
 std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const double> errors,
-                                 std::span<const double> edges, const Reached& continued) {
+                                 std::span<const double> edges,
+                                 const WallExtrapolation& extrapolation) {
   const std::size_t last = knots.size() - 1;
   std::vector<BinError> bins;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    BinError bin = trapezoids(knots, edges[b], edges[b + 1]);
-    if (continued.left) {
-      continue_to_first(bin, (knots[1] - knots[0]) / (knots[2] - knots[1]));
+    BinError bin = trapezoidal_rule(knots, edges[b], edges[b + 1]);
+    if (extrapolation.left) {
+      extrapolate_first(bin, (knots[1] - knots[0]) / (knots[2] - knots[1]));
     }
-    if (continued.right) {
-      continue_to_last(bin, errors.size(),
+    if (extrapolation.right) {
+      extrapolate_last(bin, errors.size(),
                        (knots[last] - knots[last - 1]) / (knots[last - 1] - knots[last - 2]));
     }
     for (std::size_t k = 0; k < bin.factors.size(); ++k) {
@@ -88,7 +89,7 @@ BinSamplingL1 sampling_l1(std::span<const BinError> bins) {
   BinSamplingL1 result;
   std::size_t points = 0;
   for (const auto& bin : bins) {
-    result.expected += std::sqrt(2 / std::numbers::pi) * bin.standard() * bin.width;
+    result.expected += std::sqrt(2 / std::numbers::pi) * bin.standard_error() * bin.width;
     points = std::max(points, bin.first + bin.factors.size());
   }
   boost::random::mt19937_64 engine(kSeed);

@@ -17,7 +17,7 @@ struct BinError {
       factors;  ///< of this point and the following points; empty outside the points
 
   /// Standard error of the average.
-  double standard() const;
+  double standard_error() const;
 };
 
 /// Errors of bin averages of a density that is given at points with independent errors, and linear
@@ -26,7 +26,8 @@ struct BinError {
 /// @param extrapolation whether the first or last knot is a wall: the density there is extrapolated
 ///        linearly from the next two knots
 std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const double> errors,
-                                 std::span<const double> edges, const Reached& continued);
+                                 std::span<const double> edges,
+                                 const WallExtrapolation& extrapolation);
 
 /// Sampling error of the density in L1 over the bins.
 struct BinSamplingL1 {

@@ -18,8 +18,8 @@ class DensityPoints {
   /// The walls that limit the points.
   const problem::Walls& walls() const { return walls_; }
   /// Whether the cells begin at the left wall, and end at the right wall.
-  bool begin_at_wall() const { return begin_at_wall_; }
-  bool end_at_wall() const { return end_at_wall_; }
+  bool has_wall_at_start() const { return has_wall_at_start_; }
+  bool has_wall_at_end() const { return has_wall_at_end_; }
 
   const std::vector<double>& y_edges() const { return y_edges_; }
   const std::vector<double>& v_edges() const { return v_edges_; }
@@ -31,14 +31,14 @@ class DensityPoints {
 
  private:
   problem::Walls walls_;
-  bool begin_at_wall_, end_at_wall_;
+  bool has_wall_at_start_, has_wall_at_end_;
   std::vector<double> y_edges_, v_edges_, y_, v_;
 };
 
 /// The edges of three subcells per cell, whose widths are the weights of the cell's points.
 /// Averages over the subcells, taken as values at the points, then give the exact averages over the
 /// cells.
-std::vector<double> edges_of_parts(const std::vector<double>& edges);
+std::vector<double> subcell_edges(const std::vector<double>& edges);
 
 /// A density's values at the points, with the quadrature rule.
 class PointIntegrals {
@@ -49,7 +49,7 @@ class PointIntegrals {
 
   /// int g(y, v) p(y, v) dy dv.
   template <class Function>
-  double of(const Function& g) const {
+  double integrate(const Function& g) const {
     double sum = 0;
     for (std::size_t i = 0; i < weight_y_.size(); ++i) {
       for (std::size_t j = 0; j < weight_v_.size(); ++j) {
@@ -60,7 +60,7 @@ class PointIntegrals {
     return sum;
   }
   double mass() const {
-    return of([](double, double) { return 1.0; });
+    return integrate([](double, double) { return 1.0; });
   }
   /// The moments of the density divided by `mass`.
   transform::Moments moments(double mass) const;

@@ -11,6 +11,6 @@ namespace fpkcheck::methods {
 /// The common name is the family's name in tables, figures and the verdict. Its members have one
 /// colour, and dashes by order.
 /// @param methods from external_methods, make_function_method and make_samples_method
-void join_families(std::span<Method> guests);
+void group_families(std::span<Method> methods);
 
 }  // namespace fpkcheck::methods

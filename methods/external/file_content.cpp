@@ -12,9 +12,9 @@
 
 namespace fpkcheck::methods {
 
-FileContent read_content(const std::filesystem::path& file) {
-  constexpr std::size_t kMostBytes = std::size_t{256} << 20, kMostOfText = std::size_t{32} << 20;
-  auto bytes = base::read_input_file(file, kMostBytes);
+FileContent read_file_content(const std::filesystem::path& file) {
+  constexpr std::size_t kMaxBytes = std::size_t{256} << 20, kMaxTextBytes = std::size_t{32} << 20;
+  auto bytes = base::read_input_file(file, kMaxBytes);
   if (!bytes) {
     throw InputError(fmt::format("{} is not a readable file; give a file with a density",
                                  base::in_quotes(file.string())));
@@ -28,9 +28,9 @@ FileContent read_content(const std::filesystem::path& file) {
   if (bytes->find('\0') != std::string::npos) {
     throw InputError(fmt::format("{} is binary (must be columns of text, JSON or netCDF-4)", name));
   }
-  if (bytes->size() > kMostOfText) {
+  if (bytes->size() > kMaxTextBytes) {
     throw InputError(
-        fmt::format("{} has more than {} bytes; give a coarser density", name, kMostOfText));
+        fmt::format("{} has more than {} bytes; give a coarser density", name, kMaxTextBytes));
   }
   const auto first = bytes->find_first_not_of(" \t\r\n");
   const bool json =

@@ -20,6 +20,6 @@ struct FileContent {
 /// Reads a file and detects its format.
 /// @throws InputError on one line: the file is unreadable or too large, or neither text nor
 ///         netCDF-4
-FileContent read_content(const std::filesystem::path& file);
+FileContent read_file_content(const std::filesystem::path& file);
 
 }  // namespace fpkcheck::methods

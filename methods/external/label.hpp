@@ -9,10 +9,10 @@ namespace fpkcheck::methods {
 
 /// @param registry whose ids no label may have
 /// @throws InputError on one line when the label is not a valid id, or is the id of a method
-void require_free(const std::string& label, const Registry& registry);
+void require_valid_label(const std::string& label, const Registry& registry);
 
 /// @throws InputError on one line when the labels differ only in '-', '_' or '.', which names of
 ///         variables and data blocks cannot contain
-void require_unlike(const std::string& one, const std::string& other);
+void require_distinct_labels(const std::string& one, const std::string& other);
 
 }  // namespace fpkcheck::methods

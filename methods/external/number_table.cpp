@@ -22,8 +22,8 @@ std::string trimmed(std::string text) {
   return text.substr(first, text.find_last_not_of(kAround) - first + 1);
 }
 
-constexpr std::size_t kMostRows = 100000, kMostOfAGrid = 1000000;
-constexpr std::size_t kLongestLine = 10000;
+constexpr std::size_t kMaxRows = 100000, kMaxGridRows = 1000000;
+constexpr std::size_t kMaxLineLength = 10000;
 
 char separator_of(const std::string& line) {
   for (const char candidate : {';', '\t', ','}) {
@@ -61,7 +61,7 @@ std::vector<std::string> split(const std::string& line) {
 }
 
 // Removes units: "velocity [m/s]" and "v (m/s)" have units, but p(y) is a name.
-std::string without_units(const std::string& line) {
+std::string remove_units(const std::string& line) {
   std::string kept;
   for (std::size_t k = 0; k < line.size(); ++k) {
     const bool blank_before = kept.empty() || kept.back() == ' ' || kept.back() == '\t';
@@ -111,26 +111,26 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   const auto fail = [&](const std::string& problem) {
     throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), line_number, problem));
   };
-  char usual_separator = '\0';
-  std::size_t most = kMostRows;
+  char first_separator = '\0';
+  std::size_t max_rows = kMaxRows;
   for (std::string line; std::getline(in, line);) {
     ++line_number;
-    if (line.size() > kLongestLine) {
-      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kLongestLine));
+    if (line.size() > kMaxLineLength) {
+      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kMaxLineLength));
     }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
     line = trimmed(line);
     if (line.empty()) continue;
     if (line.front() == '#') {
-      if (table.rows.empty()) comment = split(trimmed(without_units(line.substr(1))));
+      if (table.rows.empty()) comment = split(trimmed(remove_units(line.substr(1))));
       continue;
     }
     const char separator = separator_of(line);
     const auto fields = split(line);
     if (table.rows.empty() && table.names.empty() &&
         std::ranges::none_of(fields, [](const auto& field) { return number(field).has_value(); })) {
-      table.names = lower_case(split(trimmed(without_units(line))));
+      table.names = lower_case(split(trimmed(remove_units(line))));
       continue;
     }
     std::vector<double> row;
@@ -142,10 +142,10 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
         fail(fmt::format("{} (numbers must be finite)", base::sanitise(field)));
       row.push_back(*value);
     }
-    if (table.rows.empty()) usual_separator = separator;
-    if (separator != usual_separator) {
+    if (table.rows.empty()) first_separator = separator;
+    if (separator != first_separator) {
       fail(fmt::format("fields separated by {} after rows with {}; use one separator",
-                       name_of_separator(separator), name_of_separator(usual_separator)));
+                       name_of_separator(separator), name_of_separator(first_separator)));
     }
     const std::size_t columns = table.rows.empty() ? row.size() : table.columns();
     if (columns < 2 || columns > 3) {
@@ -156,10 +156,10 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     }
     if (table.rows.empty()) {
       const auto names = lower_case(table.names.empty() ? comment : table.names);
-      most = velocity_column(names) < names.size() ? kMostOfAGrid : kMostRows;
+      max_rows = velocity_column_index(names) < names.size() ? kMaxGridRows : kMaxRows;
     }
-    if (table.rows.size() == most) {
-      fail(fmt::format("more than {} rows; give a coarser density", most));
+    if (table.rows.size() == max_rows) {
+      fail(fmt::format("more than {} rows; give a coarser density", max_rows));
     }
     table.rows.push_back(std::move(row));
     table.lines.push_back(line_number);

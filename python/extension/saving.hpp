@@ -16,7 +16,7 @@ namespace fpkcheck::python {
 /// @throws InputError when the directory cannot be used; std::runtime_error when a file cannot be
 ///         written; the exceptions of `poll`
 std::vector<std::string> save(const std::filesystem::path& directory, const results::Run& run,
-                              const std::function<void()>& look);
+                              const std::function<void()>& poll);
 
 /// Reads the files of save() or of `fpkcheck run --out`.
 /// @throws InputError as results::load_run

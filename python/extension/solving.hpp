@@ -31,7 +31,7 @@ struct Task {
 ///        run if it has changed, else null. An exception from it cancels the run, within a third of
 ///        a second
 /// @throws the exceptions of solvers and of `poll`
-results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& look);
+results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& poll);
 
 /// Must be called when the interpreter ends. If abandoned threads still run, exit() then ends the
 /// process with the same status, without destroying the data that these threads use.

@@ -20,7 +20,7 @@ raises KeyboardInterrupt within about half a second.
 import atexit as _atexit
 
 from . import _fpkcheck
-from ._own import Density, File, Samples
+from ._external import Density, File, Samples
 from ._problem import Problem, load_case
 from ._run import Case, Curve, Run, Solution, StatedError, load
 from ._solve import methods, options, solve

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _fpkcheck
-from ._own import Density, File, Samples, _as_own
+from ._external import Density, File, Samples, _as_external
 from ._problem import Problem, Value
 from ._run import Run
 
@@ -41,17 +41,17 @@ def _problems(case: Any, parameters: Mapping[str, Value]) -> list[Problem]:
     return [each if isinstance(each, Problem) else Problem.case(each, **parameters) for each in case]
 
 
-def _brought_along(against: Mapping[str, Against], problem: Problem) -> list[_fpkcheck.Method]:
-    all_own: list[_fpkcheck.Method] = []
+def _external_methods(against: Mapping[str, Against], problem: Problem) -> list[_fpkcheck.Method]:
+    methods_of_densities: list[_fpkcheck.Method] = []
     for label, what in against.items():
-        own = _as_own(what)
+        own = _as_external(what)
         if own is not None:
-            all_own.append(own._method(label, problem._native, len(all_own)))
+            methods_of_densities.append(own._method(label, problem._native, len(methods_of_densities)))
         else:
             files = what if isinstance(what, (list, tuple)) else [what]
             each = [file if isinstance(file, File) else File(file) for file in files]
-            all_own += _fpkcheck.file_methods([file._argument(label) for file in each], problem.name)
-    return all_own
+            methods_of_densities += _fpkcheck.file_methods([file._argument(label) for file in each], problem.name)
+    return methods_of_densities
 
 
 def solve(
@@ -112,7 +112,7 @@ def solve(
     problems = _problems(case, parameters)
     if against and len(problems) != 1:
         raise ValueError(f"against with {len(problems)} cases (must be a single case)")
-    brought_along = _brought_along(against, problems[0]) if against else []
+    external_methods = _external_methods(against, problems[0]) if against else []
     listed = methods if methods is None or isinstance(methods, str) else ",".join(methods)
     told = [problem.name for problem in problems]
     return Run(
@@ -120,7 +120,7 @@ def solve(
             [problem._native for problem in problems],
             listed,
             {name: _plain(value) for name, value in (options or {}).items()},
-            brought_along,
+            external_methods,
             threads,
             max_seconds,
             bounds,

@@ -139,7 +139,7 @@ std::string source_panel(const Case& case_result, const std::string& id, std::si
                          std::size_t panel) {
   constexpr int kMostTics = 4;  // fit under a map on a screen
   const PanelBox place = grid.place(panel);
-  const auto* own = case_result.own_error(id);
+  const auto* own = case_result.moment_error_estimate(id);
   const double error = own == nullptr ? 0 : own->error.*moment_row.member;
   const ErrorSource& source = *case_result.error_source(id, moment_row.moment);
   const auto& y = source.density.y_edges;

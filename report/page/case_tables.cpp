@@ -114,11 +114,11 @@ std::string results_table(const results::Case& case_result) {
 }
 
 std::string residual_errors_table(const results::Case& case_result) {
-  if (case_result.own_errors.empty()) return "";
+  if (case_result.moment_error_estimates.empty()) return "";
   SolutionsTable table(case_result);
   for (const auto& [header, member] : kShownMoments) {
     table.add_number(header, [&case_result, member = member](const Solution& s) {
-      const auto* own = case_result.own_error(s.id());
+      const auto* own = case_result.moment_error_estimate(s.id());
       return own == nullptr ? std::string(kNoValue) : number_text(own->error.*member, 2);
     });
   }

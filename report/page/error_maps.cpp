@@ -36,7 +36,7 @@ std::vector<std::string> solutions_by_accuracy(const Case& one) {
   for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
     ids.push_back(rank.solution->id());
   }
-  for (const auto& own : one.own_errors) {
+  for (const auto& own : one.moment_error_estimates) {
     if (std::ranges::find(ids, own.solution) == ids.end()) ids.push_back(own.solution);
   }
   return ids;
@@ -44,7 +44,7 @@ std::vector<std::string> solutions_by_accuracy(const Case& one) {
 
 ErrorMaps::OfSolution maps_of(const Case& one, const std::string& id, const CellWindow& window) {
   ErrorMaps::OfSolution maps{id, {}};
-  const auto* own = one.own_error(id);
+  const auto* own = one.moment_error_estimate(id);
   if (own == nullptr) return maps;
   for (const auto& [name, text, member] : kMappedMoments) {
     const auto* source = one.error_source(id, name);

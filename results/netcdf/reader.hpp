@@ -35,12 +35,12 @@ class NetCdfReader {
   /// The number of values of a variable, checked before any memory is allocated.
   /// @throws std::runtime_error for more values than any file of this program has, and for types
   ///         other than float, double and char
-  std::size_t count_of(const std::string& name);
+  std::size_t value_count(const std::string& name);
   int variable(const std::string& name) const;
   std::vector<int> dimension_ids(const std::string& variable) const;
 
-  std::string bytes_;          // contents of the file
-  std::size_t asked_for_ = 0;  // number of values requested so far
+  std::string bytes_;                 // contents of the file
+  std::size_t requested_values_ = 0;  // number of values requested so far
   int id_ = 0;
 };
 

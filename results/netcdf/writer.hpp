@@ -11,7 +11,7 @@ namespace fpkcheck::results {
 /// their names. Every member throws std::runtime_error on one line.
 class NetCdfWriter {
  public:
-  static constexpr int kFile = -1;  ///< in place of a variable's id: attributes of the file
+  static constexpr int kGlobal = -1;  ///< in place of a variable's id: attributes of the file
 
   NetCdfWriter();
   NetCdfWriter(const NetCdfWriter&) = delete;
@@ -38,22 +38,22 @@ class NetCdfWriter {
   /// Writes a deflated variable of single precision, in chunks of one element of the first
   /// dimension. NaN is the fill value; units are "1".
   /// @return its id
-  int compressed(const std::string& name, const std::vector<int>& dimensions,
-                 const std::string& long_name, std::span<const float> values);
+  int compressed_float(const std::string& name, const std::vector<int>& dimensions,
+                       const std::string& long_name, std::span<const float> values);
 
   /// Writes a deflated variable of double precision. NaN is the fill value; units are "1".
   /// @return its id
-  int packed(const std::string& name, const std::vector<int>& dimensions,
-             const std::string& long_name, std::span<const double> values);
+  int compressed_double(const std::string& name, const std::vector<int>& dimensions,
+                        const std::string& long_name, std::span<const double> values);
 
   /// Writes texts along a dimension as UTF-8 characters, padded with zeros. All readers support
   /// this form.
   void labels(const std::string& name, int dimension, std::span<const std::string> texts);
 
   /// Writes an attribute of a variable, or of the file.
-  void attribute(const std::string& name, const std::string& text, int variable = kFile);
-  void attribute(const std::string& name, double value, int variable = kFile);
-  void attribute(const std::string& name, int value, int variable = kFile);
+  void attribute(const std::string& name, const std::string& text, int variable = kGlobal);
+  void attribute(const std::string& name, double value, int variable = kGlobal);
+  void attribute(const std::string& name, int value, int variable = kGlobal);
 
   /// Closes the file and returns its bytes. No member may be called afterwards.
   std::string bytes();

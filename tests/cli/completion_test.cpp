@@ -35,11 +35,11 @@ bool has(const Words& words, const std::string& word) {
 
 TEST(Completion, KnowsEveryCommandAndItsOptions) {
   const auto commands = completed({""});
-  const auto registry = methods::builtin();
+  const auto registry = methods::builtin_registry();
   for (const auto& solver : registry.solvers()) {
     EXPECT_TRUE(has(commands, solver.name)) << solver.name;
     const auto options = completed({solver.name, "case1", "--"});
-    for (const auto& parameter : solver.parameters->all()) {
+    for (const auto& parameter : solver.option_descriptions->all()) {
       if (parameter.flag.empty()) continue;
       EXPECT_TRUE(has(options, "--" + parameter.flag)) << solver.name << ' ' << parameter.flag;
       if (parameter.choices.empty()) continue;

@@ -29,7 +29,7 @@ struct Outcome {
 };
 
 Outcome program(const std::vector<std::string>& arguments,
-                const methods::Registry& registry = methods::builtin()) {
+                const methods::Registry& registry = methods::builtin_registry()) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = run_program(arguments, registry);
@@ -347,11 +347,11 @@ methods::Registry stopped_within(const std::string& case_name) {
     auto solver = tests::toy_solver(toy);
     solver.method = [made = solver.method, case_name](const base::Values& values) {
       methods::Method method = made(values);
-      method.parallel = true;  // each alone, in their order
+      method.uses_all_processors = true;  // each alone, in their order
       method.solve = [solve = method.solve, case_name, id = method.id()](
-                         const problem::Problem& problem, const methods::Setting& setting) {
+                         const problem::Problem& problem, const methods::SolveContext& context) {
         if (problem.name == case_name && id == "plain") base::request_stop(SIGINT);
-        return solve(problem, setting);
+        return solve(problem, context);
       };
       return method;
     };

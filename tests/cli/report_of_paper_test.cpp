@@ -44,7 +44,7 @@ void save(const fs::path& directory, const results::Run& run) {
 
 std::string report_of(const fs::path& directory) {
   testing::internal::CaptureStdout();
-  EXPECT_EQ(run_program({"report", directory.string()}, methods::builtin()), kDone);
+  EXPECT_EQ(run_program({"report", directory.string()}, methods::builtin_registry()), kDone);
   std::fflush(stdout);
   return testing::internal::GetCapturedStdout();
 }

@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  static const methods::Registry registry = methods::builtin();
+  static const methods::Registry registry = methods::builtin_registry();
   const auto file = fuzz::written(results::kSummaryFile, fuzz::text_of(data, size));
   return fuzz::only_input_errors([&] { check::load_baseline(file, registry, {}); });
 }

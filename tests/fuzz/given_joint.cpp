@@ -4,7 +4,7 @@
 
 #include "epc/density.hpp"
 #include "methods/external/between_walls.hpp"
-#include "methods/external/form_file.hpp"
+#include "methods/external/closed_form_file.hpp"
 #include "methods/external/joint_table.hpp"
 #include "one_input.hpp"
 #include "problem/case_file.hpp"
@@ -17,15 +17,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return fuzz::only_input_errors([&] {
     const std::string text(fuzz::text_of(data, size));
     if (text.starts_with('{')) {
-      const auto file = methods::read_form(text, "given.json", {});
+      const auto file = methods::read_closed_form_file(text, "given.json", {});
       const auto density = epc::density(file.form, file.problem ? &*file.problem : &problem);
       density.value(0.5, -0.1);
       return;
     }
     std::istringstream csv(text);
     const auto table = methods::read_number_table(csv, "given.csv");
-    if (!methods::is_joint(table)) return;
-    const auto values = methods::values_at(methods::joint_table_of(table), points);
+    if (!methods::is_joint_density(table)) return;
+    const auto values = methods::evaluate_at(methods::make_joint_table(table), points);
     fuzz::require(values.size() == points.y().size() * points.v().size());
   });
 }

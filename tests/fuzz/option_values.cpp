@@ -27,11 +27,11 @@ Owner set(const base::Description<Owner>& description, const std::vector<Setting
 }
 
 void select(const std::string& list, const std::vector<Setting>& settings) {
-  static const methods::Registry registry = methods::builtin();
+  static const methods::Registry registry = methods::builtin_registry();
   base::Values values;
   for (const auto& solver : registry.solvers()) {
     for (const auto& [name, text] : settings) {
-      const auto* parameter = solver.parameters->find(name);
+      const auto* parameter = solver.option_descriptions->find(name);
       if (parameter != nullptr) values.push_back({name, parse_value(*parameter, text, name)});
     }
   }

@@ -8,11 +8,11 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  static const methods::Registry registry = methods::builtin();
+  static const methods::Registry registry = methods::builtin_registry();
   return fuzz::only_input_errors([&] {
     std::istringstream json{std::string(fuzz::text_of(data, size))};
     results::Run run = results::read_summary(json, "summary.json");
-    registry.introduce(run);
+    registry.annotate(run);
     report::table(run);
   });
 }

@@ -25,10 +25,10 @@ void expect_the_parts_bound_the_total(const std::vector<compare::BudgetRow>& bud
 // Solved once for all tests of a process.
 const std::vector<transform::Solution>& without_simulation() {
   static const auto solutions =
-      run_cases(
-          {tests::paper_case(1)},
-          builtin().select("epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd", {}),
-          0, {})
+      run_cases({tests::paper_case(1)},
+                builtin_registry().select(
+                    "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd", {}),
+                0, {})
           .front()
           .solutions;
   return solutions;
@@ -38,9 +38,9 @@ results::Case case_1(bool controlled) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
   const auto simulation =
-      builtin().select("mcs", {{"time", 200000.0}, {"controlled", controlled}}).front();
+      builtin_registry().select("mcs", {{"time", 200000.0}, {"controlled", controlled}}).front();
   auto solutions = without_simulation();
-  solutions.push_back(solve_by(simulation, problem, {axes, {}}));
+  solutions.push_back(solve_with(simulation, problem, {axes, {}}));
   return results::make_case(problem, axes, std::move(solutions));
 }
 

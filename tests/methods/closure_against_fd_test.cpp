@@ -17,7 +17,8 @@ using transform::Variable;
 class Closures {
  public:
   Closures(const problem::Problem& problem, const std::string& list)
-      : case_(run_cases({problem}, builtin().select(list + ",fd-kf", {}), 1, {}).front()) {}
+      : case_(run_cases({problem}, builtin_registry().select(list + ",fd-kf", {}), 1, {}).front()) {
+  }
 
   bool is_ok(const std::string& id) const { return case_.find(id)->is_ok(); }
   double l1(const std::string& id, Variable variable) const {
@@ -35,7 +36,7 @@ class Closures {
 
 // The closure on the half-plane and the finite volumes share only the problem. The limits are a few
 // per cent above the measured values; finite volumes are accurate to 6e-5.
-TEST(MomentClosure, ComesAsNearToFiniteDifferencesAsItsOrderAllows) {
+TEST(MomentClosure, ErrorDecreasesWithOrder) {
   const std::map<int, std::pair<double, double>> bars{
       {6, {0.003, 0.004}}, {8, {0.0015, 0.0025}}, {12, {0.0005, 0.0018}}};
   for (const int number : {1, 2, 3, 4}) {
@@ -79,7 +80,7 @@ TEST(MomentClosure, FollowsEveryImpulseLawAndMean) {
 // The same number of unknowns with the exponent in amplitude and phase. Includes strong losses and
 // rare impulses, where polynomials of y and y' cannot represent the jump at the origin. The limits
 // are 35 to 80 per cent above the measured values.
-TEST(PolarClosure, CarriesTheStepAtTheOrigin) {
+TEST(PolarClosure, RepresentsTheJumpAtTheOrigin) {
   struct Bars {
     tests::Parameters parameters;
     double y, ydot;    // at n = 6

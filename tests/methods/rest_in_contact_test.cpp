@@ -19,7 +19,8 @@ using transform::Variable;
 
 results::Case run(const std::string& case_name, const std::vector<std::string>& overrides,
                   const std::string& methods) {
-  return complete_run({problem::load_case(case_name, overrides)}, builtin().select(methods, {}), {})
+  return complete_run({problem::load_case(case_name, overrides)},
+                      builtin_registry().select(methods, {}), {})
       .at(0);
 }
 
@@ -30,7 +31,7 @@ struct Contact {
   double at_rest, l1;  // tolerances: P0 relative; L1 of the marginals
 };
 
-TEST(RestInContact, IsThatOfFiniteVolumes) {
+TEST(RestInContact, AgreesWithFiniteVolumes) {
   const Contact problems[] = {{"preload", {}, 8, 0.05, 0.012},
                               {"preload", {"system.restitution=0.5"}, 6, 0.01, 0.022},
                               {"ball", {}, 4, 0.01, 0.022},
@@ -56,7 +57,7 @@ TEST(RestInContact, IsThatOfFiniteVolumes) {
   }
 }
 
-TEST(RestInContact, IsOkByTheReferenceAlone) {
+TEST(RestInContact, IsOkOnlyWithAReference) {
   const auto beside = run("preload", {}, "epc-polar-n4,epc-polar-n8,fd-kf");
   EXPECT_EQ(beside.solutions[0].status, Status::inaccurate);
   EXPECT_NE(beside.solutions[0].reason.find("its L1 distance from fd-kf is"), std::string::npos);

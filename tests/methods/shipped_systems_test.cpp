@@ -21,14 +21,14 @@ using transform::Variable;
 
 Solution solved(const problem::Problem& problem, const std::string& id,
                 const base::Values& options = {}) {
-  const auto registry = builtin();
+  const auto registry = builtin_registry();
   const auto method = registry.select(id, options).front();
-  return solve_by(method, problem, {compare::comparison_axes(problem), {}});
+  return solve_with(method, problem, {compare::comparison_axes(problem), {}});
 }
 
 class ExactSystems : public testing::TestWithParam<const char*> {};
 
-TEST_P(ExactSystems, AreSolvedByFiniteDifferences) {
+TEST_P(ExactSystems, AreSolvedByFiniteVolumes) {
   const auto problem = problem::load_case(GetParam());
   const Solution solution = solved(problem, "fd-kf");
   ASSERT_TRUE(solution.is_ok()) << solution.reason;
@@ -71,7 +71,7 @@ TEST(LinearSystem, HasItsCumulants) {
 class OtherSystems : public testing::TestWithParam<const char*> {};
 
 // The sampling error in L1 varies by some tens of per cent.
-TEST_P(OtherSystems, AreTheSameByFiniteDifferencesAndSimulation) {
+TEST_P(OtherSystems, AgreeBetweenFiniteVolumesAndSimulation) {
   const auto problem = problem::load_case(GetParam());
   const Solution differences = solved(problem, "fd-kf");
   ASSERT_TRUE(differences.is_ok()) << differences.reason;

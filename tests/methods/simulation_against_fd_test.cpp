@@ -60,7 +60,7 @@ double impact_rate(const transform::GridDensity& grid) {
   return rate - width * width / 12 * last;
 }
 
-TEST(SimulationAgainstFiniteDifferences, DensitiesDifferByWhatChanceExplains) {
+TEST(SimulationAgainstFiniteVolumes, DensitiesDifferBySamplingErrors) {
   for (const auto& problem : {tests::paper_case(4), tests::make_problem({.restitution = 0.7}),
                               tests::make_problem({.rate = 0.3}),
                               tests::make_problem({.restitution = 0.9, .law = "exponential"})}) {
@@ -70,7 +70,7 @@ TEST(SimulationAgainstFiniteDifferences, DensitiesDifferByWhatChanceExplains) {
   }
 }
 
-TEST(SimulationAgainstFiniteDifferences, ImpactsComeAtTheRateOfTheFluxAtTheWall) {
+TEST(SimulationAgainstFiniteVolumes, ImpactRateEqualsTheFluxAtTheWall) {
   for (const auto& problem : {tests::paper_case(1), tests::paper_case(4)}) {
     const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct});
     const auto [rate, error] = mcs::solve(problem, {.time = 4e5}).summary.impact_rate;
@@ -80,7 +80,7 @@ TEST(SimulationAgainstFiniteDifferences, ImpactsComeAtTheRateOfTheFluxAtTheWall)
   }
 }
 
-TEST(SimulationAgainstFiniteDifferences, WhiteNoiseHasTheDensityOfItsEquation) {
+TEST(SimulationAgainstFiniteVolumes, WhiteNoiseHasTheDensityOfItsEquation) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9});
   const auto fd = fd_fpk::solve(
       problem, {.equation = problem::Equation::white, .stepper = fd_fpk::Stepper::direct});
@@ -88,7 +88,7 @@ TEST(SimulationAgainstFiniteDifferences, WhiteNoiseHasTheDensityOfItsEquation) {
                        fd.solution);
 }
 
-TEST(SimulationAgainstFiniteDifferences, TailsAgreeDownTo1eMinus8OfThePeak) {
+TEST(SimulationAgainstFiniteVolumes, TailsAgreeDownTo1eMinus8OfThePeak) {
   const auto problem = tests::paper_case(1);
   const auto fd = fd_fpk::solve(
       problem, {.stepper = fd_fpk::Stepper::direct, .nx = 90, .nv = 200, .wall_density = 1e-11});

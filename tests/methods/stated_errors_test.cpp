@@ -18,23 +18,24 @@ using transform::Role;
 using transform::Solution;
 using transform::Status;
 
-Solution answer_of(const problem::Problem& problem) {
-  const Method method = *builtin().by_id("epc-polar-n4", {});
+Solution solution_without_estimate(const problem::Problem& problem) {
+  const Method method = *builtin_registry().method_by_id("epc-polar-n4", {});
   const auto axes = compare::comparison_axes(problem);
-  auto solution = solve_by(method, problem, {axes, {}});
+  auto solution = solve_with(method, problem, {axes, {}});
   solution.error = {};
   return solution;
 }
 
 // A method that returns a good density with status `ok` and without an error estimate.
-Method silent(Role role, const std::string& id = "silent") {
-  Method method{
-      .identity = {.id = id,
-                   .method = "probe",
-                   .equation = problem::Equation::kf,
-                   .impact = problem::Impact::map,
-                   .role = role},
-      .solve = [](const problem::Problem& problem, const Setting&) { return answer_of(problem); }};
+Method method_without_estimate(Role role, const std::string& id = "silent") {
+  Method method{.identity = {.id = id,
+                             .method = "probe",
+                             .equation = problem::Equation::kf,
+                             .impact = problem::Impact::map,
+                             .role = role},
+                .solve = [](const problem::Problem& problem, const SolveContext&) {
+                  return solution_without_estimate(problem);
+                }};
   if (role == Role::external) {
     method.identity.equation = {};
     method.identity.impact = {};
@@ -42,18 +43,20 @@ Method silent(Role role, const std::string& id = "silent") {
   return method;
 }
 
-TEST(StatedErrors, WhoStatesNoneIsNotOk) {
+TEST(ErrorEstimates, AreRequiredForOk) {
   for (const auto role : {Role::external, Role::equation, Role::simulation}) {
     const auto solutions =
-        run_cases({tests::paper_case(1)}, {silent(role)}, 1, {}).front().solutions;
+        run_cases({tests::paper_case(1)}, {method_without_estimate(role)}, 1, {}).front().solutions;
     EXPECT_EQ(solutions.front().status, Status::inaccurate) << name(role);
     EXPECT_FALSE(solutions.front().reason.empty());
   }
 }
 
-TEST(StatedErrors, OfAClosureWithoutAReferenceIsWhatItsResidualsMeasure) {
+TEST(ErrorEstimates, OfAClosureWithoutAReferenceAreResidualBased) {
   const auto solutions =
-      run_cases({tests::paper_case(1)}, {silent(Role::closure)}, 1, {}).front().solutions;
+      run_cases({tests::paper_case(1)}, {method_without_estimate(Role::closure)}, 1, {})
+          .front()
+          .solutions;
   EXPECT_EQ(solutions.front().status, Status::ok) << solutions.front().reason;
   ASSERT_TRUE(solutions.front().error);
   // The error of epc-polar at n = 4 (docs/results.md).
@@ -61,10 +64,11 @@ TEST(StatedErrors, OfAClosureWithoutAReferenceIsWhatItsResidualsMeasure) {
   EXPECT_LT(solutions.front().error->y_l1, 2 * 8.6e-4);
 }
 
-TEST(StatedErrors, OfWhatStatesNoneIsItsDistanceToTheReference) {
+TEST(ErrorEstimates, FollowFromTheReferenceIfMissing) {
   const auto solutions = run_cases({tests::paper_case(1)},
-                                   {silent(Role::external, "one"), silent(Role::closure, "another"),
-                                    *builtin().by_id("fd-kf", {})},
+                                   {method_without_estimate(Role::external, "one"),
+                                    method_without_estimate(Role::closure, "another"),
+                                    *builtin_registry().method_by_id("fd-kf", {})},
                                    1, {})
                              .front()
                              .solutions;
@@ -78,8 +82,8 @@ TEST(StatedErrors, OfWhatStatesNoneIsItsDistanceToTheReference) {
   }
 }
 
-TEST(StatedErrors, ThatAreNoNumbersAreNone) {
-  Solution solution = answer_of(tests::paper_case(1));
+TEST(ErrorEstimates, MustBeFinite) {
+  Solution solution = solution_without_estimate(tests::paper_case(1));
   solution.error = transform::ErrorEstimate{.y_l1 = 1e-3, .ydot_l1 = 1e-3};
   transform::require_accuracy(1e-2, "it is off", solution);
   EXPECT_EQ(solution.status, Status::ok);
@@ -107,14 +111,14 @@ void check(const problem::Problem& problem, const Solution& solution) {
 
 // At high rates cells are wider than impulses. Coarser grids then had no solution, and fd therefore
 // no error estimate.
-TEST(StatedErrors, StandBesideEveryOkAtAnyRate) {
+TEST(ErrorEstimates, ExistForEveryOkSolutionAtAnyRate) {
   tests::ScanOfRates scan;
   if (!tests::thorough()) {
     scan.rates = {1e-4, 1e4, 1e5};
     scan.laws = {"gaussian", "exponential"};
     scan.restitutions = {1};
   }
-  const auto registry = builtin();
+  const auto registry = builtin_registry();
   auto methods = registry.select(tests::thorough() ? "epc,fd" : "fd-white,fd-kf", {});
   for (const auto& problem : scan.problems()) {
     for (const auto& one : run_cases({problem}, methods, 1, {})) {

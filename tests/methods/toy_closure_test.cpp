@@ -84,28 +84,28 @@ methods::Solver toy_solver() {
                         .families = {{.name = "toy-bell",
                                       .role = transform::Role::closure,
                                       .meaning = "A bell of about the right width.",
-                                      .usual = {"toy-bell-n2", "toy-bell-n4"},
+                                      .default_ids = {"toy-bell-n2", "toy-bell-n4"},
                                       .plot_style =
                                           [](const transform::Identity&) {
                                             return transform::PlotStyle{.colour = "#12AB34",
                                                                         .dash = "(1,1)"};
                                           }}},
-                        .parameters = nullptr,
-                        .usual_options = {},
+                        .option_descriptions = nullptr,
+                        .default_options = {},
                         .options_of = {},
                         .method = {}};
-  return methods::with_front<Bell>(
+  return methods::with_traits<Bell>(
       std::move(entry),
       {.description = bell_description(),
        .validate = [](const Bell& bell) { bell_description().validate(bell); },
        .identity = bell_identity,
        .options_of = bell_of,
        .solve = [](const problem::Problem& problem, const Bell& bell,
-                   const methods::Setting&) { return solve_bell(problem, bell); }});
+                   const methods::SolveContext&) { return solve_bell(problem, bell); }});
 }
 
 methods::Registry with_toy() {
-  methods::Registry registry = methods::builtin();
+  methods::Registry registry = methods::builtin_registry();
   registry.add(toy_solver());
   return registry;
 }
@@ -130,13 +130,13 @@ class ToyClosure : public testing::Test {
   const results::Case& case_ = run_.cases.front();
 };
 
-TEST_F(ToyClosure, StandsAmongTheClosuresInTheOrderOfTrust) {
+TEST_F(ToyClosure, IsOrderedAmongTheClosures) {
   std::string ids;
   for (const auto& solution : case_.solutions) ids += solution.id() + ' ';
   EXPECT_EQ(ids, "epc-gaussian-n2 toy-bell-n2 toy-bell-n4 fd-kf ");
 }
 
-TEST_F(ToyClosure, IsInTheTableTheFindingsAndTheErrorBudget) {
+TEST_F(ToyClosure, AppearsInTableFindingsAndErrorBudget) {
   const std::string table = report::table(run_);
   EXPECT_TRUE(contains(table, "toy-bell-n2")) << table;
   EXPECT_TRUE(contains(table, "kf/map")) << table;
@@ -146,7 +146,7 @@ TEST_F(ToyClosure, IsInTheTableTheFindingsAndTheErrorBudget) {
   EXPECT_TRUE(contains(case_.limits, "toy-bell-n2 and -n4")) << case_.limits;
 }
 
-TEST_F(ToyClosure, IsInFilesPicturesAndThePageInItsOwnLook) {
+TEST_F(ToyClosure, AppearsInFilesFiguresAndPageWithItsStyle) {
   const tests::TemporaryDirectory directory;
   report::write_report(directory.path(), run_);
   const auto read = [&](const char* file) { return tests::contents(directory.path() / file); };
@@ -162,7 +162,7 @@ TEST_F(ToyClosure, IsInFilesPicturesAndThePageInItsOwnLook) {
   EXPECT_TRUE(contains(page, "A bell of about the right width."));
 }
 
-TEST_F(ToyClosure, IsStudiedOverItsOrder) {
+TEST_F(ToyClosure, AppearsInTheStudyOfOrders) {
   const auto names = study::formulations(registry_);
   EXPECT_NE(std::ranges::find(names, "toy-bell"), names.end());
   const auto found =
@@ -171,7 +171,7 @@ TEST_F(ToyClosure, IsStudiedOverItsOrder) {
   EXPECT_TRUE(contains(output.csv, "\ntoy-bell,6,ok,")) << output.csv;
 }
 
-TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
+TEST_F(ToyClosure, IsCheckedForChanges) {
   const tests::TemporaryDirectory directory;
   base::PendingFiles files;
   results::add_run(files, directory.path(), run_);
@@ -186,13 +186,13 @@ TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
   ASSERT_EQ(moved.size(), 1u);
   EXPECT_EQ(moved[0].solution, "toy-bell-n2");
   // Without the registry entry the solution cannot be solved again.
-  EXPECT_THROW(check::load_baseline(directory.path(), methods::builtin(), {}), InputError);
+  EXPECT_THROW(check::load_baseline(directory.path(), methods::builtin_registry(), {}), InputError);
 }
 
-TEST_F(ToyClosure, HasACommandWithTheOptionsThatItDescribes) {
+TEST_F(ToyClosure, HasACommandWithItsOptions) {
   const auto* solver = registry_.find("toy");
   ASSERT_NE(solver, nullptr);
-  auto options = solver->usual_options;
+  auto options = solver->default_options;
   options[0].value = std::int64_t{3};
   EXPECT_THROW(registry_.method(*solver, options), InputError);
   options[0].value = std::int64_t{8};

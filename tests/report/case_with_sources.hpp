@@ -22,7 +22,7 @@ inline results::Case case_with_sources() {
   }
   case_result.joints.push_back({"mcs", case_result.joints.front().density});
   for (const auto& [id, size] : {std::pair{"epc-gaussian-n6", 1.0}, std::pair{"fd-kf", 1e-3}}) {
-    case_result.own_errors.push_back({id, {}, {.y2 = 1e-3 * size, .v2 = -2e-3 * size}});
+    case_result.moment_error_estimates.push_back({id, {}, {.y2 = 1e-3 * size, .v2 = -2e-3 * size}});
     for (const auto& [moment, error] : {std::pair{"y2", 1e-3}, std::pair{"v2", -2e-3}}) {
       results::ErrorSource source{id, moment, case_result.joints.front().density};
       auto& map = source.density;

@@ -85,22 +85,23 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
 
 TEST(Findings, StateResidualBasedErrors) {
   auto case_result = tests::made_up_case_without_noise();
-  case_result.own_errors = {{"epc-gaussian-n6", {}, {.y2 = 1, .v2 = 1}},
-                            {"fd-kf", {.y2 = 0.5, .v2 = 0.25}, {.y2 = 4.3e-7, .v2 = -1.2e-6}}};
+  case_result.moment_error_estimates = {
+      {"epc-gaussian-n6", {}, {.y2 = 1, .v2 = 1}},
+      {"fd-kf", {.y2 = 0.5, .v2 = 0.25}, {.y2 = 4.3e-7, .v2 = -1.2e-6}}};
   solution_of(case_result, "mcs").moments.y2 = 0.5 + 2e-9;
   solution_of(case_result, "mcs").moments.v2 = 0.25 - 1e-9;
   EXPECT_EQ(
       sentence_with(case_result, "residuals"),
       "Errors of E[y^2] and E[y'^2], estimated from residuals: 4.3e-07 and -1.2e-06 in fd-kf. "
       "Corrected moments of fd-kf: 0.5 and 0.25, within 2e-09 of the simulation.");
-  case_result.own_errors.pop_back();
+  case_result.moment_error_estimates.pop_back();
   EXPECT_EQ(sentence_with(case_result, "residuals"), "");
 }
 
 // The number of digits is clamped: for a value near 0 it was -2147483648.
 TEST(Findings, ClampTheNumberOfDigits) {
   auto case_result = tests::made_up_case_without_noise();
-  case_result.own_errors = {{"fd-kf", {.y2 = 0, .v2 = 1e308}, {.y2 = 1, .v2 = 1}}};
+  case_result.moment_error_estimates = {{"fd-kf", {.y2 = 0, .v2 = 1e308}, {.y2 = 1, .v2 = 1}}};
   const std::string sentence = sentence_with(case_result, "estimated from residuals");
   EXPECT_TRUE(contains(sentence, "moments of fd-kf: 0 and 1e+308")) << sentence;
 }

@@ -24,7 +24,7 @@ std::vector<transform::Solution> solutions_with_histogram() {
   return solutions;
 }
 
-TEST(JointDensities, AreOfAllSolutionsThatHaveOneInTheirOrder) {
+TEST(JointDensities, HaveTheOrderOfTheSolutions) {
   const auto found = [](const std::vector<transform::Solution>& solutions) {
     std::string ids;
     for (const auto& joint : joint_densities(kAxes, solutions)) ids += joint.solution + ' ';
@@ -54,7 +54,7 @@ TEST(JointDensities, HaveMassOneAndTheMarginalsOfTheRun) {
   }
 }
 
-TEST(JointDensities, OfASimulationAreSumsOfItsCells) {
+TEST(JointDensities, OfASimulationSumItsCells) {
   const auto solutions = solutions_with_histogram();
   const auto joint = joint_densities(kAxes, solutions).back();
   ASSERT_EQ(joint.solution, "mcs");

@@ -59,7 +59,7 @@ void expect_same(const JointDensity& read, const JointDensity& written) {
   }
 }
 
-TEST(JointNetCdf, HoldsTheDensitiesWithNamedAxesAndWhatTheyAreOf) {
+TEST(JointNetCdf, ContainsDensitiesWithNamedAxesAndAttributes) {
   const tests::TemporaryDirectory directory;
   write(directory.path() / "joint.nc", small_run());
   const tests::OpenedNetCdf file(directory.path() / "joint.nc");
@@ -105,7 +105,7 @@ TEST(JointNetCdf, IsReadBack) {
   expect_same(read[2].joint, run.cases[0].joints[1]);
 }
 
-TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
+TEST(JointNetCdf, RefusesCorruptFiles) {
   const tests::TemporaryDirectory directory;
   const fs::path file = directory.path() / "joint.nc";
   write(file, small_run());
@@ -124,7 +124,7 @@ TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
 }
 
 /// A file whose declared sizes exceed its contents.
-class Declaring : public testing::Test {
+class DeclaredSizes : public testing::Test {
  protected:
   /// @param lengths of the dimensions of p_case1
   void declare(const std::vector<std::size_t>& lengths, const std::vector<std::size_t>& chunk,
@@ -170,7 +170,7 @@ class Declaring : public testing::Test {
   fs::path file_ = directory_.path() / "joint.nc";
 };
 
-TEST_F(Declaring, MoreThanItHoldsIsRefusedBeforeThereIsRoomForIt) {
+TEST_F(DeclaredSizes, BeyondTheContentsAreRefusedBeforeAllocation) {
   const std::size_t many = 3'000'000'000;
   declare({many, 2, 2}, {1, 2, 2});
   EXPECT_TRUE(contains(refusal(), "not a list of texts")) << refusal();
@@ -183,7 +183,7 @@ TEST_F(Declaring, MoreThanItHoldsIsRefusedBeforeThereIsRoomForIt) {
   EXPECT_TRUE(contains(refusal(), "more values than the file can contain")) << refusal();
 }
 
-TEST_F(Declaring, AnotherFormOrTypeIsRefused) {
+TEST_F(DeclaredSizes, OfOtherFormatsAndTypesAreRefused) {
   declare({1, 1, 1}, {}, NC_FLOAT, NC_64BIT_DATA);
   EXPECT_TRUE(contains(refusal(), "not netCDF-4")) << refusal();
   declare({1, 1, 1}, {}, NC_STRING);
@@ -191,7 +191,7 @@ TEST_F(Declaring, AnotherFormOrTypeIsRefused) {
 }
 
 // libnetcdf would interpret one path as a network address and another as two directories.
-TEST(JointNetCdf, IsReadWhateverTheNameOfItsDirectory) {
+TEST(JointNetCdf, IsReadFromDirectoriesWithAnyName) {
   const tests::TemporaryDirectory directory;
   const fs::path whole = directory.path() / "joint.nc";
   write(whole, small_run());

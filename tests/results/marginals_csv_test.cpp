@@ -59,7 +59,7 @@ TEST(MarginalsCsv, IsReadWithTheLineEndsOfOtherSystems) {
   expect_read_back(crlf, cases);
 }
 
-TEST(MarginalsCsv, TellsNeighbouringCurvesApart) {
+TEST(MarginalsCsv, SeparatesConsecutiveCurves) {
   const auto cases = cases_with({{"a",
                                   {{"s", Variable::y, {0.5}, {1}, {}, {}},
                                    {"s", Variable::ydot, {0.5}, {2}, {}, {}},
@@ -68,7 +68,7 @@ TEST(MarginalsCsv, TellsNeighbouringCurvesApart) {
   expect_read_back(written(cases), cases);
 }
 
-TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
+TEST(MarginalsCsv, LeavesMissingIntervalsEmpty) {
   EXPECT_EQ(written(cases_with({{"c",
                                  {{"s", Variable::y, {0.5}, {0.25}, {}, {}},
                                   {"t", Variable::y, {0.5}, {0.25}, {0.125}, {1}}}}})),
@@ -78,7 +78,7 @@ TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
 }
 
 // A simulation whose trajectories exceeded the range of numbers has a density that is not finite.
-TEST(MarginalsCsv, HasNumbersThatAreNotFiniteOnlyOfWhatBrokeDown) {
+TEST(MarginalsCsv, AllowsNonFiniteNumbersOnlyOfFailedSolutions) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto read = [&](const std::string& row) -> std::string {
     std::istringstream csv(header + "c,fd-kf,y,0.5,1,,\n" + row);
@@ -98,7 +98,7 @@ TEST(MarginalsCsv, HasNumbersThatAreNotFiniteOnlyOfWhatBrokeDown) {
   EXPECT_EQ(read("c,fd-kf,ydot,0.5,1,0,inf\n"), "m.csv:3: inf (numbers must be finite)");
 }
 
-TEST(MarginalsCsv, NamesTheLineThatIsWrong) {
+TEST(MarginalsCsv, ReportsTheInvalidLine) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto message = [](const std::string& text) -> std::string {
     std::istringstream csv(text);

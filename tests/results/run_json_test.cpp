@@ -38,7 +38,7 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-TEST(RunJson, SaysThatTheRunWasStopped) {
+TEST(RunJson, ContainsTheStopMessage) {
   const results::Run whole{{"fpkcheck", "1", "fpkcheck run"}, {}};
   EXPECT_FALSE(summary_of(whole).contains("stopped"));
   const results::Run stopped{{"fpkcheck", "1", "fpkcheck run"}, {}, "Stopped. Missing: case2."};
@@ -185,7 +185,7 @@ TEST(Summary, IsReadBackAsItWas) {
   EXPECT_EQ(run.cases[0].budget[0].parts[0].links.front(), compare::Link::closure);
 }
 
-TEST(Summary, WhatIsNotFiniteOrNotKnownIsNull) {
+TEST(Summary, NonFiniteAndUnknownNumbersAreNull) {
   results::Run run = full_run();
   auto& one = run.cases[0];
   one.solutions[0].energy_residual = std::nan("");
@@ -208,7 +208,7 @@ TEST(Summary, WhatIsNotFiniteOrNotKnownIsNull) {
   EXPECT_TRUE(std::isnan(again.cases[0].budget[0].total_tail));
 }
 
-TEST(Summary, ObservationsMustNotClaimACommonFieldOrEachOther) {
+TEST(Summary, MetricsMustNotReuseKeys) {
   for (const char* path : {"status", "moments.y2", "sampling_l1.y"}) {
     results::Run run = full_run();
     run.cases[0].solutions[0].metrics = MetricBuilder().result(path, 1.0).take();
@@ -222,7 +222,7 @@ TEST(Summary, ObservationsMustNotClaimACommonFieldOrEachOther) {
   EXPECT_THROW(summary_text(run), std::logic_error);
 }
 
-TEST(Summary, OfAnOlderProgramHasSolutionsWithoutAFamily) {
+TEST(Summary, OfAnOlderVersionHasSolutionsWithoutAFamily) {
   Json json = summary_of(full_run());
   for (auto& solution : json["cases"][0]["solutions"]) solution.erase("identity");
   json["cases"][0].erase("reference");
@@ -231,7 +231,7 @@ TEST(Summary, OfAnOlderProgramHasSolutionsWithoutAFamily) {
   EXPECT_EQ(run.cases[0].solutions[0].id(), "epc-gaussian-n2");
 }
 
-TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
+TEST(Summary, RefusesCorruptFiles) {
   const std::string text = summary_text(full_run());
   EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON: error at byte"));
   EXPECT_TRUE(contains(refusal("[]"), "\"schema\" is missing"));
@@ -262,7 +262,7 @@ TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
 }
 
 // The conversion of a number out of the range of int is undefined behaviour.
-TEST(Summary, WithWhatIsNoIntegerWhereOneMustBeIsRefused) {
+TEST(Summary, RefusesNonIntegers) {
   for (const Json& wrong : {Json(1e300), Json(-1e300), Json(3000000000), Json(1.5), Json("6")}) {
     for (const char* place : {"/order", "/trust", "/look/layer"}) {
       Json json = Json::parse(summary_text(full_run()));
@@ -277,7 +277,7 @@ TEST(Summary, WithWhatIsNoIntegerWhereOneMustBeIsRefused) {
 }
 
 // Recursion into deeply nested JSON must not exhaust the stack.
-TEST(Summary, ThatIsNestedWithoutEndIsRefused) {
+TEST(Summary, RefusesDeepNesting) {
   const std::string opening(100000, '[');
   EXPECT_TRUE(contains(refusal(opening + std::string(100000, ']')), "nested more than"));
   EXPECT_TRUE(contains(refusal(opening), "nested more than"));

@@ -10,7 +10,7 @@ namespace {
 
 using transform::Variable;
 
-TEST(Curves, KnowTheWidthsOfTheirBinsFromTheCentres) {
+TEST(Curves, ComputeBinWidthsFromCentres) {
   // At a twentieth of the default rate the bins at 0 are divided.
   const auto axes = compare::comparison_axes(tests::make_problem({.rate = 0.05}));
   ASSERT_GT(axes.divisions, 0);

@@ -22,7 +22,8 @@ void remove_solution(results::Case& case_result, const std::string& id) {
   std::erase_if(case_result.solutions, [&](const auto& solution) { return solution.id() == id; });
   std::erase_if(case_result.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
   std::erase_if(case_result.budget, [&](const auto& row) { return row.solution == id; });
-  std::erase_if(case_result.own_errors, [&](const auto& own) { return own.solution == id; });
+  std::erase_if(case_result.moment_error_estimates,
+                [&](const auto& own) { return own.solution == id; });
   std::erase_if(case_result.curves, [&](const auto& curve) { return curve.solution == id; });
 }
 
@@ -49,7 +50,7 @@ RepeatedCase plan_repetition(results::Case& case_result, const methods::Registry
   std::vector<std::string> external_ids;
   for (const Solution& solution : case_result.solutions) {
     try {
-      if (auto method = registry.that_made(solution, option_overrides)) {
+      if (auto method = registry.method_for_solution(solution, option_overrides)) {
         if (solution.standard_errors) require_complete_simulation(solution);
         again.methods.push_back(std::move(*method));
       } else {

@@ -66,11 +66,11 @@ class GridStudySolver {
   }
 
   Solution solve(const methods::Method& method) {
-    const methods::Fraction progress = [&](double fraction, const std::string& note) {
+    const methods::ProgressCallback progress = [&](double fraction, const std::string& note) {
       report_progress(method.id(), fraction, note);
     };
     progress(0, "");
-    Solution solution = methods::solve_by(method, problem_, {axes_, progress});
+    Solution solution = methods::solve_with(method, problem_, {axes_, progress});
     ++done_;
     return solution;
   }

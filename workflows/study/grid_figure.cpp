@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/legend_strip.hpp"
 #include "report/figure/panel_grid.hpp"
@@ -38,7 +38,7 @@ std::vector<Series> grids(const GridStudy& study) {
       [](const GridRow& row) { return point(row, row.refinement); });
   std::vector<transform::Identity> schemes;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    schemes.push_back({.id = all[k].label, .method = "fd", .plot_style = methods::scheme_look(k)});
+    schemes.push_back({.id = all[k].label, .method = "fd", .plot_style = methods::scheme_style(k)});
   }
   const auto looks = series_styles(schemes);
   for (std::size_t k = 0; k < all.size(); ++k) all[k].plot_style = looks[k];

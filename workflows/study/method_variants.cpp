@@ -22,7 +22,7 @@ using transform::Role;
 std::optional<Method> find_method(const Registry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {
-    return registry.by_id(id, given);
+    return registry.method_by_id(id, given);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -35,9 +35,9 @@ std::vector<Method> members_and_variants(const Registry& registry, const methods
   const auto add = [&](std::optional<Method> method) {
     if (method) found.push_back(std::move(*method));
   };
-  for (const auto& id : usual) add(registry.by_id(id));
+  for (const auto& id : usual) add(registry.method_by_id(id));
   for (const auto& id : usual) {
-    for (const auto& parameter : solver.parameters->all()) {
+    for (const auto& parameter : solver.option_descriptions->all()) {
       for (const auto& choice : parameter.choices) {
         add(find_method(registry, id, {{parameter.name, choice}}));
       }
@@ -71,13 +71,14 @@ std::vector<MethodVariant> method_variants(const Registry& registry, Role role) 
   for (const auto& solver : registry.solvers()) {
     for (const auto& family : solver.families) {
       if (family.role != role) continue;
-      for (auto& method : members_and_variants(registry, solver, family.usual)) {
+      for (auto& method : members_and_variants(registry, solver, family.default_ids)) {
         const std::string stem = stem_of(method.identity), prefix = solver.name + '-';
         if (method.identity.family != family.name || known(stem)) continue;
         const bool is_first_solver = all.empty() || all.front().identity().method == solver.name;
         const bool is_shortened = is_first_solver && stem.starts_with(prefix);
         std::string name = is_shortened ? stem.substr(prefix.size()) : stem;
-        const bool usual = std::ranges::find(family.usual, method.id()) != family.usual.end();
+        const bool usual =
+            std::ranges::find(family.default_ids, method.id()) != family.default_ids.end();
         all.push_back({std::move(name), stem, usual, std::move(method)});
       }
     }
@@ -106,9 +107,9 @@ std::vector<Method> comparison_methods(const Registry& registry, Equation equati
   }
   for (const auto& variant : method_variants(registry, Role::simulation)) {
     if (!solves(variant.identity(), equation, impact)) continue;
-    all.push_back(*registry.by_id(variant.stem, simulation));
+    all.push_back(*registry.method_by_id(variant.stem, simulation));
   }
-  std::ranges::stable_sort(all, methods::less_trusted, &Method::identity);
+  std::ranges::stable_sort(all, methods::is_less_trusted, &Method::identity);
   return all;
 }
 

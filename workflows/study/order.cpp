@@ -29,7 +29,7 @@ Method reference_method(const Registry& registry) {
     throw InputError(
         "no reference for the closures: no discretisation of the full problem is registered");
   }
-  return *std::ranges::max_element(candidates, methods::less_trusted, &Method::identity);
+  return *std::ranges::max_element(candidates, methods::is_less_trusted, &Method::identity);
 }
 
 const MethodVariant& find_formulation(const std::string& name,
@@ -53,7 +53,7 @@ constexpr double kUnlimitedError = 10;
 
 Method method_of_order(const Registry& registry, const MethodVariant& formulation, int order) {
   const std::string id = fmt::format("{}-n{}", formulation.stem, order);
-  auto method = registry.by_id(id, {{"accuracy", kUnlimitedError}});
+  auto method = registry.method_by_id(id, {{"accuracy", kUnlimitedError}});
   if (!method)
     throw InputError(fmt::format("--orders {}: there is no {}; leave this order out", order, id));
   return std::move(*method);

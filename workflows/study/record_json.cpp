@@ -13,7 +13,7 @@ using results::Json;
 void add(const Record& record, Json& object) {
   transform::MetricBuilder values;
   for (const auto& [path, value] : record) values.result(path, value);
-  results::add_observations(std::move(values).take(), object);
+  results::add_metrics(std::move(values).take(), object);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(ErrorSourceScript, RunsNoCommandOfAnId) {
   for (auto& s : case_result.solutions) {
     if (s.id() == "fd-kf") s.identity.id = id;
   }
-  for (auto& own : case_result.own_errors)
+  for (auto& own : case_result.moment_error_estimates)
     own.solution = own.solution == "fd-kf" ? id : own.solution;
   for (auto& s : case_result.error_sources) s.solution = s.solution == "fd-kf" ? id : s.solution;
   const std::string script = error_source_script(case_result, "stem");

@@ -50,7 +50,7 @@ TEST(ErrorMaps, AreJsonAndEscapedHtml) {
   for (auto& s : case_result.solutions) {
     if (s.id() == "fd-kf") s.identity.id = "<b>";
   }
-  for (auto& own : case_result.own_errors)
+  for (auto& own : case_result.moment_error_estimates)
     own.solution = own.solution == "fd-kf" ? "<b>" : own.solution;
   for (auto& s : case_result.error_sources) s.solution = s.solution == "fd-kf" ? "<b>" : s.solution;
   const auto maps = error_maps(case_result);

@@ -61,7 +61,7 @@ class BaselineTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   static Baseline load(const fs::path& place) {
-    return load_baseline(place, methods::builtin(), {{"threads", std::int64_t{2}}});
+    return load_baseline(place, methods::builtin_registry(), {{"threads", std::int64_t{2}}});
   }
 
   /// Changes the summary, loads it and returns the error message, or "accepted".
@@ -190,7 +190,7 @@ TEST_F(BaselineTest, LoadsEveryPaperCaseWithItsCurves) {
 
 /// The closures of the paper's first case, which are solved in a few milliseconds each.
 Baseline closures() {
-  auto baseline = load_baseline(FPKCHECK_BASELINES "/case1", methods::builtin(), {});
+  auto baseline = load_baseline(FPKCHECK_BASELINES "/case1", methods::builtin_registry(), {});
   auto& one = baseline.run.cases[0];
   const auto is_closure = [](const std::string& id) { return id.starts_with("epc-"); };
   std::erase_if(one.solutions, [&](const auto& s) { return !is_closure(s.id()); });
@@ -241,7 +241,7 @@ TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
 /// A run of one simulation.
 results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double time = 2e5) {
   const auto problem = tests::make_problem({.intensity = intensity});
-  const auto method = methods::builtin().by_id(
+  const auto method = methods::builtin_registry().method_by_id(
       "mcs",
       {{"time", time}, {"seed", static_cast<std::int64_t>(seed)}, {"streams", std::int64_t{64}}});
   return {results::this_program(""), methods::run_cases({problem}, {*method}, 0, {})};

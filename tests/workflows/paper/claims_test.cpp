@@ -65,7 +65,7 @@ TEST(Claims, AreUniqueByCaseAndTextAndHaveQuotations) {
 }
 
 TEST(Claims, ReferToExistingMethodsAndCases) {
-  const auto methods = methods::builtin().select(kRequiredMethods, {});
+  const auto methods = methods::builtin_registry().select(kRequiredMethods, {});
   for (const auto& claim : claims()) {
     EXPECT_TRUE(std::ranges::any_of(methods, [&](const methods::Method& method) {
       return method.identity.id == closure_id(claim.order);

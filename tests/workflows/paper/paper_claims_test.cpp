@@ -39,9 +39,9 @@ const std::vector<Judgement>& judgements() {
       std::vector<transform::Solution> solutions;
       for (const int order : {2, 4, 6, 8}) {
         // Without `accuracy` no error estimate is computed: the claims do not need it.
-        const auto method =
-            methods::builtin().by_id(closure_id(order), {{"accuracy", base::Value()}});
-        solutions.push_back(methods::solve_by(*method, problem, {axes, {}}));
+        const auto method = methods::builtin_registry().method_by_id(closure_id(order),
+                                                                     {{"accuracy", base::Value()}});
+        solutions.push_back(methods::solve_with(*method, problem, {axes, {}}));
       }
       std::ranges::move(quick_references(problem), std::back_inserter(solutions));
       run.cases.push_back(results::make_case(problem, axes, std::move(solutions)));

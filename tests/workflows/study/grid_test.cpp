@@ -27,16 +27,17 @@ const GridRow& row(const GridStudy& study, int order, int level) {
 
 TEST(GridStudy, ConvergesAtTheOrderOfEachScheme) {
   std::vector<std::string> told;
-  const auto study = study_grid(without_losses(),
-                                {.equation = problem::Equation::white,
-                                 .orders = {5, 3, 5},
-                                 .levels = 4,
-                                 .coarsest = 0.5,
-                                 .simulation = {{"time", 3e3}}},
-                                methods::builtin(), [&](const methods::RunProgress& progress) {
-                                  if (progress.fraction == 0) told.push_back(progress.method);
-                                  EXPECT_EQ(progress.total, 8u + 7u);
-                                });
+  const auto study =
+      study_grid(without_losses(),
+                 {.equation = problem::Equation::white,
+                  .orders = {5, 3, 5},
+                  .levels = 4,
+                  .coarsest = 0.5,
+                  .simulation = {{"time", 3e3}}},
+                 methods::builtin_registry(), [&](const methods::RunProgress& progress) {
+                   if (progress.fraction == 0) told.push_back(progress.method);
+                   EXPECT_EQ(progress.total, 8u + 7u);
+                 });
   ASSERT_EQ(study.rows.size(), 8u);
   EXPECT_TRUE(has_converged(study));
   EXPECT_FALSE(row(study, 3, 2).observed);  // an observed order needs three levels

@@ -30,7 +30,7 @@ Names ids_beside(const methods::Registry& registry, Equation equation, Impact im
 }
 
 TEST(Kinds, OfClosuresAreFormulationsAndTheirVariants) {
-  EXPECT_EQ(names(methods::builtin(), Role::closure),
+  EXPECT_EQ(names(methods::builtin_registry(), Role::closure),
             (Names{"gaussian", "gaussian-white", "gaussian-kf", "moment", "moment-white",
                    "moment-cut", "polar"}));
 }
@@ -43,7 +43,7 @@ TEST(Kinds, IncludeExternallyRegisteredMethods) {
 }
 
 TEST(Kinds, DistinguishDefaultsAndMethodsOfTheFullProblem) {
-  for (const auto& variant : method_variants(methods::builtin(), Role::closure)) {
+  for (const auto& variant : method_variants(methods::builtin_registry(), Role::closure)) {
     EXPECT_EQ(variant.usual,
               variant.name == "gaussian" || variant.name == "moment" || variant.name == "polar");
     EXPECT_EQ(variant.solves_full_problem(),
@@ -54,7 +54,7 @@ TEST(Kinds, DistinguishDefaultsAndMethodsOfTheFullProblem) {
 
 // Every closure approximates the full problem; for other equations only their own closures count.
 TEST(OtherMethods, SolveTheEquationWithTheImpact) {
-  const auto registry = methods::builtin();
+  const auto registry = methods::builtin_registry();
   EXPECT_EQ(ids_beside(registry, Equation::kf, Impact::map),
             (Names{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-moment-n2",
                    "epc-moment-n4", "epc-moment-n6", "epc-moment-n8", "epc-moment-n10",
@@ -85,13 +85,13 @@ TEST(OtherMethods, HaveTheOrdersOfTheFamily) {
 }
 
 TEST(OtherMethods, TheSimulationHasTheGivenOptions) {
-  const auto methods =
-      comparison_methods(methods::builtin(), Equation::white, Impact::map, {{"time", 3e3}});
+  const auto methods = comparison_methods(methods::builtin_registry(), Equation::white, Impact::map,
+                                          {{"time", 3e3}});
   const auto& options = methods.back().options;
   EXPECT_NE(std::ranges::find(options, base::NamedValue{"time", 3e3}), options.end());
-  EXPECT_THROW(
-      comparison_methods(methods::builtin(), Equation::white, Impact::map, {{"time", -1.0}}),
-      InputError);
+  EXPECT_THROW(comparison_methods(methods::builtin_registry(), Equation::white, Impact::map,
+                                  {{"time", -1.0}}),
+               InputError);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 TEST(OrderStudy, ComparesEveryOrderWithADiscretisationOfTheFullProblem) {
   const auto study = study_orders(tests::paper_case(1), {{"moment", "gaussian"}, {4, 2, 4}},
-                                  methods::builtin(), {});
+                                  methods::builtin_registry(), {});
   EXPECT_EQ(study.reference.id(), "fd-kf");
   EXPECT_TRUE(study.reference.is_ok());
   ASSERT_EQ(study.rows.size(), 4u);

@@ -52,7 +52,7 @@ inline methods::Solver toy_solver(const Toy& toy) {
                          .usage = "",
                          .families = {},
                          .parameters = &toy_description(),
-                         .usual_options = {},
+                         .default_options = {},
                          .options_of = {},
                          .method = {}};
   solver.families.push_back(
@@ -73,11 +73,11 @@ inline methods::Solver toy_solver(const Toy& toy) {
     toy_description().validate(options);
     return methods::Method{
         toy.identity(options), values, false,
-        [=](const problem::Problem&, const methods::Setting& setting) {
+        [=](const problem::Problem&, const methods::SolveContext& context) {
           const double off = toy.role == transform::Role::closure ? 0.5 / options.order : 0;
           return solution(toy.identity(options),
-                          smooth({2.3 + off, 0.06, 2.4, 0}, setting.axes.y_edges.back(),
-                                 setting.axes.v_edges.back()));
+                          smooth({2.3 + off, 0.06, 2.4, 0}, context.axes.y_edges.back(),
+                                 context.axes.v_edges.back()));
         }};
   };
   return solver;

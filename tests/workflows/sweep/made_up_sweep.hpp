@@ -15,7 +15,7 @@ inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
                            sweep::Design design = sweep::Design::product,
                            const std::string& methods = "epc-gaussian-n2,fd-kf") {
   sweep::Plan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
-  plan.methods = methods::builtin().select(methods, {});
+  plan.methods = methods::builtin_registry().select(methods, {});
   plan.points = sweep::make_points(plan.axes, design, 0);
   return plan;
 }
@@ -23,7 +23,7 @@ inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
 /// A plan with one closure and without its error estimate: milliseconds for each point.
 inline sweep::Plan quick_plan(std::vector<sweep::Axis> axes) {
   sweep::Plan plan = plan_of(std::move(axes));
-  plan.methods = methods::builtin().select("epc-gaussian-n2", {{"accuracy", {}}});
+  plan.methods = methods::builtin_registry().select("epc-gaussian-n2", {{"accuracy", {}}});
   return plan;
 }
 

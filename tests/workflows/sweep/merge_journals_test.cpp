@@ -31,7 +31,7 @@ TEST(MergedSweep, JoinsShards) {
   write_shard(plan, directory.path() / "a", {2, 3});
   write_shard(plan, directory.path() / "b", {3, 3});
   const auto all =
-      merge_journals({directory.path() / "b", directory.path() / "a"}, methods::builtin());
+      merge_journals({directory.path() / "b", directory.path() / "a"}, methods::builtin_registry());
   EXPECT_TRUE(all.results.is_complete());
   EXPECT_TRUE(all.remarks.empty());
   EXPECT_EQ(csv(all.results), csv(tests::results_of(plan)));
@@ -44,7 +44,7 @@ std::string remark_without(const std::vector<Shard>& missing, std::size_t of) {
     if (std::ranges::find(missing, number, &Shard::number) != missing.end()) continue;
     write_shard(plan, directory.path(), {number, of});
   }
-  const auto all = merge_journals({directory.path()}, methods::builtin());
+  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
   EXPECT_FALSE(all.results.is_complete());
   EXPECT_EQ(all.remarks.size(), 1);
   return all.remarks.empty() ? "" : all.remarks[0];
@@ -64,7 +64,7 @@ TEST(MergedSweep, ReportsAnIncompleteShard) {
   const Plan plan = tests::small_plan();
   write_shard(plan, directory.path(), {1, 2});
   Journal(directory.path() / Shard{2, 2}.journal_name(), plan).append(tests::result_of(plan, 1));
-  const auto all = merge_journals({directory.path()}, methods::builtin());
+  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
   ASSERT_EQ(all.remarks.size(), 1);
   EXPECT_NE(all.remarks[0].find("--shard 2/2 (2 points)"), std::string::npos) << all.remarks[0];
 }
@@ -73,7 +73,7 @@ TEST(MergedSweep, WithoutShardsSuggestsToRepeatTheSweep) {
   const tests::TemporaryDirectory directory;
   const Plan plan = tests::small_plan();
   Journal(directory.path() / "journal", plan).append(tests::result_of(plan, 1));
-  const auto all = merge_journals({directory.path()}, methods::builtin());
+  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
   ASSERT_EQ(all.remarks.size(), 1);
   EXPECT_EQ(all.remarks[0].find("--shard"), std::string::npos) << all.remarks[0];
 }
@@ -82,10 +82,10 @@ TEST(MergedSweep, OtherPlansAndEmptyDirectoriesAreRefused) {
   const tests::TemporaryDirectory directory;
   write_shard(tests::small_plan(), directory.path(), {1, 2});
   write_shard(tests::plan_of({parse_axis("impulse.rate", "1,2", "x")}), directory.path(), {2, 2});
-  EXPECT_THROW(merge_journals({directory.path()}, methods::builtin()), InputError);
+  EXPECT_THROW(merge_journals({directory.path()}, methods::builtin_registry()), InputError);
   const tests::TemporaryDirectory empty;
-  EXPECT_THROW(merge_journals({empty.path()}, methods::builtin()), InputError);
-  EXPECT_THROW(merge_journals({empty.path() / "absent"}, methods::builtin()), InputError);
+  EXPECT_THROW(merge_journals({empty.path()}, methods::builtin_registry()), InputError);
+  EXPECT_THROW(merge_journals({empty.path() / "absent"}, methods::builtin_registry()), InputError);
 }
 
 }  // namespace

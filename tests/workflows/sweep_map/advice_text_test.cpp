@@ -17,7 +17,7 @@ using transform::Status;
 const AdviceContext kSetting{.name = "mine",
                              .command = [](const std::string& id) { return "solve by " + id; },
                              .fallback_commands = {"solve carefully"},
-                             .registry = methods::builtin()};
+                             .registry = methods::builtin_registry()};
 
 TEST(AdviceText, HasTheCommandAndTheWarnings) {
   auto map = made_up_map();

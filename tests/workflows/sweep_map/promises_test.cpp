@@ -94,7 +94,8 @@ TEST(Promises, HoldForProblemsBetweenThePoints) {
     SCOPED_TRACE(problem.name + ": " + problem::parameters_text(problem));
     const std::string id = promised.front().id;
     Plan plan{.base = problem, .axes = {}, .points = {{}}};
-    plan.methods = methods::builtin().select(id + ",fd-kf", {{"stepper", std::string("direct")}});
+    plan.methods =
+        methods::builtin_registry().select(id + ",fd-kf", {{"stepper", std::string("direct")}});
     const auto result = solve_point(plan, 0).result;
     ASSERT_EQ(result.reference, "fd-kf");
     const auto& closure = result.methods.front();

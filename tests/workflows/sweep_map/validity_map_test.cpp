@@ -107,7 +107,8 @@ TEST(ShippedValidityMap, HasExistingMethods) {
   const auto& map = shipped_validity_map();
   EXPECT_GT(map.points.size(), 100);
   EXPECT_EQ(map.methods.back(), "fd-kf");
-  for (const auto& id : map.methods) EXPECT_TRUE(methods::builtin().by_id(id)) << id;
+  for (const auto& id : map.methods)
+    EXPECT_TRUE(methods::builtin_registry().method_by_id(id)) << id;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void write_transient_netcdf(const std::filesystem::path& file, const TransientRu
 std::string transient_picture_stem(const std::string& case_name);
 
 /// Writes transient.nc and figures/transient-CASE.gp with its pictures into a directory that
-/// make_writable prepared. Each file is complete or absent. Files of an earlier run of the case are
+/// prepare_output_directory prepared. Each file is complete or absent. Files of an earlier run of the case are
 /// removed when this run has no data for them.
 /// @param gnuplot program that draws the pictures
 /// @return warnings, one line each, about pictures that could not be drawn

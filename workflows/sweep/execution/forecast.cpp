@@ -10,7 +10,7 @@
 #include <set>
 
 #include "base/process/stop.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
 
 namespace fpkcheck::sweep {
@@ -79,7 +79,7 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
   const std::size_t sample_count = sample_size(plan.points.size());
   const auto chosen = spread_sample(unknown, sample_count - std::min(sample_count, known.size()));
   std::mutex mutex;
-  methods::side_by_side(chosen.size(), threads, [&](std::size_t k) {
+  methods::parallel_for(chosen.size(), threads, [&](std::size_t k) {
     if (base::stop_requested()) return;
     const double seconds = solve_point(plan, chosen[k]).result.seconds;
     const std::lock_guard lock(mutex);

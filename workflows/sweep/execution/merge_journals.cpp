@@ -48,7 +48,7 @@ std::vector<fs::path> journals_in(const fs::path& directory) {
 
 Json plan_json_of(const JournalContent& content, const fs::path& file) {
   std::istringstream text(content.plan);
-  return results::parsed(text, sanitise(file.string()));
+  return results::parse_json(text, sanitise(file.string()));
 }
 
 Plan plan_from_journal(const Json& json, const fs::path& file, const methods::Registry& registry) {
@@ -56,7 +56,7 @@ Plan plan_from_journal(const Json& json, const fs::path& file, const methods::Re
     return plan_from_json(json, registry);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: not the plan of a sweep ({})", sanitise(file.string()),
-                                 results::said_by(error)));
+                                 results::exception_text(error)));
   }
 }
 

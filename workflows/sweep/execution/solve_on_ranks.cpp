@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "base/process/stop.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 #include "workflows/sweep/result/point_json.hpp"
 
 namespace fpkcheck::sweep {

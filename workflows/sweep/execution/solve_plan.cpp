@@ -9,7 +9,7 @@
 #include "base/process/stop.hpp"
 #include "base/process/write_guard.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 #include "results/marginals_csv.hpp"
 
 namespace fpkcheck::sweep {
@@ -71,7 +71,7 @@ void JournaledQueue::store(SolvedPoint&& solved) {
 
 void solve_remaining(const Plan& plan, JournaledQueue& progress, int threads) {
   const int thread_count = methods::number_of_threads(threads);
-  methods::side_by_side(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
+  methods::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
     for (auto point = progress.next(); point; point = progress.next()) {
       progress.store(solve_point(plan, *point));
     }

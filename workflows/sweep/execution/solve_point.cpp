@@ -10,10 +10,10 @@
 #include "base/input_error.hpp"
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
-#include "methods/error_by_reference.hpp"
-#include "methods/problem_residuals.hpp"
+#include "methods/complete_error_estimates.hpp"
+#include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
-#include "results/curve_of.hpp"
+#include "results/make_curve.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -30,10 +30,10 @@ Solution failed(const methods::Method& method, const std::string& reason) {
 }
 
 Solution solved(const methods::Method& method, const problem::Problem& problem,
-                const methods::Setting& setting) {
+                const methods::SolveContext& context) {
   try {
     if (method.check) method.check(problem);
-    return methods::solve_by(method, problem, setting);
+    return methods::solve_with(method, problem, context);
   } catch (const InputError& error) {
     return failed(method, error.what());
   }
@@ -95,9 +95,9 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     return solved_point;
   }
   const auto axes = compare::comparison_axes(*problem);
-  const methods::ProblemResiduals residuals(*problem);
+  const methods::ResidualErrorEstimator residuals(*problem);
   const bool by_reference =
-      plan.closure_errors == ClosureErrors::reference || !residuals.refused().empty();
+      plan.closure_errors == ClosureErrors::reference || !residuals.unsupported_reason().empty();
   std::vector<Solution> solutions;
   for (const auto& method : plan.methods) {
     solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
@@ -110,12 +110,12 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   }
   if (plan.marginals) {
     for (auto& found : comparison.marginals) {
-      solved_point.curves.push_back(results::curve_of(std::move(found)));
+      solved_point.curves.push_back(results::make_curve(std::move(found)));
     }
   }
   if (reference != nullptr) result.reference = reference->id();
-  methods::complete_errors(plan.methods, axes, residuals, solutions,
-                           reference != nullptr || plan.marginals ? &comparison : nullptr);
+  methods::complete_error_estimates(plan.methods, axes, residuals, solutions,
+                                    reference != nullptr || plan.marginals ? &comparison : nullptr);
   for (const Solution& solution : solutions) {
     const auto l1 =
         reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);

@@ -69,7 +69,7 @@ std::string underestimated_sentence(const Advice& advice, const methods::Registr
   std::vector<std::string> items;
   for (const auto& one : advice.methods) {
     if (one.underestimated == 0) continue;
-    const auto method = registry.by_id(one.id);
+    const auto method = registry.method_by_id(one.id);
     items.push_back(
         fmt::format("{} ({}error up to {:.2g} at {} of {} points)", one.id,
                     method ? "solves " + equation_and_impact_text(method->identity) + ", " : "",

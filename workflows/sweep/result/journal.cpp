@@ -37,7 +37,7 @@ std::optional<std::string> without_checksum(const std::string& line) {
 
 Json json_of(const std::string& text, const std::string& where) {
   std::istringstream in(text);
-  return results::parsed(in, where);
+  return results::parse_json(in, where);
 }
 
 Json header(const Json& plan) {
@@ -101,7 +101,7 @@ JournalContent parse_journal(const std::vector<std::string>& lines,
       if (seen.insert(result.point).second) content.points.push_back(std::move(result));
     } catch (const nlohmann::json::exception& error) {
       throw InputError(fmt::format("{}: not a point of a sweep ({}; remove the line)", where,
-                                   results::said_by(error)));
+                                   results::exception_text(error)));
     }
   }
   return content;

@@ -54,7 +54,7 @@ class SweepFile {
     }
     auto dimensions = dimensions_;
     dimensions.push_back(solution_);
-    return file_.packed(name, dimensions, meaning, values);
+    return file_.compressed_double(name, dimensions, meaning, values);
   }
 
   void write_references() {
@@ -67,7 +67,8 @@ class SweepFile {
         values[point.point] = static_cast<double>(found - methods.begin());
       }
     }
-    file_.packed("reference", dimensions_, "index of the reference solution, or -1", values);
+    file_.compressed_double("reference", dimensions_, "index of the reference solution, or -1",
+                            values);
   }
 
  private:
