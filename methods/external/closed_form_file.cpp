@@ -19,7 +19,7 @@ epc::ClosedForm to_closed_form(const transform::Metrics& metrics, const std::str
   try {
     return epc::read_closed_form(metrics);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.item_kind()));
+    throw InputError(fmt::format("{}: {}", where, error.what()));
   }
 }
 

@@ -67,9 +67,9 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const problem::Frame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   const auto& force = transformed.system.force();
-  const auto mean = [&](const auto& of) {
+  const auto mean = [&](const auto& function) {
     return integrals.integrate([&](double y, double v) {
-      return integrate(frame.x(y), frame.v(v));
+      return function(frame.x(y), frame.v(v));
     }) / mass;
   };
   const auto wall_momentum = [&](bool right) {

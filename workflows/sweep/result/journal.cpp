@@ -21,7 +21,7 @@ namespace {
 using base::sanitise;
 using results::Json;
 
-constexpr int kSchema = 1;
+constexpr int kJournalSchema = 1;
 constexpr std::size_t kChecksum = 8;  // number of its digits
 constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
 
@@ -41,7 +41,7 @@ Json json_of(const std::string& text, const std::string& where) {
 }
 
 Json header(const Json& plan) {
-  return {{"schema", kSchema},
+  return {{"schema", kJournalSchema},
           {"program", {{"name", "fpkcheck"}, {"version", results::this_program("").version}}},
           {"plan", plan}};
 }
