@@ -48,10 +48,8 @@ std::string unsupported_feature_text(std::string_view name) {
   const std::string lower = boost::algorithm::to_lower_copy(std::string(name));
   boost::algorithm::split(parts, lower, boost::algorithm::is_any_of("._-"));
   for (const auto& [subject, words] : kAll) {
-    const auto asks = [&words = words](const std::string& part) {
-      return std::ranges::find(words, part) != words.end();
-    };
-    if (std::ranges::any_of(parts, asks)) {
+    const bool is_named = std::ranges::find_first_of(parts, words) != parts.end();
+    if (is_named) {
       return fmt::format(
           "the program does not treat {}; `fpkcheck --help` and README.md list such features",
           subject);
