@@ -348,7 +348,7 @@ TEST(ExternalMethodsOfAnyOscillator, HaveTheErrorsOfTheirMirrorImages) {
   const auto right = read("-3.5 0.1 0.01\n-2.5 0.2 0.02\n-1.5 0.4 0.03\n-0.5 0.3 0.01\n",
                           {.left = {}, .right = Wall{0, 1}});
   const std::vector<double> edges{0, 0.25, 0.5, 1, 3}, turned{-3, -1, -0.5, -0.25, 0};
-  const auto a = left.on(edges), b = right.on(turned);
+  const auto a = left.average_over(edges), b = right.average_over(turned);
   for (std::size_t k = 0; k < a.size(); ++k) {
     const std::size_t other = a.size() - 1 - k;
     EXPECT_NEAR(a.density[k], b.density[other], 1e-12);

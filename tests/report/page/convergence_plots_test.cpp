@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../guest_family.hpp"
+#include "../external_family.hpp"
 #include "made_up_page.hpp"
 
 namespace fpkcheck::report {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../changed_case.hpp"
+#include "../modified_case.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "../changed_case.hpp"
+#include "../modified_case.hpp"
 #include "report/findings.hpp"
 #include "report/verdict/matrix_text.hpp"
 #include "saved_run.hpp"

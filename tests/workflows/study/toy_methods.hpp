@@ -51,7 +51,7 @@ inline methods::Solver toy_solver(const Toy& toy) {
                          .summary = "",
                          .usage = "",
                          .families = {},
-                         .parameters = &toy_description(),
+                         .option_descriptions = &toy_description(),
                          .default_options = {},
                          .options_of = {},
                          .method = {}};
