@@ -116,8 +116,8 @@ TEST(MarginalsCsv, ReportsTheInvalidLine) {
   EXPECT_TRUE(
       tests::contains(message(header + "c,s,y,0,one,,\n"), "m.csv:2: 'one' is not a number"));
   EXPECT_TRUE(tests::contains(message(header + "c,s,z,0,1,,\n"), "variable 'z'"));
-  EXPECT_TRUE(
-      tests::contains(message(header + "c,s,y,0,1,0,2\nc,s,y,1,1,,\n"), "m.csv:3: intervals"));
+  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,2\nc,s,y,1,1,,\n"),
+                              "m.csv:3: a curve has intervals"));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST_F(ExternalDensities, AreRefusedIfInvalid) {
     return refusal([&] { make_samples_method({.label = "a"}, y, v, independent).check(problem_); });
   };
   EXPECT_EQ(samples(few, few), "samples 'a': 99 pairs (must be at least 100)");
-  EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y'");
+  EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y' (must be equal)");
   EXPECT_TRUE(contains(samples(behind, many), "y = -1, y' = 1 (must be y >= 0)"));
   EXPECT_TRUE(contains(samples(many, many, 101), "independent = 101 (must be 0 .. 100"));
   EXPECT_EQ(samples(many, many, 100), "accepted");

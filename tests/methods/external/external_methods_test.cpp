@@ -225,7 +225,7 @@ TEST_F(ExternalMethods, LabelsMustNotBeIdsOfMethods) {
     EXPECT_TRUE(contains(refusal({y + ":" + label}), "is the name of a method")) << label;
   }
   EXPECT_EQ(refusal({y + ":a", v + ":a"}), "accepted");
-  EXPECT_TRUE(contains(refusal({y + ":a", y + ":a"}), "two files of 'a' are densities of y "));
+  EXPECT_TRUE(contains(refusal({y + ":a", y + ":a"}), "two files of 'a' are densities of y;"));
   EXPECT_TRUE(contains(refusal({"absent.csv:a"}), "'absent.csv' is not a readable file"));
 }
 
