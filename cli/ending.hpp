@@ -8,19 +8,19 @@
 
 #include "results/directory.hpp"
 
-/// How a program that is told to stop comes to its end within a second, whatever it is doing.
+/// Shutdown after SIGINT or SIGTERM within a second, whatever the program computes.
 ///
-/// Most of what takes long cannot be asked to stop: a factorisation, a step of CVODE, a fit. So
-/// nothing in the solvers is asked. A command that can end by itself (between two solutions, after a
-/// round of the simulation) does, and that is the usual way. Where it has not done so within a
-/// fraction of a second, the thread of a Deadline ends the process beside it: it waits for files that
-/// are half written (base/process/files_in_hand.hpp), does what the command left to be done (Rescue), and
-/// leaves without unwinding anything. Memory and threads go with the process; what is left on disk
-/// is what FilesInHand, Rescue and OutputDirectory look after.
+/// Most long computations cannot be interrupted: a factorisation, a step of CVODE, a fit. The
+/// solvers therefore do not poll for signals. Normally a command ends by itself: between two
+/// solutions, or after a round of the simulation. If the command has not ended within a fraction of
+/// a second, the thread of a ShutdownWatchdog ends the process. The thread waits for files that are
+/// being written (base/process/write_guard.hpp), runs the hooks of the command (ShutdownHook), and
+/// exits without unwinding the stack. The operating system releases memory and threads; WriteGuard,
+/// ShutdownHook and OutputDirectory keep the files on disk complete.
 namespace fpkcheck::cli {
 
-/// Something to be done when the process is ended by another thread while this lives; the last made
-/// is done first.
+/// Action that the ShutdownWatchdog runs before it ends the process, while this object lives. Hooks
+/// run in the reverse order of their construction.
 class Rescue {
  public:
   explicit Rescue(std::function<void()> action);
@@ -32,8 +32,8 @@ class Rescue {
   std::function<void()> action_;
 };
 
-/// The directory of --out, prepared (results::make_writable); what it made and nothing was put into
-/// goes again, also when the process is ended by another thread. Without --out nothing.
+/// The directory of --out, prepared by results::make_writable. Directories that were created and
+/// stayed empty are removed, also when the watchdog ends the process. Does nothing without --out.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::optional<std::string>& out);
@@ -43,14 +43,14 @@ class OutputDirectory {
   Rescue rescue_;
 };
 
-/// What became of the work when the program was told to stop, for the one line that it says then:
-/// "nothing was written" until told otherwise.
+/// Sets the second part of exit_message(): the results that are kept when the program is stopped.
+/// The default is "nothing was written".
 void note_kept(const std::string& what);
-/// That line.
+/// The line that a stopped program prints: "interrupted; MESSAGE" or "terminated; MESSAGE".
 std::string stop_notice();
 
-/// While it lives, which is as long as the program runs, a first SIGINT or SIGTERM ends the process
-/// within a second. One at most.
+/// While this object lives (as long as the program runs), the first SIGINT or SIGTERM ends the
+/// process within a second. At most one object may exist.
 class Deadline {
  public:
   Deadline();
@@ -62,11 +62,12 @@ class Deadline {
   std::thread thread_;
 };
 
-/// Tells the deadline, if there is one, of a signal. May be called in a handler of signals.
+/// Notifies the watchdog, if there is one, of a signal. Async-signal-safe.
 void wake_deadline();
 
-/// To be called by a command that was told to stop and has ended by itself, before it says so.
-/// Returns unless the deadline came first; then waits for the end of the process.
+/// Claims the shutdown for the caller: a command that ended by itself after a signal calls this
+/// before it prints exit_message(). If the watchdog has claimed the shutdown first, this never
+/// returns and waits for the exit of the process.
 void claim_the_end();
 
 }  // namespace fpkcheck::cli

@@ -18,7 +18,7 @@ std::vector<std::string> items(const std::string& option, const std::string& lis
     if (std::ranges::find(result, item) == result.end()) result.push_back(item);
   }
   if (result.empty()) {
-    throw InputError(fmt::format("{}: the list is empty (separate its items by commas)", option));
+    throw InputError(fmt::format("{}: the list is empty; give items separated by commas", option));
   }
   return result;
 }
@@ -29,8 +29,8 @@ std::vector<int> integers(const std::string& option, const std::string& list) {
     int value = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc{} || end != item.data() + item.size()) {
-      throw InputError(fmt::format("{} {} ({} is no number) use a list such as 2,4,6", option,
-                                   base::shown(list), base::in_quotes(item)));
+      throw InputError(fmt::format("{} {}: {} is not a valid integer; use a list such as 2,4,6",
+                                   option, base::shown(list), base::in_quotes(item)));
     }
     if (std::ranges::find(result, value) == result.end()) result.push_back(value);
   }

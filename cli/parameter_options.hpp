@@ -9,24 +9,24 @@
 
 namespace fpkcheck::cli {
 
-/// The command-line options of described parameters: each that has a flag, with its help, its
-/// default and its range from the description. What is given replaces the value in `values`.
-/// @param values of all parameters, in any order; kept by reference
-/// @throws InputError from parsing: the flag, the text and what is allowed
+/// Makes the command-line options of the parameters that have a flag, with help, default and range
+/// from the description. Parsing writes each given option to `values`.
+/// @param values defaults of all parameters, in any order; kept by reference
+/// @throws InputError while parsing: with the flag, its text and the allowed range
 boost::program_options::options_description options_for(const base::Descriptions& description,
                                                         base::Values& values);
 
-/// Those of the named parameters only, without defaults: `given` gets the ones that are given.
+/// Makes the options of the named parameters only, without defaults. Parsing adds each given option
+/// to `given`.
 boost::program_options::options_description options_for(const base::Descriptions& description,
                                                         const std::vector<std::string>& names,
                                                         base::Values& given);
 
-/// The options that the solvers let a command set which solves by many methods
-/// (methods::Solver::set_by_a_run).
+/// Makes the options of the commands that solve by several methods (methods::Solver::run_options).
 boost::program_options::options_description options_of_a_run(const methods::Registry& registry,
                                                              base::Values& given);
 
-/// What `--threads` of them gave, for methods side by side; 0 without.
+/// The value of --threads for methods that run in parallel; 0 without the option.
 int threads_in(const base::Values& given);
 
 }  // namespace fpkcheck::cli
