@@ -60,8 +60,8 @@ def checkpoints(fpkcheck):
         whole = file.read()
     text = whole[:-8]
     # Format after two lines: the number of rounds; for each stream y, y', the time until the next
-    # impulse, its amplitude, the time until the next sample, the remaining time, two energy levels,
-    # the number of splits, the number of impulses, fourteen sums of powers and other sums.
+    # impulse, its amplitude, the time until the next sample, the remaining time, two levels of the
+    # splitting, the number of splits, the number of impulses, fourteen sums of powers and other sums.
     numbers = text.index(b"\n", text.index(b"\n") + 1) + 1
 
     def put(name, text):
