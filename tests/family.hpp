@@ -2,7 +2,7 @@
 
 #include "problem/problem.hpp"
 
-/// Problems of the family beyond the paper's class that the tests share.
+/// Problems outside the class of the paper, shared by tests.
 namespace fpkcheck::tests {
 
 inline problem::ImpulseTrain gaussian_impulses(double rate, double intensity, double mean = 0) {
@@ -10,7 +10,7 @@ inline problem::ImpulseTrain gaussian_impulses(double rate, double intensity, do
       {.arrival_rate = rate, .law = "gaussian", .intensity = intensity, .mean = mean});
 }
 
-/// What has noise alone.
+/// A problem with white noise and without impulses.
 inline problem::Problem with_noise(const problem::System& system, double intensity) {
   return {.name = "test", .system = system, .impulses = {}, .noise = {intensity}};
 }
@@ -20,7 +20,7 @@ inline problem::Problem with_impulses(const problem::System& system,
   return {.name = "test", .system = system, .impulses = impulses};
 }
 
-/// The problem as solvers get it.
+/// The problem in the wall coordinates of the solvers.
 inline problem::Problem in_frame(const problem::Problem& problem) {
   return problem::seen_from(problem::frame_of(problem.system), problem);
 }
