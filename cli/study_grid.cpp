@@ -20,8 +20,7 @@ constexpr const char* kGridUsage = R"(usage: fpkcheck study grid CASE [options]
 
 Grid convergence of the finite volumes for several orders of the scheme: distances of the marginal
 densities to their Richardson limit, the observed order over each three grid levels, and limits of
-the moments. Also shows error and time of the closures and the simulation, to choose a method for an
-accuracy.
+the moments. Also shows error and time of closures and simulation, for the choice of a method.
 Exit code 0 when the limit exists and the finest grids give a density.
 
 examples:
