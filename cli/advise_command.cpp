@@ -28,7 +28,7 @@ the methods whose results mislead there.
 Similar problems have about the same number of impulses per decay time, damping ratio, cubic
 fraction of the stiffness, restitution coefficient and impulse law. Units do not matter.
 Errors are L1 distances of p(y) and p(y') from the density of the problem: 0 for equal densities,
-2 for disjoint ones. Closures with an error above 0.02 are never recommended: their status is not ok.
+2 for disjoint ones. Closures with an error above 0.02 are never recommended: they are not ok.
 Exit code 0 when a method is recommended, 1 when there is none.
 
 examples:
