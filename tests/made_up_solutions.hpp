@@ -171,7 +171,7 @@ inline void add_smooth_estimates(transform::Solution& simulation,
   simulation.smooth_sampling = {.y = 3e-6, .ydot = 4e-6, .y_99 = 5e-6, .ydot_99 = 6e-6};
 }
 
-/// synthetic_case() with estimates by control variates in the simulation.
+/// made_up_case() with estimates by control variates in the simulation.
 inline results::Case made_up_case_without_noise(double error = 1e-6) {
   const auto problem = made_up_case().problem;
   const auto axes = compare::comparison_axes(problem);
