@@ -37,7 +37,7 @@ examples:
   fpkcheck advise case1 --set system.restitution=0.8 --set impulse.rate=0.1
 )";
 
-// The text as one argument of a POSIX shell.
+// The text as an argument of a POSIX shell, quoted if necessary.
 std::string in_shell(const std::string& text) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("_./=:,+-").find(char(c)) != std::string::npos;

@@ -28,7 +28,7 @@ std::size_t text_column(const std::string& line) {
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// True if the line break between `line` and `next` is to be kept. Usage texts are filled to about
+// True if the line break between `line` and `next` is to be kept. Usage texts are wrapped at about
 // 96 columns: a line with room for the first word of the next line was broken on purpose.
 bool meant_to_end(const std::string& line, const std::string& next) {
   constexpr std::size_t kFull = 84;

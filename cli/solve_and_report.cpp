@@ -40,7 +40,7 @@ bool is_required(const transform::Solution& solution, const SolveControl& contro
   return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
 }
 
-// The reasons for an exit code other than 0, one line each.
+// The reasons for an exit code other than 0, a line each.
 std::vector<std::string> failures(const results::Run& run, const SolveControl& control) {
   std::vector<std::string> lines;
   for (const auto& one : run.cases) {
