@@ -10,7 +10,7 @@ namespace fpkcheck::cli {
 /// @throws InputError for an empty list
 std::vector<std::string> items(const std::string& option, const std::string& list);
 
-/// The distinct numbers of a comma-separated list of integers, in the order of the list.
+/// The distinct whole numbers of a comma-separated list, in the order of the list.
 /// @throws InputError for an empty list or an item that is not an integer
 std::vector<int> integers(const std::string& option, const std::string& list);
 
