@@ -26,17 +26,17 @@ namespace {
 
 constexpr const char* kBoundsUsage = R"(usage: fpkcheck bounds CASE ... [options]
 
-Guaranteed lower and upper bounds of stationary expectations of the oscillator under the impulses
-themselves (equation kf, exact impact): E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and the momentum of
-the impacts w1 = int u^2 p(0,-u) du. They trust no solver: an approximate solution of the backward
-equation is checked by outward-rounded interval arithmetic. docs/bounds.md has theorem and proof.
-Exit code 0 when all are as narrow as asked for, 1 when they are not (the last line names the limit:
---seconds, or the finest grid) or there are none.
+Guaranteed lower and upper bounds of stationary expectations of the oscillator under impulses
+(equation kf, exact impact): E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and the momentum of the impacts
+w1 = int u^2 p(0,-u) du. The bounds depend on no solver: outward-rounded interval arithmetic checks
+an approximate solution of the backward equation. Theorem and proof: docs/bounds.md.
+Exit code 0 when all bounds have the requested width. Exit code 1 when there are none, or when some
+are wider; the last line then names the limit: --seconds or the finest grid.
 
 examples:
   fpkcheck bounds case1
   fpkcheck bounds case1 --width 5e-6 --seconds 60
-  fpkcheck bounds case1 --bin ydot:0.5:0.3          an average of p(y') about 0.5
+  fpkcheck bounds case1 --bin ydot:0.5:0.3          average of p(y') around 0.5
 )";
 
 // VARIABLE:CENTRE:SPACING
@@ -71,13 +71,14 @@ int bounds_command(const Call& call) {
   po::options_description own = options_for(description, values);
   own.add_options()(
       "bin", po::value(&bins)->value_name("V:X:H")->composing(),
-      "also the average of p(y) or p(y') with a cubic B-spline about X, knots H apart; "
-      "V is y or ydot; may be repeated");
+      "also bound the average of p(y) or p(y') weighted by a cubic B-spline with centre X and knot "
+      "spacing H; V is y or ydot; may be repeated");
   if (!parse(call.arguments, kBoundsUsage,
-             with_common_options(own, common, "write summary.json there"), common.cases)) {
+             with_common_options(own, common, "write summary.json to DIR (default: no file)"),
+             common.cases)) {
     return kDone;
   }
-  if (common.cases.empty()) throw InputError("no case (give one, e.g. case1)");
+  if (common.cases.empty()) throw InputError("no case; name one, e.g. case1");
   backward::Options options = description.read(values, "options");
   for (const auto& bin : bins) options.functionals.push_back(bin_from(bin));
   backward::validate(options);
@@ -111,7 +112,7 @@ int bounds_command(const Call& call) {
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');
     files.commit();
-    note_kept("all was written");
+    note_kept("all files were written");
   }
   return reached ? kDone : kNotReached;
 }

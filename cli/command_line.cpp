@@ -29,16 +29,16 @@ po::options_description with_output_options(const po::options_description& own,
                                             CommonArguments& common, const char* what_out_does) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
-  // One by one: a nested group would be printed after the others, and in its own width.
+  // A nested group of options would be printed after the others, and in a width of its own.
   for (const auto& option : own.options()) all.add(option);
   all.add_options()  //
       ("out",
        po::value<std::string>()->value_name("DIR")->notifier(
            [&common](const std::string& value) { common.out = value; }),
-       what_out_does)("quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
+       what_out_does)("quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
           "json", po::bool_switch(&common.json),
-          "print the summary as JSON on standard output, and nothing else there")("help,h",
-                                                                                  "this text");
+          "print the summary as JSON to standard output, and nothing else")("help,h",
+                                                                            "print this text");
   return all;
 }
 
@@ -76,12 +76,12 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     }
     if (!names.insert(results::file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
-          "two cases are called {} or alike (results are filed by that name: rename one)",
+          "two cases are called {} or similarly: their files would have the same name; rename one",
           base::in_quotes(problems.back().name)));
     }
   }
   for (const auto& name : names) {
-    // What pictures and variables of a case are called besides its name.
+    // Suffixes of a case's figures and netCDF variables.
     for (const char* addition : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
       if (!names.contains(name + addition)) continue;
       throw InputError(
@@ -91,7 +91,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     }
   }
   if (problems.empty()) {
-    throw InputError("no case (name one: case1 .. case4, or an ini file)");
+    throw InputError("no case; name one: case1 .. case4, or an ini file");
   }
   return problems;
 }

@@ -29,7 +29,7 @@ Words methods_in(const methods::Registry& registry) {
   return names;
 }
 
-// "system.damping=", "impulse.rate=", ..
+// Keys of a case file: "system.damping=", "impulse.rate=", ..
 Words case_keys() {
   Words keys;
   for (const auto* section : problem::case_descriptions()) {
@@ -40,7 +40,7 @@ Words case_keys() {
   return keys;
 }
 
-// What an option of this name takes: in the command's own solver, or in any.
+// Choices of an option: of the solver that the command names, else of all solvers.
 Words choices_of(const std::string& flag, const std::string& command,
                  const methods::Registry& registry) {
   Words choices;
@@ -57,7 +57,7 @@ Words choices_of(const std::string& flag, const std::string& command,
   return choices;
 }
 
-// Items after those that stand before the last comma.
+// Prepends the part of the word up to its last comma to each item.
 Words items_after(const std::string& word, Words items) {
   const auto comma = word.rfind(',');
   if (comma == std::string::npos) return items;
@@ -75,7 +75,7 @@ Words values_of(const OptionHelp& option, const std::string& word, const Command
   return choices_of(option.name, command.name, registry);
 }
 
-// What stands for itself: by the first line of the command's help.
+// Candidates for a positional argument, from the first line of the command's help.
 Words positionals_of(const CommandHelp& command) {
   const auto first_line = command.help.usage.substr(0, command.help.usage.find('\n'));
   const auto takes = [&](const char* what) { return first_line.find(what) != std::string::npos; };
@@ -103,7 +103,7 @@ const CommandHelp* find(const std::vector<CommandHelp>& commands, const std::str
   return found == commands.end() ? nullptr : &*found;
 }
 
-// The next words of commands that begin with `before`: "grid" after "study ".
+// The word after `before` in the names of the commands: "grid" after "study ".
 Words next_words(const std::vector<CommandHelp>& commands, const std::string& before) {
   Words names;
   for (const auto& command : commands) {

@@ -25,23 +25,23 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Until the deadline's thread takes over. What remains of a second is for what it has to write, on
-// processors that are busy. A simulation that has something ends after the present round: it is
-// worth more than the second, which a round of 2e7 events takes on few processors.
+// Time between the signal and the shutdown by the watchdog. The rest of the second is for the
+// shutdown hooks, which write files on busy processors. A simulation ends after its current round,
+// to keep its result: a round of 2e7 events takes longer than a second on few processors.
 constexpr auto kToGiveUp = 300ms;
 constexpr auto kToFinishEarly = 4000ms;
 
 constexpr const char* kNothing = "nothing was written";
 
 struct Ending {
-  std::mutex mutex;  // guards what stands below
+  std::mutex mutex;  // guards the members below
   std::vector<const std::function<void()>*> rescues;
   std::string kept = kNothing;
   bool command_ended = false;
   std::condition_variable changed;
 };
 
-// Never destroyed: threads may still use it while the process ends.
+// Never destroyed: threads may still use the state while the process exits.
 Ending& ending() {
   static Ending& one = *new Ending;
   return one;
@@ -54,19 +54,20 @@ sem_t signal_came;
   while (true) pause();
 }
 
-// Without stdio: another thread may hold its locks, waiting for a reader.
+// Not by stdio: another thread may hold its locks while it waits for a reader.
 void say(const std::string& line) {
   const std::string text = (can_rewrite_a_line() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Returns where the command has come first: it says so itself, and then waits for this thread.
+// Returns if the command has claimed the shutdown; the command then prints the message and joins
+// this thread.
 void end_the_process() {
   if (end_claimed) return;
   base::reserve_writes_for_this_thread();
   if (end_claimed.exchange(true)) return;
   std::vector<const std::function<void()>*> rescues;
-  std::unique_lock lock(ending().mutex);  // kept: what a rescue stands on must not go meanwhile
+  std::unique_lock lock(ending().mutex);
   rescues.swap(ending().rescues);
   lock.unlock();
   std::ranges::reverse(rescues);
@@ -102,7 +103,7 @@ Rescue::~Rescue() {
   std::unique_lock lock(ending().mutex);
   if (std::erase(ending().rescues, &action_) > 0) return;
   lock.unlock();
-  wait_for_the_end();  // it is being done
+  wait_for_the_end();  // the watchdog runs the hook: its data must stay alive until the exit
 }
 
 OutputDirectory::OutputDirectory(const std::optional<std::string>& out)

@@ -8,7 +8,7 @@
 
 #include "results/directory.hpp"
 
-/// How a program that is told to stop comes to its end within a second, whatever it is doing.
+/// Shutdown after SIGINT or SIGTERM within a second, whatever the program computes.
 ///
 /// Most of what takes long cannot be asked to stop: a factorisation, a step of CVODE, a fit. So
 /// nothing in the solvers is asked. A command that can end by itself (between two solutions, after a
@@ -19,8 +19,8 @@
 /// is what WriteGuard, Rescue and OutputDirectory look after.
 namespace fpkcheck::cli {
 
-/// Something to be done when the process is ended by another thread while this lives; the last made
-/// is done first.
+/// Action that the ShutdownWatchdog runs before it ends the process, while this object lives. Hooks
+/// run in the reverse order of their construction.
 class Rescue {
  public:
   explicit Rescue(std::function<void()> action);
@@ -43,14 +43,14 @@ class OutputDirectory {
   Rescue rescue_;
 };
 
-/// What became of the work when the program was told to stop, for the one line that it says then:
-/// "nothing was written" until told otherwise.
+/// Sets the second part of exit_message(): the results that are kept when the program is stopped.
+/// The default is "nothing was written".
 void note_kept(const std::string& what);
-/// That line.
+/// The line that a stopped program prints: "interrupted; MESSAGE" or "terminated; MESSAGE".
 std::string stop_notice();
 
-/// While it lives, which is as long as the program runs, a first SIGINT or SIGTERM ends the process
-/// within a second. One at most.
+/// While this object lives (as long as the program runs), the first SIGINT or SIGTERM ends the
+/// process within a second. At most one object may exist.
 class Deadline {
  public:
   Deadline();
@@ -62,11 +62,12 @@ class Deadline {
   std::thread thread_;
 };
 
-/// Tells the deadline, if there is one, of a signal. May be called in a handler of signals.
+/// Notifies the watchdog, if there is one, of a signal. Async-signal-safe.
 void wake_deadline();
 
-/// To be called by a command that was told to stop and has ended by itself, before it says so.
-/// Returns unless the deadline came first; then waits for the end of the process.
+/// Claims the shutdown for the caller: a command that ended by itself after a signal calls this
+/// before it prints exit_message(). If the watchdog has claimed the shutdown first, this never
+/// returns and waits for the exit of the process.
 void claim_the_end();
 
 }  // namespace fpkcheck::cli

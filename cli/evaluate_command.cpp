@@ -30,9 +30,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEvaluateUsage = R"(usage: fpkcheck evaluate FILE [SOLUTION] [options]
 
-Prints p(y, y') of a closed form at points, as CSV: y,v,p. FILE is the summary.json of a run, or
-the directory with it, and SOLUTION a closure in it; or FILE is a closed form that was written down
-(docs/foreign.md). Solves nothing: p is C exp(Q_n) from the coefficients, as the solver had it.
+Evaluates the closed form of a density p(y, y') at points and prints CSV: y,v,p. FILE is the
+summary.json of a run, or its directory, and SOLUTION the id of a closure in it; or FILE is a
+closed form as JSON (docs/foreign.md). Solves nothing: p = C exp(Q_n) from the stored coefficients.
 
 examples:
   fpkcheck evaluate results/summary.json epc-moment-n8
@@ -50,14 +50,14 @@ std::string text_of(const fs::path& file, const char* what) {
   auto text = base::read_input_file(file, kMostOfText);
   if (!text) {
     throw InputError(
-        fmt::format("{} is not a readable file (give {})", base::in_quotes(file.string()), what));
+        fmt::format("{} is not a readable file; give {}", base::in_quotes(file.string()), what));
   }
   return *std::move(text);
 }
 
 std::vector<Point> points_in(std::istream& in, const std::string& name) {
   const auto table = methods::read_number_table(in, name);
-  if (table.columns() != 2) table.fail(0, "three columns (must be two: y and y')");
+  if (table.columns() != 2) table.fail(0, "three columns: must be two, y and y'");
   std::vector<Point> points;
   for (const auto& row : table.rows) points.push_back({row[0], row[1]});
   return points;
@@ -65,14 +65,14 @@ std::vector<Point> points_in(std::istream& in, const std::string& name) {
 
 std::vector<Point> points_at(const std::string& name) {
   if (name == "-") return points_in(std::cin, "standard input");
-  std::istringstream in(text_of(name, "one with the columns y and y'"));
+  std::istringstream in(text_of(name, "a file with the columns y and y'"));
   return points_in(in, name);
 }
 
-// Over the box around the support.
+// A regular grid over the bounding box of the support.
 std::vector<Point> points_over(const transform::SmoothDensity& density, const std::string& file) {
   if (!std::isfinite(density.y_max) || !std::isfinite(density.v_max)) {
-    throw InputError(fmt::format("{} has no support (name points by --at)", file));
+    throw InputError(fmt::format("{} has no bounded support; give points by --at", file));
   }
   constexpr int kOfY = 40, kOfV = 80;
   std::vector<Point> points;
@@ -134,18 +134,18 @@ int evaluate_command(const Call& call) {
   po::options_description options("options", 96);
   options.add_options()(
       "at", po::value<std::string>()->value_name("FILE")->notifier(into(at)),
-      "points: two columns, y and y', as files of --against have them; - is standard input "
-      "(default: a grid of 41 x 81 over the support)")(
+      "file with the points in two columns, y and y', in the format of --against; - is standard "
+      "input (default: a grid of 41 x 81 points over the support)")(
       "case", po::value<std::string>()->value_name("CASE")->notifier(into(case_name)),
-      "of a summary with several cases: which one; of a written form: whose amplitudes or energies "
-      "it has")("json", po::bool_switch(&json), "JSON instead of CSV")(
-      "quiet,q", po::bool_switch(&quiet), "no word of a solution that is not ok")("help,h",
-                                                                                  "this text");
+      "case of the solution, for a summary with several cases; for a closed form in amplitude or "
+      "energy, the case that defines them")("json", po::bool_switch(&json),
+                                            "print JSON instead of CSV")(
+      "quiet,q", po::bool_switch(&quiet), "do not warn of a solution without status ok")(
+      "help,h", "print this text");
   if (!parse(call.arguments, kEvaluateUsage, options, words)) return kDone;
   if (words.empty() || words.size() > 2) {
     throw InputError(
-        "evaluate takes a file and a solution in it (e.g. results/summary.json "
-        "epc-moment-n8)");
+        "evaluate takes a file and a solution in it; e.g. results/summary.json epc-moment-n8");
   }
   fs::path file = words[0];
   std::error_code ignored;
@@ -154,10 +154,8 @@ int evaluate_command(const Call& call) {
   const auto form = form_in(text_of(file, "the summary.json of a run, or a closed form"), where,
                             words.size() == 2 ? std::optional(words[1]) : std::nullopt, case_name);
   if (!epc::is_normalised(form.form)) {
-    throw InputError(
-        fmt::format("{} has neither \"C\" nor \"support\" (say what its integral is 1 "
-                    "over)",
-                    where));
+    throw InputError(fmt::format(
+        "{} has neither \"C\" nor \"support\"; add \"support\" to normalise the form", where));
   }
   const auto density = [&] {
     try {

@@ -18,7 +18,7 @@ namespace {
 using base::Values;
 using fd_fpk::TransientOptions;
 
-/// --until and what belongs to it; what is not given is as usual.
+/// Names of the options of a density over time: --until and its companions.
 std::vector<std::string> names_with_flags() {
   std::vector<std::string> names;
   for (const auto& parameter : fd_fpk::transient_description().all()) {
@@ -30,8 +30,8 @@ std::vector<std::string> names_with_flags() {
 TransientOptions transient_options(const Values& given) {
   if (!contains(given, "until")) {
     throw InputError(
-        "--snapshots, --time-tolerance or --start-.. without --until (they belong to a density over "
-        "time: give --until T)");
+        "--snapshots, --time-tolerance or --start-.. without --until: no density over time was "
+        "requested; give --until T");
   }
   TransientOptions options;
   for (const auto& [name, value] : given) {
@@ -58,7 +58,7 @@ int fd_command(const Call& call, const methods::Solver& solver) {
   const auto options = fd_fpk::description().read(values, "options");
   if (options.stepper == fd_fpk::Stepper::direct) {
     throw InputError(
-        "--stepper direct with --until (a density over time is stepped: leave it out)");
+        "--stepper direct with --until: a density over time requires time steps; omit --stepper");
   }
   return transient_and_report(common, options, transient_options(over_time), call.command_line);
 }

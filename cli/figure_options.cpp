@@ -43,11 +43,12 @@ po::options_description figure_options(report::FigureOptions& figures) {
       ("figures",
        po::value<std::string>()->value_name("LIST")->notifier(
            [&figures](const std::string& list) { figures.formats = formats_in(list); }),
-       "formats of the pictures: png (default), svg, pdf, tex (for LaTeX)")  //
+       "formats of the figures, separated by commas: png (default), svg, pdf, tex (for LaTeX)")  //
       ("figure-width",
        po::value<std::string>()->value_name("MM")->notifier(
            [&figures](const std::string& text) { figures.width = width_in(text); }),
-       "of pictures in print: 85 or 170 mm, one or both columns (default: for a screen)");
+       "width of the figures in mm: 85 or 170, one or two columns of a printed page (default: size "
+       "for a screen)");
   return options;
 }
 
@@ -57,9 +58,9 @@ po::options_description case_figure_options(report::FigureOptions& figures) {
       "curves",
       po::value<std::string>()->value_name("LIST")->notifier(
           [&figures](const std::string& list) { figures.curves = items("--curves", list); }),
-      "in the pictures of cases: ids, families or solvers, or all (default: what came from files, "
-      "and up to six with the reference, other solutions of the problem, and the closest closure of "
-      "each formulation)");
+      "solutions in the figures of a case: ids, families or solvers separated by commas, or all "
+      "(default: densities from files, and up to six curves: the reference, other solutions of the "
+      "problem, and the closest closure of each formulation)");
   return options;
 }
 

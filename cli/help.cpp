@@ -15,21 +15,21 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Where help goes when it is not printed.
+// Receives the help that capture_help() requests; null when help is to be printed.
 thread_local Help* help_taker = nullptr;
 
 std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// Where the text begins of "  name   text": after the first gap; 0 when there is none.
+// Column of the text in "  name   text", after the first gap of two or more blanks; 0 without gap.
 std::size_t text_column(const std::string& line) {
   const auto gap = line.find("  ", indentation(line));
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// Lines of a paragraph or of an item. Heads are filled to 96 columns or so: a line that ends long
-// before was meant to end.
+// True if the line break between `line` and `next` is to be kept. Usage texts are wrapped at about
+// 96 columns: a line with room for the first word of the next line was broken on purpose.
 bool meant_to_end(const std::string& line, const std::string& next) {
   constexpr std::size_t kFull = 84;
   const auto begin = indentation(next);
@@ -37,7 +37,7 @@ bool meant_to_end(const std::string& line, const std::string& next) {
   return line.size() + 1 + word <= kFull;
 }
 
-// An example that is too long goes on as the shell allows it; its remark, if any, goes below.
+// Wraps an example by backslashes, as a shell accepts; its remark goes to a line of its own.
 std::string filled_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
   std::string result =
@@ -94,7 +94,7 @@ OptionHelp described(const po::option_description& option) {
   OptionHelp help{.name = option.canonical_display_name(allow_long),
                   .short_name = option.canonical_display_name(allow_dash_for_short),
                   .text = option.description()};
-  // Without a letter of its own the name comes back, which may be as short.
+  // Boost returns the long name for an option without a short name.
   if (help.short_name.size() != 2 || help.short_name[0] != '-') help.short_name.clear();
   const std::string parameter = option.format_parameter();  // "N (=6)"
   const auto usual = parameter.find(" (=");

@@ -16,7 +16,7 @@ std::atomic<OnInterruption> what_to_do = OnInterruption::give_up;
 extern "C" void note_interruption(int signal) {
   const int error = errno;
   if (base::stop_requested()) {
-    // The second: as if there were no handler. It is blocked until this returns.
+    // The second signal has the default action. The signal is blocked until this handler returns.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
@@ -37,7 +37,7 @@ InterruptionGuard::InterruptionGuard() {
     if (before.sa_handler != SIG_DFL) continue;
     struct sigaction action = {};
     action.sa_handler = note_interruption;
-    // System calls, as reading from gnuplot, are not broken.
+    // Restart interrupted system calls, e.g. reads from gnuplot.
     action.sa_flags = SA_RESTART;
     if (sigaction(signal, &action, nullptr) == 0) before_.push_back({signal, before});
   }

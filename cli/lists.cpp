@@ -18,7 +18,7 @@ std::vector<std::string> items(const std::string& option, const std::string& lis
     if (std::ranges::find(result, item) == result.end()) result.push_back(item);
   }
   if (result.empty()) {
-    throw InputError(fmt::format("{}: the list is empty (separate its items by commas)", option));
+    throw InputError(fmt::format("{}: the list is empty; give items separated by commas", option));
   }
   return result;
 }

@@ -5,12 +5,13 @@
 
 namespace fpkcheck::cli {
 
-/// The items of a list separated by commas, each once, as they come.
-/// @throws InputError naming the option when there is none
+/// The distinct entries of a comma-separated list, in the order of the list.
+/// @param option name of the option, for the message
+/// @throws InputError for an empty list
 std::vector<std::string> items(const std::string& option, const std::string& list);
 
-/// The same, as whole numbers.
-/// @throws InputError naming the option and the item that is no number
+/// The distinct whole numbers of a comma-separated list, in the order of the list.
+/// @throws InputError for an empty list or an item that is not an integer
 std::vector<int> integers(const std::string& option, const std::string& list);
 
 }  // namespace fpkcheck::cli

@@ -7,7 +7,8 @@
 namespace fpkcheck::cli {
 namespace {
 
-// As it is: a backslash, a hyphen that may be typed, a line that begins like a request.
+// Escapes text for troff: backslashes, hyphens (to be copied as ASCII), and lines that begin like a
+// request.
 std::string literal(const std::string& text) {
   std::string result;
   bool line_begins = true;
@@ -25,9 +26,9 @@ std::string literal(const std::string& text) {
   return result;
 }
 
-// What a command's help says, in its lines.
+// The usage text of a command, without filling.
 std::string head(const std::string& usage) {
-  constexpr std::size_t kWidth = 72;  // man indents it by seven
+  constexpr std::size_t kWidth = 72;  // man indents the text by seven columns
   return ".nf\n" + literal(usage_text(usage, kWidth)) + ".fi\n";
 }
 
@@ -53,20 +54,21 @@ fpkcheck \- stationary density of an oscillator with or without impacts, under i
 .I COMMAND
 [\fICASE\fR ...] [\fIoptions\fR]
 .SH DESCRIPTION
-A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by
-random impulses:
+A particle on a hardening spring impacts a wall at its equilibrium position and is excited by random
+impulses:
 .PP
 .nf
     y'' + c y' + k y + mu y^3 = impulses  (y > 0)
     y'(+) = \-r y'(\-)                      at y = 0
 .fi
 .PP
-That is the paper's oscillator. Others have a force of fifth degree, damping that depends on y and y',
-walls anywhere or none, and white noise beside the impulses or alone: bistable, gap, van_der_pol, ...
-The stationary probability densities of y and y' are computed by methods that share nothing but the
-problem, and compared with one another.
-A CASE is case1 .. case4 (the paper's Table 1), another oscillator by its name or an ini file like
-cases/case1.ini.
+This is the oscillator of the paper. Other oscillators have a restoring force of fifth degree,
+damping that depends on y and y', walls at other positions or none, and white noise with or without
+impulses: bistable, gap, van_der_pol, ...
+The program computes the stationary probability densities of y and y' by independent methods, which
+share only the problem, and compares them.
+A CASE is case1 .. case4 (Table 1 of the paper), the name of another oscillator, or an ini file such
+as cases/case1.ini.
 .SH COMMANDS
 )";
   for (const auto& command : commands) {
@@ -80,20 +82,23 @@ cases/case1.ini.
   page += R"(.SH EXIT STATUS
 .TP
 0
-done
+success
 .TP
 1
-a solver did not reach what was asked, or a check failed
+a solver failed or did not reach the requested accuracy, or a check failed
 .TP
 2
-bad input, told in one line
+bad input, with a message of one line
 .TP
 130
-interrupted by Ctrl\-C
+interrupted by SIGINT (Ctrl\-C)
+.TP
+143
+terminated by SIGTERM
 .SH ENVIRONMENT
 .TP
 NO_COLOR
-no colours on a terminal, unless it is empty
+no colours on a terminal, if set to a value that is not empty
 )";
   return page;
 }

@@ -30,18 +30,18 @@ boost::program_options::options_description file_options(methods::SimulationCont
   po::options_description files;
   files.add_options()  //
       ("checkpoint", po::value(&control.checkpoint)->value_name("FILE"),
-       "write the state there every half minute and in the end")(
+       "write the state of the simulation to FILE every 30 s and at the end (default: no file)")(
           "resume", po::value(&control.resume)->value_name("FILE"),
-          "go on from a checkpoint: the result is that of a run without interruption");
+          "continue from the checkpoint in FILE; the result equals that of an uninterrupted run");
   return files;
 }
 
-/// The conversation of processes that share a simulation.
+/// Gathers messages at rank 0 from the processes that share a simulation.
 class Gathering {
  public:
   explicit Gathering(base::Communicator& ranks) : ranks_(ranks) {}
 
-  // mcs::Team::gather
+  // Implements mcs::Team::gather.
   std::vector<std::string> operator()(const std::string& own) {
     if (!ranks_.is_first()) {
       ranks_.send(0, own);
@@ -53,7 +53,7 @@ class Gathering {
   }
 
  private:
-  // A rank that is faster may be a case ahead.
+  // Messages are queued by rank: a faster rank may already send those of the next case.
   std::string next_of(int rank) {
     using namespace std::chrono_literals;
     auto& waiting = waiting_[rank];
@@ -77,10 +77,10 @@ class Gathering {
 void require_time_alone(const base::Values& values) {
   const auto controlled = std::ranges::find(values, "controlled", &base::NamedValue::name);
   if (controlled == values.end() || controlled->value != base::Value(true)) return;
-  throw InputError("--controlled under mpirun (its noise goes by other means: leave one out)");
+  throw InputError("--controlled with mpirun: control variates need a single process; omit one");
 }
 
-// What all ranks but the first do: their part of each case.
+// Runs on all ranks except the first: simulates the share of this rank in each case.
 int help(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
     methods::solve_with(simulation, problem, {compare::comparison_axes(problem), {}});
@@ -103,7 +103,7 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
   }
   if (common.cases.size() > 1 && !(control.checkpoint.empty() && control.resume.empty())) {
     throw InputError(
-        "--checkpoint and --resume with several cases (a file holds one: name one case)");
+        "--checkpoint or --resume with several cases: a file stores one case; name one case");
   }
   const auto solve = [&] {
     const auto simulation = methods::with_control(call.registry.method(solver, values), control);
@@ -124,7 +124,7 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
   try {
     return solve();
   } catch (const std::exception& error) {
-    // The others would wait for this one.
+    // Without the abort, the other ranks would wait for this rank.
     complain(error.what());
     ranks->abort(kNotReached);
     return kNotReached;

@@ -19,21 +19,21 @@ namespace {
 
 constexpr const char* kPaperUsage = R"(usage: fpkcheck paper [options]
 
-The numerical part of the paper that this program checks (Stochastic response of a vibro-impact
-Duffing system under external Poisson impulses): solves its four cases by its closures of order 2,
-4, 6 and 8, by finite differences and by simulation as `run` does, and judges what its sections 3
-and 4 say of them: a row a claim, with the numbers that decide it, what the claim asks of them, and
-what came out. Draws its Figs. 2-5 too.
-  established       the run's numbers are as the claim states
-  established, but  they are, of a solution that is no probability density
-  not established   they are not as the claim states
-  unjudged          a number that decides it is missing
-Exit code 0 when every claim was judged, whatever came out, and finite differences and simulation
-reached their solutions; else 1.
+Tests the numerical claims of the paper "Stochastic response of a vibro-impact Duffing system under
+external Poisson impulses". Solves its four cases by its closures of order 2, 4, 6 and 8, by finite
+volumes and by simulation, as `run` does. Judges each claim of its sections 3 and 4: the table has
+a row for each claim with the deciding numbers, their required values and the outcome. Also draws
+Figs. 2-5 of the paper.
+  established       the numbers of the run meet the claim
+  established, but  they do, but the solution is not a probability density
+  not established   the numbers of the run do not meet the claim
+  unjudged          a deciding number is missing
+Exit code 0 when all claims were judged, whatever the outcome, and finite volumes and simulation
+have status ok; else 1.
 
-DIR gets what a run leaves, claims.csv, claims.json, and the paper's figures as
-figures/paper-fig-2.png .. -5; report.html has claims and figures too, and `report`
-makes all of it again. Of --json, `claims` has the table.
+DIR receives the files of `run`, claims.csv, claims.json, and the figures of the paper as
+figures/paper-fig-2.png .. -5. report.html includes claims and figures; `report` rebuilds it.
+With --json, the key `claims` has the table.
 
 examples:
   fpkcheck paper
@@ -64,12 +64,12 @@ int paper_command(const Call& call) {
   options.add(figure_options(common.figures));
   if (!parse(
           call.arguments, kPaperUsage,
-          with_output_options(options, common, "write all files there (default: fpkcheck-paper)"),
+          with_output_options(options, common, "write all files to DIR (default: fpkcheck-paper)"),
           common.cases)) {
     return kDone;
   }
   if (!common.cases.empty()) {
-    throw InputError("paper takes no case (its cases are the paper's four)");
+    throw InputError("paper takes no case: it solves those of the paper; use run for other cases");
   }
   for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   if (!common.out) common.out = kDefaultPaperDirectory;

@@ -26,7 +26,7 @@ void put(Values& values, const std::string& name, const Value& value) {
   }
 }
 
-// As --help shows a default: without quotes.
+// The text of a default for --help, without quotes.
 std::string default_text(const Value& value) {
   const auto* word = std::get_if<std::string>(&value);
   return word != nullptr ? *word : base::text_of(value);

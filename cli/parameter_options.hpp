@@ -26,7 +26,7 @@ boost::program_options::options_description options_for(const base::DescriptionB
 boost::program_options::options_description options_of_a_run(const methods::Registry& registry,
                                                              base::Values& given);
 
-/// What `--threads` of them gave, for methods side by side; 0 without.
+/// The value of --threads for methods that run in parallel; 0 without the option.
 int threads_in(const base::Values& given);
 
 }  // namespace fpkcheck::cli

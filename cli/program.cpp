@@ -40,7 +40,7 @@ struct Command {
   std::function<int(const Call&)> run;
 };
 
-// A solver's command is its own where it can do more than solve.
+// The command of a solver. The solvers fd and mcs have commands of their own with more options.
 Command command_of(const methods::Solver& solver) {
   const auto run = solver.name == "fd"    ? fd_command
                    : solver.name == "mcs" ? mcs_command
@@ -51,24 +51,24 @@ Command command_of(const methods::Solver& solver) {
 
 std::vector<Command> commands(const methods::Registry& registry) {
   std::vector<Command> all{
-      {"run", "all methods on all cases, compared: tables, report.html, pictures", run_command}};
-  all.push_back({"paper", "the paper's claims one by one, and its figures", paper_command});
+      {"run", "solve cases by all methods and compare: tables, report.html, figures", run_command}};
+  all.push_back({"paper", "test the claims of the paper and draw its figures", paper_command});
   for (const auto& solver : registry.solvers()) all.push_back(command_of(solver));
   all.push_back(
       {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});
-  all.push_back({"study", "what order, step and regularisation do: convergence, cost, growth",
+  all.push_back({"study", "convergence in order and grid, cost, growth of the truncated series",
                  study_command});
-  all.push_back({"sweep", "many points of a case whose keys are varied: where which method holds",
+  all.push_back({"sweep", "solve a case for many parameter values: accuracy and cost of methods",
                  sweep_command});
-  all.push_back({"advise", "which method for a case: what kept an accuracy at problems like it",
+  all.push_back({"advise", "recommend a method for a case and an accuracy, from solved problems",
                  advise_command});
-  all.push_back({"reference", "reference values, agreed on by two discretisations and a simulation",
+  all.push_back({"reference", "reference values confirmed by two discretisations and a simulation",
                  reference_command});
-  all.push_back({"check", "a saved run again, compared with what it was: the regression test",
+  all.push_back({"check", "regression test: repeat a saved run and compare all its quantities",
                  check_command});
   all.push_back(
-      {"report", "table, report.html and pictures again from a saved run", report_command});
-  all.push_back({"evaluate", "p(y, y') of a closed form at points: of a saved run, or written down",
+      {"report", "rebuild table, report.html and figures of a saved run", report_command});
+  all.push_back({"evaluate", "evaluate p(y, y') of a closed form at points, from a run or a file",
                  evaluate_command});
   return all;
 }
@@ -81,12 +81,12 @@ std::string names_of(const std::vector<Command>& all) {
 
 void print_overview(const std::vector<Command>& all) {
   fmt::print(
-      R"(fpkcheck - stationary density of an oscillator with or without impacts, under
-           impulses or white noise or both, by independent methods
+      R"(fpkcheck - stationary densities of oscillators with or without impacts, under
+           random impulses, white noise or both, by independent methods
 
     y'' + f(y, y') + g(y) = impulses + noise,    y'(+) = -r y'(-)  at walls
 
-The paper's:  y'' + c y' + k y + mu y^3 = impulses  (y > 0),  a wall at y = 0.
+Oscillator of the paper:  y'' + c y' + k y + mu y^3 = impulses,  wall at y = 0.
 
 usage: fpkcheck COMMAND [CASE ...] [options]
 
@@ -99,12 +99,12 @@ commands:
     fmt::print("{}", lines.replace(2, command.name.size(), command.name));
   }
   fmt::print(R"(
-A CASE is case1 .. case4 (the paper's Table 1), another oscillator by its name
-(bistable, gap, van_der_pol, ..: docs/systems.md) or an ini file like
-cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain a
-command's options; start with `fpkcheck run`.
-Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
-2 bad input; 130 Ctrl-C, 143 SIGTERM.
+A CASE is case1 .. case4 (Table 1 of the paper), the name of another oscillator
+(bistable, gap, van_der_pol, ..: docs/systems.md), or an ini file such as
+cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain
+the options of a command. Start with `fpkcheck run`.
+Exit codes: 0 success; 1 a solver failed or did not reach the requested
+accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
 
 )");
   std::vector<std::string_view> subjects;
@@ -113,7 +113,7 @@ Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
              report::wrap_text(fmt::format("Not treated: {}.", fmt::join(subjects, "; ")), 80));
 }
 
-// Every command with its help, and the subjects of `study` as commands of their own.
+// The help of all commands; each subject of `study` is listed as a command.
 std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::Registry& registry) {
   std::vector<CommandHelp> result;
   const auto add = [&](const Command& command, const std::string& subject) {
@@ -134,7 +134,8 @@ std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::R
 int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   const auto all = commands(registry);
   if (arguments.empty()) {
-    throw InputError(fmt::format("no command (use one of {}; --help explains)", names_of(all)));
+    throw InputError(
+        fmt::format("no command; use one of {} (--help explains them)", names_of(all)));
   }
   const std::string& name = arguments.front();
   if (name == "help" && arguments.size() > 1) {
@@ -150,7 +151,7 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
     fmt::print("{}", version_text());
     return kDone;
   }
-  // For the shell and for the build; neither is typed.
+  // Options for the completion script and the build; undocumented.
   if (name == "--complete") {
     const Arguments words{arguments.begin() + 1, arguments.end()};
     for (const auto& word : completions(guide(all, registry), registry, words)) {
@@ -167,7 +168,7 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
     if (const std::string text = problem::unsupported_feature_text(name); !text.empty()) {
       throw InputError(fmt::format("{}: {}", base::in_quotes(name), text));
     }
-    throw InputError(fmt::format("{} is no command (use one of {}; --help explains)",
+    throw InputError(fmt::format("{} is not a command; use one of {} (--help explains them)",
                                  base::in_quotes(name), names_of(all)));
   }
   std::string command_line = "fpkcheck";
@@ -186,7 +187,7 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
   note_kept("nothing was written");
   try {
     const int exit_code = dispatch(arguments, registry);
-    // A full disk or a closed pipe shows only when the buffers go out.
+    // A full disk or a closed pipe is detected only when the buffers are flushed.
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw std::runtime_error("standard output could not be written");
@@ -200,7 +201,7 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     complain(fmt::format("stopped: {}", methods::kOutOfMemory));
     return kNotReached;
   } catch (const std::exception& error) {
-    // A broken environment: a full disk, or a library that fails.
+    // Errors of the environment: a full disk, a failing library.
     complain(fmt::format("stopped: {}", error.what()));
     return kNotReached;
   }

@@ -13,7 +13,7 @@
 namespace fpkcheck::cli {
 namespace {
 
-// Of the terminal on standard error; a line that wrapped could not be erased.
+// Width of the terminal on standard error. A wrapped line could not be erased.
 std::size_t terminal_width() {
   constexpr std::size_t kUsual = 80;
   winsize size{};

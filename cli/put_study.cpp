@@ -22,7 +22,7 @@ void write(const std::filesystem::path& directory, const study::StudyOutput& out
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
   files.commit();
-  note_kept("all was written but the picture");
+  note_kept("all files were written except the figure");
   if (output.figure.empty()) return;
   report::remove_pictures_of(directory / "figures", output.stem);
   for (const auto& warning : report::write_pictures(directory / "figures", output.stem,
@@ -59,13 +59,13 @@ void put_study(const CommonArguments& common, const study::StudyOutput& output,
 
 int exit_code_of_study(const CommonArguments& common, bool reached) {
   if (reached) return kDone;
-  if (common.quiet) complain("the study did not reach what --help says it must (see its table)");
+  if (common.quiet) complain("the study did not meet the criterion of its --help; see its table");
   return kNotReached;
 }
 
 StudyStart start_of_study(const CommonArguments& common) {
   auto problems = load_cases(common);
-  if (problems.size() != 1) throw InputError("a study takes one case");
+  if (problems.size() != 1) throw InputError("a study takes one case; name it, e.g. case1");
   return {std::move(problems.front()), OutputDirectory(common.out)};
 }
 

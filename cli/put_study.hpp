@@ -14,17 +14,18 @@ namespace fpkcheck::cli {
 void put_study(const CommonArguments& common, const study::StudyOutput& output,
                std::chrono::steady_clock::time_point begin);
 
-/// kDone where it reached what it must, else kNotReached; of a quiet one a line says so.
+/// The exit code of a study; with --quiet, a failure prints a line to standard error.
+/// @param reached true if the study met its criterion
 int exit_code_of_study(const CommonArguments& common, bool reached);
 
-/// What a study begins with.
+/// The input of a study.
 struct StudyStart {
   problem::Problem problem;
-  OutputDirectory directory;  ///< for its results
+  OutputDirectory directory;  ///< prepared for the results
 };
 
-/// The one case that a study takes; the directory for its results is prepared.
-/// @throws InputError when there is not exactly one
+/// Loads the case of a study and prepares the directory for its results.
+/// @throws InputError unless there is exactly one case
 StudyStart start_of_study(const CommonArguments& common);
 
 }  // namespace fpkcheck::cli

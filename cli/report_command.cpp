@@ -19,8 +19,8 @@ namespace {
 
 constexpr const char* kReportUsage = R"(usage: fpkcheck report DIR [options]
 
-Prints the table of a saved run, and makes its report.html and pictures again; of a run of `paper`
-the claims and the paper's figures too. Solves nothing.
+Prints the table of a saved run and rebuilds its report.html and figures; for a run of `paper` also
+the claims and the figures of the paper. DIR is the directory of the run. Solves nothing.
 )";
 
 }  // namespace
@@ -33,10 +33,11 @@ int report_command(const Call& call) {
   report::FigureOptions figures;
   const auto of_figures = case_figure_options(figures);
   for (const auto& option : of_figures.options()) options.add(option);
-  options.add_options()("quiet,q", po::bool_switch(&quiet), "no table")("help,h", "this text");
+  options.add_options()("quiet,q", po::bool_switch(&quiet), "print no table")("help,h",
+                                                                              "print this text");
   if (!parse(call.arguments, kReportUsage, options, directories)) return kDone;
   if (directories.size() != 1) {
-    throw InputError("report takes one directory (that of a saved run, e.g. fpkcheck-out)");
+    throw InputError("report takes one directory; name that of a saved run, e.g. fpkcheck-out");
   }
   results::Run run = results::load_run(directories.front());
   call.registry.annotate(run);

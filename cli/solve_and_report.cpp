@@ -40,7 +40,7 @@ bool is_required(const transform::Solution& solution, const SolveControl& contro
   return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
 }
 
-// What makes the exit code other than 0, a line each; nothing when all that is required is reached.
+// The reasons for an exit code other than 0, a line each.
 std::vector<std::string> failures(const results::Run& run, const SolveControl& control) {
   std::vector<std::string> lines;
   for (const auto& one : run.cases) {
@@ -59,10 +59,10 @@ std::vector<std::string> failures(const results::Run& run, const SolveControl& c
   return lines;
 }
 
-// The cases of a run that have all their solutions, for when it is told to stop.
+// The completed cases of a run, for a report after a stop signal. Thread-safe.
 class FinishedCases {
  public:
-  /// For one that is there already it is put in its place.
+  /// Adds a case, or replaces the case of the same name.
   void put(const results::Case& one) {
     const std::lock_guard lock(mutex_);
     const auto before = std::ranges::find(cases_, one.name(), &results::Case::name);
@@ -73,7 +73,7 @@ class FinishedCases {
     }
   }
 
-  /// In the order of the problems.
+  /// The completed cases, in the order of the problems.
   std::vector<results::Case> in_order(const std::vector<problem::Problem>& problems) const {
     const std::lock_guard lock(mutex_);
     std::vector<results::Case> ordered;
@@ -93,7 +93,7 @@ std::string joined(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// results::Run::stopped
+// The text of results::Run::stopped.
 std::string stopped_text(const std::vector<results::Case>& cases,
                          const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
@@ -109,16 +109,16 @@ std::string stopped_text(const std::vector<results::Case>& cases,
                                  base::stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
   if (!missing.empty()) text += fmt::format(" Missing: {}.", joined(missing));
   if (!unbounded.empty()) {
-    text += fmt::format(" Without bounds and own errors: {}.", joined(unbounded));
+    text += fmt::format(" Without bounds and error estimates: {}.", joined(unbounded));
   }
   return text;
 }
 
-// Of a run that was told to stop: no more than what is there already takes time.
+// Writes the completed cases after a stop signal. Figures would take too long.
 void write_stopped(const std::filesystem::path& directory, const results::Run& run) {
   const base::WriteGuard in_hand;
   report::write_report(directory, run);
-  note_kept(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the pictures)",
+  note_kept(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the figures)",
                         run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
                         directory.string(), directory.string()));
 }
@@ -171,7 +171,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
          .with_backward = control.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // Before that a method has nothing to finish early with.
+               // At the fraction 0 a method has no partial result to finish with.
                on_interruption(at.fraction > 0 ? control.on_interruption : OnInterruption::give_up);
                progress.show(at);
              },
@@ -200,7 +200,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   } else if (!common.quiet) {
     put_out(report::terminal_text(run, supplement.report, terminal_format()));
   }
-  if (stopped) return kNotReached;  // the caller says by what
+  if (stopped) return kNotReached;  // the caller sets the exit code of the signal
 
   bool all_drawn = true;
   if (common.out) {
@@ -210,7 +210,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
       complain(warning);
       all_drawn = false;
     }
-    note_kept(fmt::format("all was written to {0} but pictures (`fpkcheck report {0}` draws them)",
+    note_kept(fmt::format("all but figures was written to {0} (`fpkcheck report {0}` draws them)",
                           *common.out));
   }
   rescue.reset();
@@ -229,7 +229,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
             ? fmt::format("Wrote report.html, summary.json, marginals.csv{}{}{} and {} to {} in ",
                           any(&results::Case::smooth) ? ", smooth.csv" : "",
                           any(&results::Case::joints) ? ", joint.nc" : "", others,
-                          all_drawn ? "figures/" : "what could be drawn", *common.out)
+                          all_drawn ? "figures/" : "some figures", *common.out)
             : "Done in ",
         elapsed.count()));
   }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kHead = R"(usage: fpkcheck study SUBJECT CASE [options]
 
-subjects (fpkcheck study SUBJECT --help explains each):
+subjects (options: fpkcheck study SUBJECT --help):
 )";
 
 std::string study_usage() {
@@ -45,14 +45,13 @@ bool asks_for_help(const std::string& argument) { return argument == "--help" ||
 const std::vector<StudySubject>& study_subjects() {
   static const std::vector<StudySubject> subjects{
       {"grid",
-       "finite differences over the grid: observed orders, limits, and the error of all methods "
-       "against their cost",
+       "grid convergence of the finite volumes: observed orders, limits, and error against cost "
+       "for all methods",
        study_grid},
-      {"order",
-       "closures over the order of their polynomial: which converge, to what, at what cost",
+      {"order", "convergence of the closures in the order of their polynomial: limit and cost",
        study_order},
       {"regularisation",
-       "the series cut after the fourth derivative on finer and finer velocity steps",
+       "the series truncated after the fourth derivative, over the velocity step: growth rates",
        study_regularisation}};
   return subjects;
 }
@@ -66,12 +65,13 @@ int study_command(const Call& call) {
   const auto given =
       std::ranges::find_if(arguments, [](const auto& a) { return !a.starts_with('-'); });
   if (given == arguments.end() || given != arguments.begin()) {
-    throw InputError(fmt::format("study of what? (the subject comes first: {}; --help explains)",
-                                 names_of_subjects()));
+    throw InputError(
+        fmt::format("study without a subject; use study SUBJECT CASE with {} (see --help)",
+                    names_of_subjects()));
   }
   const auto subject = std::ranges::find(study_subjects(), *given, &StudySubject::name);
   if (subject == study_subjects().end()) {
-    throw InputError(fmt::format("{} is no subject of a study (use {}; --help explains)",
+    throw InputError(fmt::format("{} is not a subject of study; use {} (see --help)",
                                  base::in_quotes(*given), names_of_subjects()));
   }
   return subject->run({{given + 1, arguments.end()}, call.command_line, call.registry});

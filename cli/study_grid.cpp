@@ -18,16 +18,15 @@ namespace {
 
 constexpr const char* kGridUsage = R"(usage: fpkcheck study grid CASE [options]
 
-Finite differences on finer and finer grids, for several orders of the scheme: the distance of the
-marginals to their Richardson limit, the orders observed over every three levels, the limits of the
-moments; and beside them what the closures and the simulation reach in which time, so that one
-sees which method to use for which accuracy.
-Exit code 0 when there is a limit, and the finest grids give a density.
+Grid convergence of the finite volumes for several orders of the scheme: distances of the marginal
+densities to their Richardson limit, the observed order over each three grid levels, and limits of
+the moments. Also shows error and time of closures and simulation, for the choice of a method.
+Exit code 0 when the limit exists and the finest grids give a density.
 
 examples:
   fpkcheck study grid case1
   fpkcheck study grid case4 --orders 5,7 --levels 6 --out results
-  fpkcheck study grid case1 --origin-refinement 16                 (the jump at the origin resolved)
+  fpkcheck study grid case1 --origin-refinement 16                 (resolves the jump at the origin)
   fpkcheck study grid case1 --equation km4 --impact delta          (the equation of the closure)
 )";
 
@@ -46,19 +45,21 @@ int study_grid(const Call& call) {
   own.add(options_for(grids, {"equation", "impact", "origin_refinement"}, of_grids));
   own.add_options()  //
       ("orders", po::value(&order_list)->value_name("LIST")->default_value("3,5,7"),
-       "orders of the transport terms, 2 .. 8; the highest gives the limit")(
+       "orders of the transport terms, 2 .. 8; the highest order gives the limit")(
           "levels", po::value(&options.levels)->value_name("N")->default_value(options.levels),
-          "grids per order, each with cells narrower by sqrt 2")(
+          "number of grids for each order; cells are narrower by sqrt(2) from level to level")(
           "coarsest",
           po::value(&options.coarsest)->value_name("F")->default_value(options.coarsest),
-          "refinement of the first level; 1 is the automatic grid");
+          "refinement factor of the first level; 1 is the automatic grid");
   for (const auto& solver : call.registry.solvers()) {
     own.add(options_for(*solver.option_descriptions, solver.run_options, options.simulation));
   }
   own.add(figure_options(common.figures));
-  if (!parse(call.arguments, kGridUsage,
-             with_common_options(own, common, "write study-grid.json, .csv and a picture there"),
-             common.cases)) {
+  if (!parse(
+          call.arguments, kGridUsage,
+          with_common_options(
+              own, common, "write study-grid.json, .csv and a figure to DIR (default: no files)"),
+          common.cases)) {
     return kDone;
   }
   fd_fpk::Options scheme;

@@ -21,10 +21,10 @@ namespace {
 
 constexpr const char* kOrderUsage = R"(usage: fpkcheck study order CASE [options]
 
-What becomes of a closure as the order of its polynomial grows: status, steps of Newton's method,
-condition, residual, admissibility, distance to finite differences of the full jump equation (L1,
-and in the tail), time; and where the branch of solutions of a formulation folds before it reaches
-the problem asked for.
+Convergence of closures in the order of their polynomial: status, steps of Newton's method,
+condition number, residual, admissibility, distance to the finite-volume solution of the full jump
+equation (L1, and in the tail), time. Also reports where the branch of solutions of a formulation
+folds before it reaches the problem.
 Exit code 0 when every order of the formulation moment gives a density.
 
 examples:
@@ -38,8 +38,8 @@ std::vector<std::string> formulations(const std::string& list, const methods::Re
   auto result = items("--formulations", list);
   for (const auto& item : result) {
     if (std::ranges::find(known, item) == known.end()) {
-      throw InputError(fmt::format("--formulations {} ('{}' is none) use {}", list, item,
-                                   fmt::join(known, ", ")));
+      throw InputError(fmt::format("--formulations {}: '{}' is not a formulation; use {}", list,
+                                   item, fmt::join(known, ", ")));
     }
   }
   return result;
@@ -53,20 +53,22 @@ int study_order(const Call& call) {
   CommonArguments common;
   std::string formulation_list, order_list;
   const std::string all = fmt::format(
-      "as in the ids of solutions, without the solver's name and -nN: {}; moment-cut: the bare "
-      "exponent, cut off",
+      "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
+      "the bare exponent, cut off at an energy",
       fmt::join(study::formulations(call.registry), ", "));
   po::options_description own;
   own.add_options()  //
       ("orders", po::value(&order_list)->value_name("LIST")->default_value("2,4,6,8,10,12"),
-       "degrees n of the polynomial, even")(
+       "orders n (degrees of the polynomial), even, from 2")(
           "formulations",
           po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
           all.c_str());
   own.add(figure_options(common.figures));
-  if (!parse(call.arguments, kOrderUsage,
-             with_common_options(own, common, "write study-order.json, .csv and a picture there"),
-             common.cases)) {
+  if (!parse(
+          call.arguments, kOrderUsage,
+          with_common_options(
+              own, common, "write study-order.json, .csv and a figure to DIR (default: no files)"),
+          common.cases)) {
     return kDone;
   }
   const study::OrderStudyOptions options{formulations(formulation_list, call.registry),

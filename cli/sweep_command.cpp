@@ -42,19 +42,19 @@ constexpr const char* kSweepUsage = R"(usage: fpkcheck sweep CASE --vary KEY=VAL
        fpkcheck sweep PLAN.ini [options]
        fpkcheck sweep --merge DIR [DIR ...] --out DIR
 
-Solves a case at every point of a plan, which varies keys of its case file, by each method, and
-tells how they end, how far they are from the best known solution of each point, and how long they
-take: sweep.csv (a row for each point and method), sweep.nc, and report.html with the pictures of
-figures/: curves along one varied key, maps over two. VALUES are
+Solves a case by several methods at all points of a plan, which varies keys of the case. Reports the
+status, the distance to the most accurate solution of each point, and the time of each method:
+sweep.csv (a row for each point and method), sweep.nc, and report.html with the figures of figures/:
+curves over one varied key, maps over two. VALUES are
   FROM:TO:N        N values, evenly spaced
-  log:FROM:TO:N    the same by their logarithms
-  A,B,..           a list, of words too
-A PLAN.ini is a case file with two sections more, [sweep] (case, methods, design, points) and
+  log:FROM:TO:N    N positive values, evenly spaced in their logarithms
+  A,B,..           a list of numbers or words
+A PLAN.ini is a case file with two additional sections: [sweep] (case, methods, design, points) and
 [vary] (KEY = VALUES); see cases/sweeps/.
-A point that cannot be solved is a row with its status and reason. Each finished point goes into
-DIR/journal: stopped in any way, the same command goes on where it was. Points are solved one by a
-thread; --shard parts a plan for batch systems, and with mpirun ranks share one.
-Exit code 0 when every point was solved, however its methods ended.
+A point that cannot be solved is a row with its status and reason. Each solved point is stored in
+DIR/journal: after an interruption the same command continues. Each thread solves one point at a
+time; --shard divides a plan for batch systems, and the ranks of mpirun share a plan.
+Exit code 0 when all points were processed, whatever the status of their solutions.
 
 examples:
   fpkcheck sweep case1 --vary system.restitution=0.8:1:11 --methods epc,fd-kf
@@ -63,7 +63,7 @@ examples:
   fpkcheck sweep cases/sweeps/rate-law.ini --out map
   fpkcheck sweep mine.ini --dry-run --ranks 16,64
   fpkcheck sweep mine.ini --shard 3/16 --out map
-  fpkcheck sweep --merge map --out map             when all shards are there
+  fpkcheck sweep --merge map --out map             (after all shards)
 )";
 constexpr const char* kDefaultSweepDirectory = "fpkcheck-sweep";
 constexpr const char* kDefaultMethods = "epc,fd";
@@ -75,7 +75,7 @@ struct SweepArguments {
   std::optional<std::size_t> points;
   std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
-  base::Values given;  // for the methods
+  base::Values given;  // options of the methods
 };
 
 boost::program_options::options_description sweep_options(SweepArguments& arguments,
@@ -89,35 +89,36 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
   po::options_description own;
   own.add_options()  //
       ("vary", po::value(&arguments.vary)->value_name("KEY=VALUES")->composing(),
-       "what is varied; may be repeated")  //
+       "vary KEY of the case over VALUES (see above); may be repeated")  //
       ("design", text(arguments.design, "NAME"),
-       "product (default): every value with every other; list: the k-th values together; sobol: "
-       "points of a Sobol sequence in the box of the ranges FROM:TO or log:FROM:TO")  //
+       "product (default): all combinations of the values; list: the k-th values of all keys form "
+       "point k; sobol: a Sobol sequence in the box of the ranges FROM:TO or log:FROM:TO")  //
       ("points", po::value<std::size_t>()->value_name("N")->notifier([&](std::size_t count) {
         arguments.points = count;
       }),
-       "of the design sobol: how many")  //
+       "number of points of the design sobol, 1 .. 1000000")  //
       ("methods", text(arguments.methods, "LIST"),
-       "solvers, families or ids separated by commas (default: epc,fd); finite differences find "
-       "the null vector without stepping")  //
+       "solvers, families or ids of methods, separated by commas (default: epc,fd); fd uses the "
+       "stepper direct")  //
       ("closure-errors", text(arguments.closure_errors, "HOW"),
-       "reference (default): closures are judged by their distance to the best solution of each "
-       "point; residuals: as in a run, by the backward equation, which takes longer; where a point "
-       "has no reference it is always so")  //
+       "error estimate of closures. reference (default): distance to the most accurate solution of "
+       "the point; residuals: by the backward equation, as in run, which takes longer and is used "
+       "at all points without a reference")  //
       ("marginals", po::bool_switch(&arguments.marginals),
-       "keep p(y) and p(y') of every point, in marginals/NUMBER.csv")  //
+       "store p(y) and p(y') of every point in DIR/marginals/NUMBER.csv")  //
       ("shard", text(arguments.shard, "i/N"),
-       "solve every N-th point, from the i-th on; --merge puts the journals together")  //
+       "solve every N-th point from point i on, 1 <= i <= N; --merge combines the shards")  //
       ("merge", po::bool_switch(&arguments.merge),
-       "the arguments are directories of shards: write the tables of all together")  //
+       "combine the shards in the directories DIR ... into one set of tables")  //
       ("dry-run", po::bool_switch(&arguments.dry_run),
-       "solve a sample of the points (what DIR/journal has counts), write nothing, and say what the "
-       "plan will take")  //
+       "estimate the time and memory of the plan from a sample of points, including those in "
+       "DIR/journal; write no files")  //
       ("ranks",
        po::value<std::string>()->value_name("LIST")->notifier(
            [&](const std::string& list) { arguments.ranks = integers("--ranks", list); }),
-       "of --dry-run: what so many processes of one thread would take, e.g. 2,64,1024");
-  // Threads are the sweep's own here: a point has one.
+       "for --dry-run: also estimate the time for these numbers of processes with one thread each, "
+       "e.g. 2,64,1024");
+  // The sweep uses the threads for points; each method has one thread.
   own.add(figure_options(arguments.common.figures));
   own.add(options_of_a_run(registry, arguments.given));
   return own;
@@ -142,7 +143,7 @@ sweep::Axis axis_of(const std::string& text) {
   return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
-// What a plan says of the methods' options, where the command line says nothing.
+// Adds the options of methods in the plan; options on the command line take precedence.
 void add_options_of_plan(const std::vector<base::IniSetting>& lines,
                          const methods::Registry& registry, base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
@@ -157,7 +158,7 @@ void add_options_of_plan(const std::vector<base::IniSetting>& lines,
   for (const auto& line : lines) {
     const auto option = std::ranges::find(options, line.key, &base::Parameter::name);
     if (option == options.end()) {
-      throw InputError(fmt::format("{}: unknown key {} (known keys of [sweep]: {})", line.where,
+      throw InputError(fmt::format("{}: unknown key {}; known keys of [sweep]: {}", line.where,
                                    base::in_quotes(line.path()), fmt::join(known, ", ")));
     }
     if (contains(given, line.key)) continue;
@@ -166,10 +167,10 @@ void add_options_of_plan(const std::vector<base::IniSetting>& lines,
   }
 }
 
-// The plan that the file and the command line make together.
+// The plan from the plan file or case and the command line, which takes precedence.
 sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& registry) {
   if (arguments.common.cases.size() != 1) {
-    throw InputError("a sweep takes one case or plan (name it)");
+    throw InputError("a sweep takes one case or plan; name it");
   }
   const auto text = sweep::read_plan(arguments.common.cases.front(), arguments.common.overrides);
   sweep::Plan plan{.base = text.base, .axes = text.axes};
@@ -209,7 +210,7 @@ void put_results(const SweepArguments& arguments, const sweep::SweepResults& res
   const std::filesystem::path directory = *arguments.common.out;
   const base::WriteGuard in_hand;
   sweep::write_tables(directory, results, call.command_line);
-  note_kept("sweep.csv and sweep.nc were written, but not the page");
+  note_kept("sweep.csv and sweep.nc were written, but not report.html");
   if (arguments.common.json) {
     put_out(sweep::json(results, call.command_line) + '\n');
   } else if (!arguments.common.quiet) {
@@ -219,8 +220,8 @@ void put_results(const SweepArguments& arguments, const sweep::SweepResults& res
        sweep::write_report(directory, results, call.command_line, arguments.common.figures)) {
     complain(warning);
   }
-  if (base::stop_requested()) return;  // the caller says by what
-  note_kept("all was written");
+  if (base::stop_requested()) return;  // the caller sets the exit code of the signal
+  note_kept("all files were written");
   if (arguments.common.json || arguments.common.quiet) return;
   put_out(fmt::format("\nWrote sweep.csv, sweep.nc and report.html to {} in {:.1f} s.\n",
                       *arguments.common.out, seconds));
@@ -229,7 +230,7 @@ void put_results(const SweepArguments& arguments, const sweep::SweepResults& res
 int merge(const SweepArguments& arguments, const Call& call,
           std::chrono::steady_clock::time_point begin) {
   if (arguments.common.cases.empty()) {
-    throw InputError("--merge without a directory (name those that the shards wrote into)");
+    throw InputError("--merge without a directory; name the directories of the shards");
   }
   std::vector<std::filesystem::path> directories(arguments.common.cases.begin(),
                                                  arguments.common.cases.end());
@@ -241,7 +242,7 @@ int merge(const SweepArguments& arguments, const Call& call,
   return merge_journals.results.is_complete() ? kDone : kNotReached;
 }
 
-// What a sweep of this plan has solved already tells the rest as well.
+// The points that an earlier sweep of this plan has stored; the forecast uses them.
 std::vector<sweep::PointResult> solved_before(const sweep::Plan& plan,
                                               const std::filesystem::path& journal) {
   std::error_code ignored;
@@ -261,7 +262,7 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
   return kDone;
 }
 
-// Of the process that has the journal, which is the only one but under mpirun.
+// Runs the sweep on the process that writes the journal: rank 0 of mpirun, else the only process.
 int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
                int threads, base::Communicator* ranks, const Call& call,
                std::chrono::steady_clock::time_point begin) {
@@ -299,13 +300,13 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
     sweep::solve_remaining(plan, *progress, threads);
   }
   line.clear();
-  if (base::stop_requested()) return kNotReached;  // the caller says by what
+  if (base::stop_requested()) return kNotReached;  // the caller sets the exit code of the signal
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   if (shard.of > 1) {
     if (!common.quiet) {
       put_out(fmt::format(
-          "Shard {} of {}: {} points in {}/{}, {:.1f} s. When all are there: fpkcheck sweep --merge "
+          "Shard {} of {}: {} points in {}/{}, {:.1f} s. After all shards: fpkcheck sweep --merge "
           "{} --out {}\n",
           shard.number, shard.of, progress->state().done, *common.out, shard.journal_name(),
           elapsed.count(), *common.out, *common.out));
@@ -326,7 +327,7 @@ int sweep_command(const Call& call) {
   const auto own = sweep_options(arguments, call.registry);
   if (!parse(call.arguments, kSweepUsage,
              with_common_options(own, common,
-                                 "write journal, tables and page there (default: "
+                                 "write journal, tables and report.html to DIR (default: "
                                  "fpkcheck-sweep)"),
              common.cases)) {
     return kDone;

@@ -19,8 +19,8 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
   fd_fpk::validate(options, transient);
   const auto problems = load_cases(common);
   if (problems.size() > 1) {
-    throw InputError(
-        fmt::format("--until with {} cases (a density over time is of one case)", problems.size()));
+    throw InputError(fmt::format(
+        "--until with {} cases: a density over time requires one case; name one", problems.size()));
   }
   const OutputDirectory directory(common.out);
 
@@ -47,7 +47,7 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
     const base::WriteGuard in_hand;
     for (const auto& warning : study::write_transient(*common.out, run, common.figures))
       complain(warning);
-    note_kept("all was written but the picture");
+    note_kept("all files were written except the figure");
   }
   if (!common.quiet && !common.json) {
     put_out(fmt::format(

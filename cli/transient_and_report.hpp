@@ -7,9 +7,8 @@
 
 namespace fpkcheck::cli {
 
-/// Integrates the density of one case over time, prints the table (or the JSON), and writes
-/// transient.nc and its picture when a directory was given. The directory is prepared before
-/// anything is solved.
+/// Integrates the density of one case over time, prints the table (or the JSON), and with --out
+/// writes transient.nc and its figure. The directory is prepared before the integration.
 /// @return an ExitCode
 /// @throws InputError as load_cases, prepare_output_directory and fd_fpk::validate do, and for several cases
 int transient_and_report(const CommonArguments& common, const fd_fpk::Options& options,

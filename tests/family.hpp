@@ -2,7 +2,7 @@
 
 #include "problem/problem.hpp"
 
-/// Problems of the family beyond the paper's class that the tests share.
+/// Problems outside the class of the paper, shared by tests.
 namespace fpkcheck::tests {
 
 inline problem::ImpulseTrain gaussian_impulses(double rate, double intensity, double mean = 0) {
@@ -10,7 +10,7 @@ inline problem::ImpulseTrain gaussian_impulses(double rate, double intensity, do
       {.arrival_rate = rate, .law = "gaussian", .intensity = intensity, .mean = mean});
 }
 
-/// What has noise alone.
+/// A problem with white noise and without impulses.
 inline problem::Problem with_noise(const problem::System& system, double intensity) {
   return {.name = "test", .system = system, .impulses = {}, .noise = {intensity}};
 }

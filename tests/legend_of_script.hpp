@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-/// What a gnuplot script draws and what its legend says of it.
+/// Parser of gnuplot scripts: the plotted elements and the entries of the legend.
 namespace fpkcheck::tests {
 
-/// One of the things that a plot command draws, with how it looks.
+/// An element of a plot command, with its style.
 struct Drawn {
   std::string text, style, colour, dash, mark, title;
 
@@ -17,7 +17,7 @@ struct Drawn {
   bool has_marks() const {
     return style == "points" || style == "linespoints" || style == "yerrorbars";
   }
-  // By the colour scale beside the panels.
+  // The colour scale beside the panels explains such elements.
   bool has_scale() const { return style == "image" || text.find("palette") != std::string::npos; }
 };
 
@@ -27,7 +27,7 @@ inline std::string first_match(const std::string& text, const std::string& patte
   return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : otherwise;
 }
 
-/// At commas that stand in neither parentheses nor quotes.
+/// Splits a command at commas outside of parentheses and quotes.
 inline std::vector<std::string> parts_of(const std::string& command) {
   std::vector<std::string> parts{""};
   int depth = 0;
@@ -75,8 +75,9 @@ inline std::vector<Drawn> drawn_by(const std::string& script) {
   return all;
 }
 
-/// Whether a legend's entry tells what this is: by colour and dash or mark. An entry in dark grey is
-/// of all colours; one that begins with "open" of all open marks whose filled ones have an entry.
+/// True if a legend entry explains the element, by colour and dash or marker. A dark grey entry is
+/// valid for all colours. An entry that begins with "open" is valid for all open markers whose
+/// filled markers have an entry.
 inline bool tells(const Drawn& entry, const Drawn& drawn, bool open_is_told) {
   if (entry.title.empty()) return false;
   const bool is_edge = entry.text.find("border rgb '" + drawn.colour + "'") != std::string::npos;
@@ -94,7 +95,7 @@ inline bool tells(const Drawn& entry, const Drawn& drawn, bool open_is_told) {
   return entry.has_marks() && (entry.mark == drawn.mark || drawn.mark == "variable" || is_open_one);
 }
 
-/// What a script draws without saying what it is.
+/// The plotted elements of a script without a legend entry.
 inline std::vector<std::string> without_entry(const std::string& script) {
   const auto all = drawn_by(script);
   const bool open_is_told = std::ranges::any_of(all, [](const Drawn& one) {

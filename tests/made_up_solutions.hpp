@@ -11,11 +11,11 @@
 #include "transform/panel_marginals.hpp"
 #include "trapezoid.hpp"
 
-/// Solutions that no solver made: the shapes and the sizes of the differences are those of a real
-/// run, the values are known in advance.
+/// Synthetic solutions for tests. Shapes and sizes of the differences are similar to those of a
+/// real run; the exact values are known.
 namespace fpkcheck::tests {
 
-/// p(y, v) ~ exp(-a y^2/2 - b y^4) exp(-d v^2/2 - e v^4 + f v^6) on a box.
+/// Coefficients of p(y, v) ~ exp(-a y^2/2 - b y^4) exp(-d v^2/2 - e v^4 + f v^6) on a box.
 struct Shape {
   double a, b, d, e, f = 0;
 };
@@ -29,7 +29,7 @@ inline transform::SmoothDensity smooth(const Shape& s, double y_max, double v_ma
   return {[=](double y, double v) { return of_y(y) * of_v(v) / norm; }, y_max, v_max};
 }
 
-/// Who a solution would be; looks as those of the built-in methods.
+/// The identity of a synthetic solution, with a plot style as of the built-in methods.
 inline transform::Identity identity(const std::string& id, const std::string& method,
                                     problem::Equation equation, problem::Impact impact) {
   using transform::Role;
@@ -70,7 +70,7 @@ inline transform::Solution solution(const transform::Identity& who,
   return s;
 }
 
-/// A histogram of `samples` independent samples of the density on the axes, with intervals.
+/// A histogram of `samples` independent samples of the density on the axes, with 95 % intervals.
 inline transform::Solution simulation(const compare::ComparisonAxes& axes,
                                       const transform::SmoothDensity& density, double samples) {
   auto s = solution(identity("mcs", "mcs", problem::Equation::kf, problem::Impact::exact), density);
@@ -106,8 +106,8 @@ inline transform::Solution without_density(const transform::Identity& who,
   return s;
 }
 
-/// The eight solutions of one case, in the order of trust: four closures, three equations by finite
-/// differences, the simulation.
+/// Eight solutions of a case by increasing trust: four closures, three finite-volume solutions, the
+/// simulation.
 inline std::vector<transform::Solution> made_up_solutions(const compare::ComparisonAxes& axes) {
   const double y_max = axes.y_edges.back(), v_max = axes.v_edges.back();
   const auto shape = [&](const Shape& s) { return smooth(s, y_max, v_max); };
@@ -131,7 +131,7 @@ inline std::vector<transform::Solution> made_up_solutions(const compare::Compari
   return all;
 }
 
-/// The paper's case 1 with these solutions, under another name.
+/// Case 1 of the paper with the synthetic solutions, under a given name.
 inline results::Case made_up_case(const std::string& name = "case1") {
   auto problem = paper_case(1);
   problem.name = name;
@@ -139,8 +139,8 @@ inline results::Case made_up_case(const std::string& name = "case1") {
   return results::make_case(problem, axes, made_up_solutions(axes));
 }
 
-/// Gives a simulation what control functions make of it: averages over smooth bins that are those of
-/// a density, every other one a standard error too large, independent of each other.
+/// Adds the estimates with control variates to a simulation: averages of a density over smooth
+/// bins, every other average increased by a standard error, all independent.
 inline void add_smooth_estimates(transform::Solution& simulation,
                                  const compare::ComparisonAxes& axes,
                                  const transform::SmoothDensity& density, double error) {
@@ -171,7 +171,7 @@ inline void add_smooth_estimates(transform::Solution& simulation,
   simulation.smooth_sampling = {.y = 3e-6, .ydot = 4e-6, .y_99 = 5e-6, .ydot_99 = 6e-6};
 }
 
-/// made_up_case() with a simulation without noise.
+/// made_up_case() with estimates by control variates in the simulation.
 inline results::Case made_up_case_without_noise(double error = 1e-6) {
   const auto problem = made_up_case().problem;
   const auto axes = compare::comparison_axes(problem);

@@ -13,11 +13,16 @@
 
 namespace fpkcheck::tests {
 
-/// The problem of this number out of the whole family, in any units: every kind of spring (linear,
-/// hardening, bistable, tilted, of fifth degree, a constant force, none between walls) and of damping
-/// (linear .02 to 2 of the frequency, van der Pol, Rayleigh, both, none where walls take energy), no
-/// wall, one on either side within three lengths of the origin, or two, each with r from .2 to 1,
-/// impulses .1 to 100 in a unit of the frequency of any law and mean, white noise, or both.
+/// The random problem with this number from all supported oscillators, in any units:
+///
+///     restoring force  linear, hardening, bistable, tilted, of fifth degree, constant, or none
+///                      between walls
+///     damping          linear (.02 to 2 times the frequency), van der Pol, Rayleigh, both, or
+///                      none if walls dissipate energy
+///     walls            none, one on either side within three lengths of the origin, or two, with
+///                      r from .2 to 1
+///     excitation       impulses (rate .1 to 100 times the frequency, any law and mean), white
+///                      noise, or both
 inline problem::Problem random_member(std::uint64_t number) {
   boost::random::mt19937_64 engine(number);
   boost::random::uniform_01<double> unit;
@@ -107,7 +112,7 @@ inline problem::Problem random_member(std::uint64_t number) {
                                .noise = noise};
       problem::require_stationary_density(problem);
       return problem;
-    } catch (const InputError&) {  // no stationary density: another one
+    } catch (const InputError&) {  // no stationary density: draw another problem
     }
   }
 }

@@ -9,8 +9,8 @@
 
 namespace fpkcheck::tests {
 
-/// What a scan of case 1 goes through: impulses of the same intensity, from those that come once in
-/// a thousand decay times to those that cannot be told from white noise.
+/// The problems of a scan of case 1 over the impulse rate at constant intensity, from one impulse
+/// in a thousand decay times to impulses that are equivalent to white noise.
 struct ScanOfRates {
   std::vector<double> rates{1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5};
   std::vector<std::string> laws{"gaussian", "laplace",     "two_point",

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::tests {
 
-/// Whether a test over many problems takes all of them: where FPKCHECK_THOROUGH is set, as by
-/// `ctest -C slow -R thorough`. Otherwise it takes a part.
+/// True if a test over many problems is to run all of them: FPKCHECK_THOROUGH is set, as by
+/// `ctest -C slow -R thorough`. Otherwise the test runs a part.
 inline bool thorough() { return std::getenv("FPKCHECK_THOROUGH") != nullptr; }
 
 template <class Number>

@@ -10,7 +10,7 @@
 
 namespace fpkcheck::tests {
 
-/// The text that report::gzip_base64 packed.
+/// Inverse of report::gzip_base64.
 inline std::string unpacked(std::string base64) {
   namespace it = boost::archive::iterators;
   using Decoder = it::transform_width<it::binary_from_base64<std::string::const_iterator>, 8, 6>;

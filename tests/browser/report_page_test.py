@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Opens the report.html of a run in headless Chromium and checks what a reader would meet.
+"""Opens report.html of a run in headless Chromium and tests its contents and behaviour.
 
-usage: report_page_test.py DIR      DIR: what `fpkcheck run --out DIR` left
+usage: report_page_test.py DIR      DIR: directory of `fpkcheck run --out DIR`
 
 Exit code 77 (skipped) when Chromium, its driver or Selenium is not installed.
 """
@@ -30,7 +30,7 @@ if not CHROMIUM or not DRIVER:
     sys.exit(SKIPPED)
 
 DESKTOP, PHONE = (1280, 900), (390, 844)
-# Numbers are kept as 32-bit floating point.
+# The page stores numbers as 32-bit floating point.
 RELATIVE_ROUNDING = 6e-8
 DIRECTORY = None  # set by main
 
@@ -69,9 +69,9 @@ class ReportPage(unittest.TestCase):
         cls.wait_until_drawn()
         folded = cls.script('return [...document.querySelectorAll(".case details:not([open]) .plot")].map('
                             'plot => plot.innerHTML).join("")')
-        assert folded == '', 'what is folded is drawn when it is opened, not before'
+        assert folded == '', 'plots in closed sections must not be drawn before they are opened'
         cls.script('document.querySelectorAll(".case details").forEach(details => { details.open = true; })')
-        time.sleep(0.1)  # until they tell
+        time.sleep(0.1)  # until the toggle events are dispatched
         cls.wait_until_drawn()
 
     @classmethod
@@ -84,7 +84,7 @@ class ReportPage(unittest.TestCase):
         return cls.browser.execute_script(code, *arguments)
 
     def traces(self, plot):
-        """Of a drawn plot: name, group, axis, visibility and numbers of each trace."""
+        """Name, group, axis, visibility and numbers of each trace of a plot."""
         return self.script('''
             const plot = document.getElementById(arguments[0]);
             return plot._fullData.map(t => ({name: t.name, group: t.legendgroup, axis: t.yaxis, visible: t.visible,
@@ -95,7 +95,7 @@ class ReportPage(unittest.TestCase):
         return {t['group']: t for t in self.traces(plot) if t['axis'] == axis and not t['skip']}
 
     def marginals(self, name='marginals.csv'):
-        """abscissa, density and half the width of its interval by (case, variable, solution)"""
+        """{(case, variable, solution): (abscissa, density, half-width of the interval)}"""
         found = {}
         with open(DIRECTORY / name, newline='') as file:
             for row in csv.DictReader(file):
@@ -215,7 +215,7 @@ class ReportPage(unittest.TestCase):
         self.assertGreater(first['cells'], 1000)
         self.assertLess(first['worst'], 1e-6 * first['peak'])
         self.assertGreater(first['largest'], 0)
-        # Two digits are told, and the map ends where the density is 1e-5 of its peak.
+        # The page prints two digits, and the map ends where the density is 1e-5 of its peak.
         self.assertAlmostEqual(first['mass'], 1, delta=1e-3)
         self.assertAlmostEqual(first['l1'] / first['told'], 1, delta=0.07)
         self.script(choose, 'choice', 1)

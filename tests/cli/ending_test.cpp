@@ -13,8 +13,8 @@
 namespace fpkcheck::cli {
 namespace {
 
-// The command has ended by itself in the moment in which the deadline takes over: each waited for the
-// other, once in some hundred signals.
+// The command ends by itself at the moment at which the watchdog claims the shutdown. An earlier
+// version deadlocked here, about once in some hundred signals.
 [[noreturn]] void end_as_the_grace_ends() {
   alarm(20);
   base::request_stop(SIGINT);

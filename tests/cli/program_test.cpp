@@ -62,10 +62,10 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
   const std::string out = path("out");
   const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
       {{}, "no command"},
-      {{"solve"}, "'solve' is no command"},
+      {{"solve"}, "'solve' is not a command"},
       {{"run", "case9"}, "no case 'case9'"},
       {{"run", path("unknown.ini")}, "unknown key 'system.colour'"},
-      {{"run", "case1", "case1"}, "case1 is named twice (name it once)"},
+      {{"run", "case1", "case1"}, "case1 is named twice; name it once"},
       {{"run", "--set", "system.color=1"}, "unknown key 'system.color'"},
       {{"run", "--set", "system.restitution=0"}, "system.restitution = 0"},
       {{"run", "--set", "system.restitution=1.01"}, "system.restitution = 1.01"},
@@ -132,11 +132,11 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"bounds", "case1", "--bin", "y:0.5"}, "--bin 'y:0.5' (must be y:CENTRE:SPACING"},
       {{"bounds", "case1", "--bin", "v:0.5:0.1"}, "--bin 'v:0.5:0.1'"},
       {{"bounds", "case1", "--bin", "y:0.1:0.5"}, "y"},
-      {{"study"}, "study of what"},
+      {{"study"}, "study without a subject"},
       {{"study", "colour", "case1"},
-       "'colour' is no subject of a study (use grid, order or regularisation"},
+       "'colour' is not a subject of study; use grid, order or regularisation"},
       {{"study", "grid", "case1", "--levels", "2"}, "--levels 2"},
-      {{"study", "grid", "case1", "--orders", "5,x"}, "'x' is no number"},
+      {{"study", "grid", "case1", "--orders", "5,x"}, "'x' is not a valid integer"},
       {{"study", "grid", "case1", "--equation", "km5"},
        "--equation 'km5' (must be one of white, km4"},
       {{"study", "regularisation"}, "no case"},
@@ -178,7 +178,7 @@ TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
   const auto run = program({"run", "case1", "--methods", "epc-gaussian-n6,fd-white,mcs", "--time",
                             "20000", "--out", out});
   ASSERT_EQ(run.exit_code, kDone) << run.err;
-  EXPECT_EQ(run.err, "");  // no progress: not a terminal
+  EXPECT_EQ(run.err, "");  // no progress line: standard error is not a terminal
   std::ifstream file(fs::path(out) / "summary.json");
   const auto summary = nlohmann::json::parse(file);
   EXPECT_EQ(summary.at("schema"), 1);
@@ -189,7 +189,7 @@ TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
 
   const auto again = program({"report", out});
   EXPECT_EQ(again.exit_code, kDone);
-  EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // the run adds its closing line
+  EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // `run` appends a closing line
   const auto quiet = program({"report", out, "-q"});
   EXPECT_EQ(quiet.exit_code, kDone);
   EXPECT_EQ(quiet.out, "");
@@ -204,7 +204,7 @@ TEST_F(Program, ADensityFromAFileIsComparedWithTheMethods) {
   ASSERT_EQ(run.exit_code, kDone) << run.err;
   const auto one = nlohmann::json::parse(run.out).at("cases").at(0);
   EXPECT_EQ(one.at("solutions").at(0).at("id"), "mine");
-  EXPECT_EQ(one.at("comparisons").size(), 1u);  // p(y) of the pair, and nothing in y'
+  EXPECT_EQ(one.at("comparisons").size(), 1u);  // the file has p(y) only
   EXPECT_EQ(one.at("comparisons").at(0).at("a"), "mine");
   EXPECT_EQ(program({"report", path("out")}).exit_code, kDone);
 }
@@ -219,7 +219,7 @@ TEST_F(Program, EvaluatesTheClosuresOfARunFromTheirCoefficients) {
   const auto done = program({"evaluate", out, "epc-moment-n4", "--at", path("at.csv"), "--json"});
   EXPECT_EQ(done.exit_code, kDone) << done.err;
   EXPECT_EQ(done.err, "");
-  // The formula that docs/foreign.md has, below the confinement.
+  // The formula in docs/foreign.md, at energies below the confinement level.
   const auto summary = nlohmann::json::parse(std::ifstream(out + "/summary.json"));
   const auto& closure = summary.at("cases").at(0).at("solutions").at(0);
   double exponent = closure.at("log_C");
@@ -242,7 +242,7 @@ TEST_F(Program, EvaluatesAFormThatWasWrittenDown) {
       {"x1": 1, "x2": 1, "a": 0.5}, {"x1": 0, "x2": 3, "a": 2}]})";
   const auto done = program({"evaluate", path("form.json"), "--at", path("at.csv")});
   EXPECT_EQ(done.exit_code, kDone) << done.err;
-  // Both points of the plane that (y, y') has.
+  // The sum over both points of the (z, z') plane that map to (y, y').
   const double p = 0.25 * (std::exp(-0.05 - 0.016) + std::exp(-0.05 + 0.016));
   EXPECT_NEAR(std::stod(done.out.substr(done.out.rfind(',') + 1)), p, 1e-14) << done.out;
 }
@@ -255,11 +255,11 @@ TEST_F(Program, ASecondRunLeavesNothingOfTheFirst) {
             kDone);
   const fs::path partial = base::partial_path(fs::path(out) / "figures" / "case2.png");
   const std::string mine = partial.string();
-  constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
+  constexpr const char* kNobody = "4194999";  // exceeds the largest process id of Linux, 2^22
   std::ofstream(mine.substr(0, mine.rfind('-') + 1) + kNobody) << "stopped";
   std::ofstream(fs::path(out) / "figures" / "mine.png") << "not ours";
   const auto second = program({"run", "case1", "--methods", "epc-gaussian-n8", "--out", out});
-  EXPECT_EQ(second.exit_code, kNotReached);  // no density, so no picture
+  EXPECT_EQ(second.exit_code, kNotReached);  // no density, hence no figure
   std::vector<std::string> left;
   for (const auto& entry : fs::directory_iterator(fs::path(out) / "figures")) {
     left.push_back(entry.path().filename());
@@ -304,7 +304,7 @@ TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
   EXPECT_EQ(json.at("moved").at(0).at("figure"), "E[y'^2]");
   EXPECT_NEAR(json.at("moved").at(0).at("change").get<double>(), 1e-6, 1e-9);
 
-  // The new run is the next baseline.
+  // The new run can serve as baseline.
   const auto adopted = program({"check", after, "--json"});
   EXPECT_EQ(adopted.exit_code, kDone);
   EXPECT_EQ(nlohmann::json::parse(adopted.out).at("agrees"), true);
@@ -315,7 +315,7 @@ TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
 
 TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
   std::jthread user([](const std::stop_token& stop) {
-    // Once: a second one would end the tests.
+    // One signal only: a second signal would end the tests.
     while (!stop.stop_requested()) {
       struct sigaction now = {};
       sigaction(SIGINT, nullptr, &now);
@@ -332,14 +332,14 @@ TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
   EXPECT_EQ(run.err, "fpkcheck: interrupted; nothing was written\n");
   EXPECT_EQ(run.out, "");
   EXPECT_FALSE(fs::exists(path("a")));
-  // And the next is not.
+  // The next run is not interrupted.
   EXPECT_EQ(program({"run", "case1", "--methods", "epc-gaussian-n2", "--accuracy", "1", "--out",
                      path("a")})
                 .exit_code,
             kDone);
 }
 
-// Two methods, one after the other; the program is told to stop while the first solves a case.
+// Two methods in sequence; a stop is requested while the first solves the case of this name.
 methods::Registry stopped_within(const std::string& case_name) {
   methods::Registry registry;
   for (const auto& toy : {tests::Toy{"plain", "plain", transform::Role::closure},
@@ -370,24 +370,24 @@ TEST_F(Program, ARunThatIsStoppedKeepsTheCasesThatItHasAndSaysWhichAreMissing) {
   const auto stopped = program(run, stopped_within("b"));
   EXPECT_EQ(stopped.exit_code, kInterrupted);
   EXPECT_EQ(stopped.err, "fpkcheck: interrupted; 1 case was written to " + path("out") +
-                             " (`fpkcheck report " + path("out") + "` draws the pictures)\n");
+                             " (`fpkcheck report " + path("out") + "` draws the figures)\n");
   const auto summary = nlohmann::json::parse(std::ifstream(path("out") + "/summary.json"));
   ASSERT_EQ(summary.at("cases").size(), 1u);
   EXPECT_EQ(summary.at("cases").at(0).at("name"), "a");
   EXPECT_EQ(summary.at("cases").at(0).at("solutions").size(), 2u);
   EXPECT_EQ(summary.at("stopped"),
             "This run was stopped by Ctrl-C (SIGINT) before its end. Missing: b, c. Without bounds "
-            "and own errors: a.");
+            "and error estimates: a.");
   const auto report = program({"report", path("out")});
   EXPECT_EQ(report.exit_code, kDone) << report.err;
   EXPECT_NE(report.out.find("Missing: b, c."), std::string::npos) << report.out;
-  // Of the first case nothing is there yet.
+  // A stop during the first case leaves no results.
   EXPECT_EQ(program({"run", run[3], "--out", path("none")}, stopped_within("a")).err,
             "fpkcheck: interrupted; nothing was written\n");
   EXPECT_FALSE(fs::exists(path("none")));
 }
 
-// A path may have any bytes; a case's name, which goes into JSON and netCDF, may not.
+// A path may contain any bytes; the name of a case, which goes into JSON and netCDF, must be UTF-8.
 TEST_F(Program, APathNeedNotBeUtf8ButACasesNameMust) {
   std::filesystem::create_directory(path("odd\xff"));
   const std::string ini = path("odd\xff/mine.ini");
@@ -566,7 +566,7 @@ TEST_F(Program, ASweepAsJsonIsNothingElse) {
   EXPECT_EQ(json["points"][0]["at"]["system.restitution"], 0.9);
   EXPECT_EQ(json["points"][1]["methods"][0]["status"], "ok");
   EXPECT_EQ(json["plan"]["case"]["system"]["cubic"], 0);
-  // Solved already: the same again, and a table for people.
+  // All points are in the journal: the same results, as a table.
   const auto again = program(sweep);
   EXPECT_EQ(again.exit_code, kDone);
   EXPECT_NE(again.out.find("2 points of case1, system.restitution = 0.9,1"), std::string::npos);

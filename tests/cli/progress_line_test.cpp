@@ -15,7 +15,7 @@ methods::RunProgress at(double fraction, const std::string& note = "") {
 }
 
 TEST(ProgressText, TellsTheTimeThatAMethodHasLeft) {
-  // A quarter took 10 s: 30 s remain, whatever the run took before.
+  // A quarter took 10 s: 30 s remain, independent of the elapsed time of the run.
   EXPECT_EQ(progress_text(at(0.25, "error 1e-03"), 50, 10),
             "[3/8] 50 s  case1 mcs 25 %, 30 s left  error 1e-03");
   EXPECT_EQ(progress_text(at(0.1), 50, 60), "[3/8] 50 s  case1 mcs 10 %, 9 min left");

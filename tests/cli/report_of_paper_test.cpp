@@ -18,7 +18,7 @@
 #include "workflows/paper/judge.hpp"
 #include "workflows/paper/judged_run.hpp"
 
-/// `report` of a directory that `paper` left.
+/// `report` for the directory of a run of `paper`.
 namespace fpkcheck::cli {
 namespace {
 
@@ -35,7 +35,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-// What a run saves, without page and pictures.
+// Writes the files of a run, without report.html and figures.
 void save(const fs::path& directory, const results::Run& run) {
   base::PendingFiles files;
   results::add_run(files, directory, run);
@@ -54,7 +54,7 @@ TEST(ReportOfPaper, HasClaimsAndFiguresOnItsPageAndTheSummaryFirst) {
   const auto run = tests::run_with_distances();
   save(directory.path(), run);
   const std::string text = report_of(directory.path());
-  // What is judged is what was saved.
+  // The judgements are those of the saved run.
   const auto judgements = paper::judge(run);
   EXPECT_EQ(text.find(fmt::format("{} claims", judgements.size())), 0u) << text.substr(0, 200);
   EXPECT_EQ(contents(directory.path() / paper::kClaimsCsv), paper::claims_csv(judgements));

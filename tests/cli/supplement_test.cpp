@@ -9,7 +9,7 @@
 #include "methods/builtin.hpp"
 #include "temporary_directory.hpp"
 
-/// What a command adds to a run (Supplement), of which `paper` is the one that does.
+/// Output that a command adds to a run (Supplement), as `paper` does.
 namespace fpkcheck::cli {
 namespace {
 
@@ -55,7 +55,7 @@ TEST(RunSupplement, IsPrintedAfterTheTableAndWrittenBesideTheFiles) {
   std::ifstream written(directory.path() / "more.csv");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "a,b\n");
   EXPECT_TRUE(fs::exists(directory.path() / "figures" / "more.gp"));
-  // A script that draws nothing is said to have drawn nothing.
+  // A script that draws nothing causes a warning.
   EXPECT_NE(said.err.find("more.png"), std::string::npos) << said.err;
 }
 

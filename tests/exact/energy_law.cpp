@@ -31,7 +31,7 @@ EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(effective_pot
   const problem::System& system = problem.system;
   for (const auto& wall : {system.left(), system.right()}) {
     if (wall && wall->restitution != 1) {
-      throw InputError("no exact density is known with losses at the impact (restitution < 1)");
+      throw InputError("restitution < 1: no exact density is known for impacts with losses");
     }
   }
   const auto& damping = system.damping_polynomial();
@@ -51,7 +51,7 @@ EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(effective_pot
   y_low_ = system.left() ? system.left()->position : scales.y_low - beyond;
   y_high_ = system.right() ? system.right()->position : scales.y_high + beyond;
   const double v_high = (1 + kFarther) * scales.v_high;
-  // What is far from a wall that the motion hardly reaches needs no points.
+  // No points beyond the scales of the motion, even if the wall is farther away.
   panels(std::max(y_low_, scales.y_low - beyond), std::min(y_high_, scales.y_high + beyond),
          kPanels, [&](double at, double weight) {
            y_.push_back({at, weight});

@@ -10,7 +10,7 @@
 namespace fpkcheck::exact {
 namespace {
 
-// q = e^-u solves the equation of the speeds of impact, in x = log u.
+// q = e^-u solves the integral equation of the impact speeds; quadrature in x = log u.
 TEST(InelasticBall, SpeedsOfImpactAreExponentialWhereHalfTheSpeedIsLost) {
   for (const double a : {0.03, 0.4, 1.0, 3.0}) {
     const double returned = tests::trapezoid(
@@ -28,7 +28,7 @@ TEST(InelasticBall, SpeedsOfImpactAreExponentialWhereHalfTheSpeedIsLost) {
   for (int n = 2; n <= 5; ++n) EXPECT_NEAR(ball.speed_moment(n) / std::tgamma(n + 1), 1, 1e-8);
 }
 
-// E[v^2] changes by 2D per unit time, and by the impacts: E[u^2] = E[u] / (1 - r).
+// The noise increases E[v^2] by 2D per unit time, the impacts decrease it: E[u^2] = E[u] / (1 - r).
 TEST(InelasticBall, KeepsTheBalanceOfPower) {
   for (const double r : {0.5, 0.7, 0.8}) {
     const InelasticBall ball(r);
@@ -36,7 +36,7 @@ TEST(InelasticBall, KeepsTheBalanceOfPower) {
   }
 }
 
-// As computed on other nodes by another program.
+// Reference values from an independent program with other nodes.
 TEST(InelasticBall, HasTheDigitsThatAreKnown) {
   const InelasticBall ball(0.7);
   EXPECT_NEAR(ball.impact_rate(), 0.28914363, 1e-8);

@@ -16,7 +16,7 @@ using std::numbers::pi;
 const problem::Problem& linear_and_symmetric(const problem::Problem& problem) {
   const auto require = [](bool holds, const char* key, double value, const char* needed) {
     if (holds) return;
-    throw InputError(fmt::format("{} = {} (the exact density of the linear oscillator needs {})",
+    throw InputError(fmt::format("{} = {}: the exact density of the linear oscillator requires {}",
                                  key, value, needed));
   };
   const auto& system = problem.system;
@@ -72,7 +72,7 @@ double LinearCharacteristicFunction::logarithm(double u1, double u2) const {
 }
 
 double LinearCharacteristicFunction::largest_beyond(double radius) const {
-  constexpr int kDirections = 32;  // over half a turn; the other half is the same
+  constexpr int kDirections = 32;  // over half a turn, as phi is even
   const double c = system_.damping();
   const double w = std::sqrt(system_.stiffness() - c * c / 4);
   double largest = -HUGE_VAL;
@@ -84,7 +84,7 @@ double LinearCharacteristicFunction::largest_beyond(double radius) const {
   return std::exp(largest);
 }
 
-// lambda int_0^end ( M(wave(t)) - 1 ) dt
+// The integral lambda int_0^end ( M(wave(t)) - 1 ) dt.
 double LinearCharacteristicFunction::marched(const DecayingWave& wave, double end) const {
   const auto excess = [this](double u) {
     return impulses_.law().characteristic_function(u).real() - 1;
@@ -92,16 +92,16 @@ double LinearCharacteristicFunction::marched(const DecayingWave& wave, double en
   return impulses_.arrival_rate() * integral_along(wave, excess, scale_, end);
 }
 
-// The logarithm for a wave that starts with a zero.
+// The logarithm for a wave with phase 0.
 double LinearCharacteristicFunction::from_zero_on(double amplitude) const {
   return marched_from_zero_on(amplitude, static_cast<double>(panels_.size()) / scale_);
 }
 
-// Half turn by half turn until the amplitude is within the table, or so small that the moments
-// suffice.
+// Integrates over half-cycles of the wave until the amplitude is in the range of the table, or
+// small enough for the series in moments.
 double LinearCharacteristicFunction::marched_from_zero_on(double amplitude,
                                                           double table_end) const {
-  constexpr double kSmall = 0.02;  // (the next term is (0.02)^8 / 16 at most)
+  constexpr double kSmall = 0.02;  // the first omitted term is at most (0.02)^8 / 16
   const double tabulated = std::max(table_end, kSmall / scale_);
   const double c = system_.damping();
   const DecayingWave wave{amplitude, 0, c, std::sqrt(system_.stiffness() - c * c / 4)};
@@ -114,14 +114,15 @@ double LinearCharacteristicFunction::marched_from_zero_on(double amplitude,
   return marched(wave, end) + (table_end > 0 ? interpolated(left) : small_wave_limit(left));
 }
 
-// sum over j = 2, 4, 6 of (-1)^(j/2) lambda E[Y^j]/j! a^j int_0^inf exp(-j c t / 2) sin^j(wt) dt
+// The sum over j = 2, 4, 6 of
+// (-1)^(j/2) lambda E[Y^j]/j! a^j int_0^inf exp(-j c t / 2) sin^j(wt) dt.
 double LinearCharacteristicFunction::small_wave_limit(double amplitude) const {
   const double c = system_.damping();
   const double w2 = system_.stiffness() - c * c / 4;
   double sum = 0;
   for (int j = 2; j < problem::kMomentCount; j += 2) {
     const double rate = j * c / 2;
-    // int = j! w^j / ( rate prod_{m=1}^{j/2} (rate^2 + (2 m w)^2) ); j! cancels.
+    // The integral is j! w^j / ( rate prod_{m=1}^{j/2} (rate^2 + (2 m w)^2) ); j! cancels.
     double term = impulses_.rate_moment(j) * std::pow(-amplitude * amplitude * w2, j / 2) / rate;
     for (int m = 1; m <= j / 2; ++m) term /= rate * rate + 4 * m * m * w2;
     sum += term;

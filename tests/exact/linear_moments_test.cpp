@@ -41,7 +41,7 @@ TEST(LinearMoments, ObeyTheirDifferentialEquations) {
       const auto rate = [&](double LinearMoments::*moment) {
         return (next.*moment - last.*moment) / (2 * kStep);
       };
-      // Central differences: step^2 / 6 times third derivatives, which are below 100 here.
+      // Error of central differences: step^2 / 6 times third derivatives, which are below 100 here.
       constexpr double kError = 2e-5;
       EXPECT_NEAR(rate(&LinearMoments::z), m.v, kError);
       EXPECT_NEAR(rate(&LinearMoments::v), -k * m.z - c * m.v, kError);

@@ -29,7 +29,7 @@ TEST(WallExponent, IsTheRootThatIsNotTwo) {
   }
 }
 
-// As solved for by another program, to the digits given.
+// Reference values from an independent program.
 TEST(WallExponent, HasTheDigitsThatAreKnown) {
   EXPECT_NEAR(wall_exponent(0.98), 0.022627, 5e-7);
   EXPECT_NEAR(wall_exponent(0.9), 0.125499, 5e-7);

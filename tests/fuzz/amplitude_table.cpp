@@ -1,4 +1,4 @@
-// A table of amplitudes, and the law that is made of it.
+// Fuzzer of amplitude tables and the impulse laws from them.
 #include "problem/amplitude_table.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A summary.json as `check` reads it: problems and methods that are to be solved again.
+// Fuzzer of summary.json as a baseline of `check`: problems and methods to be solved again.
 #include "workflows/check/baseline.hpp"
 
 #include "methods/builtin.hpp"

@@ -1,4 +1,4 @@
-// A case file. What comes after a line "--set" are overrides, one a line.
+// Fuzzer of case files. The lines after a line "--set" are overrides.
 #include "problem/case_file.hpp"
 
 #include <sstream>

@@ -1,5 +1,5 @@
-// A checkpoint of a simulation: the bytes as a file, and as the state in a file whose head and
-// checksum are right.
+// Fuzzer of checkpoints of the simulation: the bytes as a file, and as the state in a file with a
+// valid header and checksum.
 #include "mcs/simulation/checkpoint.hpp"
 
 #include "one_input.hpp"

@@ -1,4 +1,4 @@
-// A joint density that others computed, on a grid or as a closed form, and its values.
+// Fuzzer of external joint densities, on a grid or as a closed form, and their values.
 #include <algorithm>
 #include <sstream>
 

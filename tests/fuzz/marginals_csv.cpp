@@ -1,4 +1,4 @@
-// A marginals.csv.
+// Fuzzer of marginals.csv.
 #include "results/marginals_csv.hpp"
 
 #include <sstream>

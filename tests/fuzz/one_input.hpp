@@ -13,14 +13,15 @@
 
 #include "base/input_error.hpp"
 
-/// What every fuzzer does with the bytes that it is given.
+/// Functions shared by the fuzzers.
 namespace fpkcheck::fuzz {
 
 inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Calls read(). To refuse the input is right; any other exception ends the fuzzer.
+/// Calls read(). An InputError is the expected refusal of an input; other exceptions end the
+/// fuzzer.
 template <class Read>
 int only_input_errors(Read read) {
   try {
@@ -30,12 +31,13 @@ int only_input_errors(Read read) {
   return 0;
 }
 
-/// Ends the fuzzer where what must hold does not.
+/// Ends the fuzzer, with a finding, if the condition is false.
 inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// A directory of this process, for readers of files: who runs it removes what is in $TMPDIR.
+/// A temporary directory of this process, for readers of files. The caller of the fuzzer removes
+/// the contents of $TMPDIR.
 inline const std::filesystem::path& directory() {
   static const std::filesystem::path made = [] {
     std::string name = (std::filesystem::temp_directory_path() / "fuzz-XXXXXX").string();
@@ -45,7 +47,7 @@ inline const std::filesystem::path& directory() {
   return made;
 }
 
-/// Writes a file there anew.
+/// Writes a file to directory() and returns its path.
 inline std::filesystem::path written(const std::string& name, std::string_view contents) {
   const auto file = directory() / name;
   std::ofstream out(file, std::ios::binary);

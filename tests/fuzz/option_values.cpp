@@ -1,4 +1,4 @@
-// Options as the command line gives them: a line with a list of methods, "transient" or "bounds",
+// Fuzzer of options as on the command line: a line with a list of methods, "transient" or "bounds",
 // then lines NAME=TEXT.
 #include <sstream>
 

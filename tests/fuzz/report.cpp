@@ -1,4 +1,4 @@
-// A summary.json as `report` reads it, and the table that is made of it.
+// Fuzzer of summary.json as input of `report`, and of its table.
 #include <sstream>
 
 #include "methods/builtin.hpp"

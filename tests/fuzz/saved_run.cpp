@@ -1,4 +1,4 @@
-// The directory of a run: summary.json, and after a line "====" marginals.csv.
+// Fuzzer of the directory of a run: summary.json, then a line "====", then marginals.csv.
 #include "results/saved_run.hpp"
 
 #include "one_input.hpp"

@@ -1,4 +1,4 @@
-// A summary.json. What can be read can be written, and reads the same again.
+// Fuzzer of summary.json. A run that was read, written and read again is unchanged.
 #include <sstream>
 
 #include "one_input.hpp"

@@ -1,5 +1,5 @@
-// fpkcheck with one method more: the Gaussian density of equivalent linearisation. It has a command
-// of its own, and stands beside the others in every table.
+// fpkcheck with an additional method: the Gaussian density of equivalent linearisation. The method
+// has a command and appears in all tables.
 #include <cmath>
 #include <fpkcheck/cli/program.hpp>
 #include <fpkcheck/methods/builtin_registry.hpp>
@@ -20,12 +20,12 @@ namespace problem = fpkcheck::problem;
 namespace transform = fpkcheck::transform;
 
 struct Options {
-  double widths = 8;  ///< of the box, in deviations
+  double widths = 8;  ///< half-width of the box in standard deviations
 };
 
 const base::Description<Options>& description() {
   static const auto description = base::Description<Options>("linear ").add(
-      "widths", &Options::widths, {"N", "half-width of the box in deviations"},
+      "widths", &Options::widths, {"N", "half-width of the box in standard deviations"},
       base::between(5, 20));
   return description;
 }
