@@ -25,7 +25,7 @@
 #include "methods/solve_in_wall_coordinates.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
-#include "random_member.hpp"
+#include "random_oscillator.hpp"
 #include "random_problem.hpp"
 #include "transform/solution.hpp"
 
@@ -286,7 +286,7 @@ std::vector<int> problem_numbers(const Settings& settings) {
 
 problem::Problem make_problem(int number, const Settings& settings) {
   const auto seed = static_cast<std::uint64_t>(number);
-  return settings.family ? tests::random_member(seed) : tests::random_problem(seed);
+  return settings.family ? tests::random_oscillator(seed) : tests::random_problem(seed);
 }
 
 const mcs::Options kTails{.tails = true};

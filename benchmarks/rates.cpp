@@ -16,7 +16,7 @@
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
-#include "scan_of_rates.hpp"
+#include "rate_scan.hpp"
 #include "transform/solution.hpp"
 
 // Case 1 with impulses of one intensity, at all rates, of all laws, with several restitution
@@ -33,7 +33,7 @@ using transform::Solution;
 using transform::Variable;
 
 struct Settings {
-  tests::ScanOfRates scan = {};
+  tests::RateScan scan = {};
   std::string methods = "fd,epc";
   double max_seconds = 20;
   bool verbose = false;

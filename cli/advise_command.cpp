@@ -38,7 +38,7 @@ examples:
 )";
 
 // The text as an argument of a POSIX shell, quoted if necessary.
-std::string in_shell(const std::string& text) {
+std::string quote_for_shell(const std::string& text) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("_./=:,+-").find(char(c)) != std::string::npos;
   };
@@ -48,37 +48,38 @@ std::string in_shell(const std::string& text) {
   return quoted + '\'';
 }
 
-std::string words_of_case(const CommonArguments& common) {
-  std::string words = in_shell(common.cases.front());
-  for (const auto& one : common.overrides) words += " --set " + in_shell(one);
+std::string case_arguments(const CommonArguments& common) {
+  std::string words = quote_for_shell(common.cases.front());
+  for (const auto& override_text : common.overrides)
+    words += " --set " + quote_for_shell(override_text);
   return words;
 }
 
 // Options in which the methods of a solver differ: of closures the formulation and the order.
-std::set<std::string> telling_options(const methods::Solver& solver) {
-  std::set<std::string> telling;
+std::set<std::string> distinguishing_options(const methods::Solver& solver) {
+  std::set<std::string> distinguishing;
   std::map<std::string, base::Value> first;
   for (const auto& family : solver.families) {
     for (const auto& id : family.default_ids) {
       const auto options = solver.options_of(id);
       if (!options) continue;
       for (const auto& [name, value] : *options) {
-        if (first.emplace(name, value).first->second != value) telling.insert(name);
+        if (first.emplace(name, value).first->second != value) distinguishing.insert(name);
       }
     }
   }
-  return telling;
+  return distinguishing;
 }
 
 // The command of the method's solver, with the distinguishing options and those that differ from
 // their defaults.
-std::string command_of(const std::string& id, const std::string& words,
-                       const methods::Registry& registry) {
+std::string method_command(const std::string& id, const std::string& words,
+                           const methods::Registry& registry) {
   // Finite differences as the map has them: without stepping.
   const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
   const auto* solver = method ? registry.find(method->identity.method) : nullptr;
   if (solver == nullptr) return fmt::format("fpkcheck run {} --methods {}", words, id);
-  const auto telling = telling_options(*solver);
+  const auto distinguishing = distinguishing_options(*solver);
   std::string command = fmt::format("fpkcheck {} {}", solver->name, words);
   for (const auto& option : method->options) {
     const auto* parameter = solver->option_descriptions->find(option.name);
@@ -86,7 +87,7 @@ std::string command_of(const std::string& id, const std::string& words,
         std::ranges::find(solver->default_options, option.name, &base::NamedValue::name);
     if (parameter == nullptr || parameter->flag.empty()) continue;
     if (base::is_unset(option.value)) continue;
-    if (*usual == option && !telling.contains(option.name)) continue;
+    if (*usual == option && !distinguishing.contains(option.name)) continue;
     const auto* word = std::get_if<std::string>(&option.value);
     command += fmt::format(" --{} {}", parameter->flag,
                            word != nullptr ? *word : base::text_of(option.value));
@@ -108,7 +109,7 @@ int advise_command(const Call& call) {
       "override a key of the case, e.g. --set system.restitution=0.9; may be repeated")(
       "json", po::bool_switch(&common.json), "print JSON with all methods to standard output")(
       "help,h", "print this text");
-  if (!parse(call.arguments, kAdviseUsage, options, common.cases)) return kDone;
+  if (!parse(call.arguments, kAdviseUsage, options, common.cases)) return kSuccess;
   if (common.cases.size() != 1) throw InputError("advise takes one case; name it, e.g. case1");
   if (!(accuracy > 0 && accuracy <= 2)) {
     throw InputError(fmt::format("--accuracy {:g} (must be above 0 and at most 2)", accuracy));
@@ -122,21 +123,21 @@ int advise_command(const Call& call) {
   }
   const auto advice = sweep::advice(problem, accuracy, sweep::shipped_validity_map());
 
-  const std::string words = words_of_case(common);
+  const std::string words = case_arguments(common);
   // By default fd refines its grid until its error estimate is 1e-4; below that, --tolerance is
   // required.
-  constexpr double kUsualGrids = 1e-4;
+  constexpr double kDefaultGridTolerance = 1e-4;
   const sweep::AdviceContext setting{
       .name = problem.name,
-      .command = [&](const std::string& id) { return command_of(id, words, call.registry); },
+      .command = [&](const std::string& id) { return method_command(id, words, call.registry); },
       .fallback_commands = {fmt::format("fpkcheck fd {} --{} {:g}", words,
-                                        accuracy < kUsualGrids ? "tolerance" : "accuracy",
+                                        accuracy < kDefaultGridTolerance ? "tolerance" : "accuracy",
                                         accuracy),
                             fmt::format("fpkcheck mcs {}", words)},
       .registry = call.registry};
-  put_out(common.json ? sweep::advice_json(advice, setting, call.command_line) + '\n'
-                      : sweep::advice_text(advice, setting, terminal_format()));
-  return advice.promised().empty() ? kNotReached : kDone;
+  print_output(common.json ? sweep::advice_json(advice, setting, call.command_line) + '\n'
+                           : sweep::advice_text(advice, setting, terminal_format()));
+  return advice.promised().empty() ? kFailure : kSuccess;
 }
 
 }  // namespace fpkcheck::cli

@@ -9,11 +9,11 @@
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
-#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/bounds.hpp"
@@ -40,7 +40,7 @@ examples:
 )";
 
 // VARIABLE:CENTRE:SPACING
-backward::Functional bin_from(const std::string& text) {
+backward::Functional parse_bin(const std::string& text) {
   const auto refuse = [&] {
     throw InputError(
         fmt::format("--bin {} (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)",
@@ -68,7 +68,7 @@ int bounds_command(const Call& call) {
   const auto& description = backward::description();
   base::Values values = description.values(backward::Options{});
   std::vector<std::string> bins;
-  po::options_description own = options_for(description, values);
+  po::options_description own = make_options(description, values);
   own.add_options()(
       "bin", po::value(&bins)->value_name("V:X:H")->composing(),
       "also bound the average of p(y) or p(y') weighted by a cubic B-spline with centre X and knot "
@@ -76,11 +76,11 @@ int bounds_command(const Call& call) {
   if (!parse(call.arguments, kBoundsUsage,
              with_common_options(own, common, "write summary.json to DIR (default: no file)"),
              common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   if (common.cases.empty()) throw InputError("no case; name one, e.g. case1");
   backward::Options options = description.read(values, "options");
-  for (const auto& bin : bins) options.functionals.push_back(bin_from(bin));
+  for (const auto& bin : bins) options.functionals.push_back(parse_bin(bin));
   backward::validate(options);
   const auto problems = load_cases(common);
   const OutputDirectory directory(common.out);
@@ -100,21 +100,21 @@ int bounds_command(const Call& call) {
     const auto& bounds = *run.cases.back().bounds;
     const bool found = bounds.reason.empty() && !bounds.each.empty();
     reached = reached && found;
-    if (common.quiet && !found) complain(fmt::format("{}: {}", problem.name, bounds.reason));
+    if (common.quiet && !found) print_message(fmt::format("{}: {}", problem.name, bounds.reason));
     if (common.json || common.quiet) continue;
-    put_out(fmt::format("{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()),
-                        bounds.seconds));
+    print_output(fmt::format(
+        "{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()), bounds.seconds));
   }
-  if (common.json) put_out(results::summary_text(run) + '\n');
+  if (common.json) print_output(results::summary_text(run) + '\n');
   if (common.out) {
     const base::WriteGuard in_hand;
     base::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');
     files.commit();
-    note_kept("all files were written");
+    set_exit_message("all files were written");
   }
-  return reached ? kDone : kNotReached;
+  return reached ? kSuccess : kFailure;
 }
 
 }  // namespace fpkcheck::cli

@@ -7,10 +7,10 @@
 #include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "results/saved_run.hpp"
@@ -42,7 +42,7 @@ struct CheckArguments {
   int threads = 0;
 };
 
-boost::program_options::options_description options_of(CheckArguments& arguments) {
+boost::program_options::options_description make_check_options(CheckArguments& arguments) {
   namespace po = boost::program_options;
   auto& common = arguments.common;
   auto& tolerances = arguments.tolerances;
@@ -71,32 +71,33 @@ boost::program_options::options_description options_of(CheckArguments& arguments
   return options;
 }
 
-void write(const std::filesystem::path& directory, const results::Run& run,
-           const std::string& json) {
+void write_files(const std::filesystem::path& directory, const results::Run& run,
+                 const std::string& json) {
   const base::WriteGuard in_hand;
   base::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
   files.commit();
-  note_kept("all files were written");
+  set_exit_message("all files were written");
 }
 
 }  // namespace
 
 int check_command(const Call& call) {
   const auto begin = std::chrono::steady_clock::now();
-  CheckArguments given;
-  std::vector<std::string> places;
-  if (!parse(call.arguments, kCheckUsage, options_of(given), places)) return kDone;
-  const auto& [common, tolerances, threads] = given;
-  if (places.size() != 1) {
+  CheckArguments check_arguments;
+  std::vector<std::string> paths;
+  if (!parse(call.arguments, kCheckUsage, make_check_options(check_arguments), paths))
+    return kSuccess;
+  const auto& [common, tolerances, threads] = check_arguments;
+  if (paths.size() != 1) {
     throw InputError("check takes one baseline; name the summary.json of a run or its directory");
   }
   check::validate(tolerances);
   if (threads < 0) throw InputError(fmt::format("--threads {} (must not be negative)", threads));
   using base::Value;
   const auto baseline =
-      check::load_baseline(places.front(), call.registry,
+      check::load_baseline(paths.front(), call.registry,
                            {{"threads", threads > 0 ? Value(std::int64_t{threads}) : Value()}});
   const OutputDirectory directory(common.out);
 
@@ -108,16 +109,16 @@ int check_command(const Call& call) {
 
   auto result = check::check(baseline.run, run, tolerances, baseline.has_marginals);
   result.notes = baseline.notes;
-  const auto json = check::check_json(result, call.command_line, places.front());
+  const auto json = check::check_json(result, call.command_line, paths.front());
   if (common.json) {
-    put_out(json + '\n');
+    print_output(json + '\n');
   } else if (!common.quiet) {
-    put_out(check::check_table(result, terminal_format()));
+    print_output(check::check_table(result, terminal_format()));
   }
-  if (common.out) write(*common.out, run, json);
+  if (common.out) write_files(*common.out, run, json);
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    put_out(fmt::format(
+    print_output(fmt::format(
         "{}{:.1f} s.\n",
         common.out
             ? fmt::format("Wrote check.json, summary.json and marginals.csv to {} in ", *common.out)
@@ -125,9 +126,10 @@ int check_command(const Call& call) {
         elapsed.count()));
   }
   if (common.quiet && !result.agrees()) {
-    complain(fmt::format("{} of {} figures moved", result.moved().size(), result.changes.size()));
+    print_message(
+        fmt::format("{} of {} figures moved", result.moved().size(), result.changes.size()));
   }
-  return result.agrees() ? kDone : kNotReached;
+  return result.agrees() ? kSuccess : kFailure;
 }
 
 }  // namespace fpkcheck::cli

@@ -16,17 +16,17 @@ namespace fpkcheck::cli {
 namespace po = boost::program_options;
 
 po::options_description with_common_options(const po::options_description& own,
-                                            CommonArguments& common, const char* what_out_does) {
+                                            CommonArguments& common, const char* out_help) {
   po::options_description with_cases;
   for (const auto& option : own.options()) with_cases.add(option);
   with_cases.add_options()(
       "set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
       "override a key of the case, e.g. --set system.restitution=0.9; may be repeated");
-  return with_output_options(with_cases, common, what_out_does);
+  return with_output_options(with_cases, common, out_help);
 }
 
 po::options_description with_output_options(const po::options_description& own,
-                                            CommonArguments& common, const char* what_out_does) {
+                                            CommonArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
   // A nested group of options would be printed after the others, and in a width of its own.
@@ -35,7 +35,7 @@ po::options_description with_output_options(const po::options_description& own,
       ("out",
        po::value<std::string>()->value_name("DIR")->notifier(
            [&common](const std::string& value) { common.out = value; }),
-       what_out_does)("quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
+       out_help)("quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
           "json", po::bool_switch(&common.json),
           "print the summary as JSON to standard output, and nothing else")("help,h",
                                                                             "print this text");
@@ -54,7 +54,7 @@ bool parse(const std::vector<std::string>& arguments, const std::string& usage,
     po::store(po::command_line_parser(arguments).options(all).positional(rest).style(style).run(),
               values);
     if (values.count("help") > 0) {
-      answer_help(usage, options);
+      emit_help(usage, options);
       return false;
     }
     po::notify(values);
@@ -82,12 +82,12 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   }
   for (const auto& name : names) {
     // Suffixes of a case's figures and netCDF variables.
-    for (const char* addition : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
-      if (!names.contains(name + addition)) continue;
+    for (const char* suffix : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
+      if (!names.contains(name + suffix)) continue;
       throw InputError(
           fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "
                       "name: rename one)",
-                      base::sanitise(name), addition));
+                      base::sanitise(name), suffix));
     }
   }
   if (problems.empty()) {

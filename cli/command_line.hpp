@@ -24,14 +24,14 @@ struct CommonArguments {
 /// @param out_help help text of --out
 boost::program_options::options_description with_common_options(
     const boost::program_options::options_description& own, CommonArguments& common,
-    const char* what_out_does =
+    const char* out_help =
         "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
         "(default: fpkcheck-out for run, else no files)");
 
 /// As with_common_options, without --set: for commands whose cases are fixed.
 boost::program_options::options_description with_output_options(
     const boost::program_options::options_description& own, CommonArguments& common,
-    const char* what_out_does);
+    const char* out_help);
 
 /// Parses the arguments into the variables of the options, and positional arguments into
 /// `positional`. Abbreviated option names are refused.

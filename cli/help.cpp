@@ -16,7 +16,7 @@ namespace {
 namespace po = boost::program_options;
 
 // Receives the help that capture_help() requests; null when help is to be printed.
-thread_local Help* help_taker = nullptr;
+thread_local Help* captured_help = nullptr;
 
 std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
@@ -30,15 +30,15 @@ std::size_t text_column(const std::string& line) {
 
 // True if the line break between `line` and `next` is to be kept. Usage texts are wrapped at about
 // 96 columns: a line with room for the first word of the next line was broken on purpose.
-bool meant_to_end(const std::string& line, const std::string& next) {
-  constexpr std::size_t kFull = 84;
+bool keeps_line_break(const std::string& line, const std::string& next) {
+  constexpr std::size_t kFilledWidth = 84;
   const auto begin = indentation(next);
   const auto word = std::min(next.find(' ', begin), next.size()) - begin;
-  return line.size() + 1 + word <= kFull;
+  return line.size() + 1 + word <= kFilledWidth;
 }
 
 // Wraps an example by backslashes, as a shell accepts; its remark goes to a line of its own.
-std::string filled_example(const std::string& line, std::size_t remark, std::size_t width) {
+std::string wrap_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
   std::string result =
       report::wrap_text(remark > 0 ? line.substr(0, remark) : line, width - 2, kIndent);
@@ -53,7 +53,7 @@ std::string filled_example(const std::string& line, std::size_t remark, std::siz
   return result;
 }
 
-std::string filled(const std::vector<std::string>& lines, std::size_t width) {
+std::string wrap_block(const std::vector<std::string>& lines, std::size_t width) {
   const auto too_long = [&](const auto& line) { return line.size() > width; };
   std::string result;
   if (std::ranges::none_of(lines, too_long)) {
@@ -61,11 +61,11 @@ std::string filled(const std::vector<std::string>& lines, std::size_t width) {
     return result;
   }
   const std::size_t column = text_column(lines.front());
-  if (lines.front().starts_with("  fpkcheck ")) return filled_example(lines.front(), column, width);
+  if (lines.front().starts_with("  fpkcheck ")) return wrap_example(lines.front(), column, width);
   const std::size_t indent = column > 0 ? column : indentation(lines.front());
   for (std::size_t i = 0; i < lines.size();) {
     std::string text = lines[i];
-    for (++i; i < lines.size() && !meant_to_end(lines[i - 1], lines[i]); ++i) {
+    for (++i; i < lines.size() && !keeps_line_break(lines[i - 1], lines[i]); ++i) {
       text += ' ' + lines[i];
     }
     std::string head;  // with the gap that wrap_text would close
@@ -84,11 +84,11 @@ std::string label(const OptionHelp& option) {
   std::string text = option.short_name.empty() ? "" : option.short_name + ", ";
   text += option.name;
   if (!option.placeholder.empty()) text += ' ' + option.placeholder;
-  if (!option.usual.empty()) text += " (=" + option.usual + ')';
+  if (!option.default_value.empty()) text += " (=" + option.default_value + ')';
   return text;
 }
 
-OptionHelp described(const po::option_description& option) {
+OptionHelp option_help(const po::option_description& option) {
   using po::command_line_style::allow_dash_for_short;
   using po::command_line_style::allow_long;
   OptionHelp help{.name = option.canonical_display_name(allow_long),
@@ -97,21 +97,21 @@ OptionHelp described(const po::option_description& option) {
   // Boost returns the long name for an option without a short name.
   if (help.short_name.size() != 2 || help.short_name[0] != '-') help.short_name.clear();
   const std::string parameter = option.format_parameter();  // "N (=6)"
-  const auto usual = parameter.find(" (=");
-  help.placeholder = parameter.substr(0, usual);
-  if (usual != std::string::npos) {
-    help.usual = parameter.substr(usual + 3, parameter.size() - usual - 4);
+  const auto default_begin = parameter.find(" (=");
+  help.placeholder = parameter.substr(0, default_begin);
+  if (default_begin != std::string::npos) {
+    help.default_value = parameter.substr(default_begin + 3, parameter.size() - default_begin - 4);
   }
   return help;
 }
 
 }  // namespace
 
-std::string usage_text(const std::string& usage, std::size_t width) {
+std::string wrap_usage(const std::string& usage, std::size_t width) {
   std::string result;
   std::vector<std::string> block;
   const auto put = [&] {
-    result += filled(block, width);
+    result += wrap_block(block, width);
     block.clear();
   };
   std::istringstream lines(usage);
@@ -128,13 +128,13 @@ std::string usage_text(const std::string& usage, std::size_t width) {
 }
 
 std::string help_text(const Help& help, std::size_t width) {
-  std::string text = usage_text(help.usage, width);
+  std::string text = wrap_usage(help.usage, width);
   if (help.options.empty()) return text;
-  constexpr std::size_t kIndent = 2, kGap = 2, kLongestLabel = 26;
+  constexpr std::size_t kIndent = 2, kGap = 2, kMaxLabelWidth = 26;
   std::size_t longest = 0;
   for (const auto& option : help.options) {
     const auto size = label(option).size();
-    if (size <= kLongestLabel) longest = std::max(longest, size);
+    if (size <= kMaxLabelWidth) longest = std::max(longest, size);
   }
   const std::size_t column = kIndent + longest + kGap;
   text += "\noptions:\n";
@@ -152,28 +152,28 @@ std::string help_text(const Help& help, std::size_t width) {
   return text;
 }
 
-void answer_help(const std::string& usage, const po::options_description& options) {
+void emit_help(const std::string& usage, const po::options_description& options) {
   Help help{usage, {}};
-  for (const auto& option : options.options()) help.options.push_back(described(*option));
-  if (help_taker != nullptr) {
-    *help_taker = std::move(help);
+  for (const auto& option : options.options()) help.options.push_back(option_help(*option));
+  if (captured_help != nullptr) {
+    *captured_help = std::move(help);
     return;
   }
-  constexpr std::size_t kWithoutTerminal = 80;
+  constexpr std::size_t kDefaultWidth = 80;
   std::cout << help_text(help,
-                         isatty(STDOUT_FILENO) == 1 ? terminal_format().width : kWithoutTerminal);
+                         isatty(STDOUT_FILENO) == 1 ? terminal_format().width : kDefaultWidth);
 }
 
-Help help_from(const std::function<void()>& call) {
+Help capture_help(const std::function<void()>& call) {
   Help help;
-  help_taker = &help;
+  captured_help = &help;
   try {
     call();
   } catch (...) {
-    help_taker = nullptr;
+    captured_help = nullptr;
     throw;
   }
-  help_taker = nullptr;
+  captured_help = nullptr;
   return help;
 }
 

@@ -13,8 +13,8 @@ struct Interrupted : std::exception {
 };
 
 /// Reaction to the first SIGINT or SIGTERM.
-enum class OnInterruption {
-  give_up,      ///< throw_if_interrupted throws
+enum class InterruptionPolicy {
+  abort,        ///< throw_if_interrupted throws
   finish_early  ///< the solver polls base::stop_requested() and returns its result so far
 };
 
@@ -29,16 +29,16 @@ class InterruptionGuard {
   InterruptionGuard& operator=(const InterruptionGuard&) = delete;
 
  private:
-  struct Before {
+  struct SavedAction {
     int signal;
     struct sigaction action;
   };
-  std::vector<Before> before_;
+  std::vector<SavedAction> saved_actions_;
 };
 
 /// The setter and the getter of the current policy. The default is `abort`.
-void on_interruption(OnInterruption what);
-OnInterruption on_interruption();
+void set_interruption_policy(InterruptionPolicy policy);
+InterruptionPolicy interruption_policy();
 
 /// Called from the progress functions of long computations.
 /// @throws Interrupted after SIGINT or SIGTERM, unless the policy is finish_early

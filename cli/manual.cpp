@@ -9,7 +9,7 @@ namespace {
 
 // Escapes text for troff: backslashes, hyphens (to be copied as ASCII), and lines that begin like a
 // request.
-std::string literal(const std::string& text) {
+std::string escape_troff(const std::string& text) {
   std::string result;
   bool line_begins = true;
   for (const char c : text) {
@@ -27,23 +27,23 @@ std::string literal(const std::string& text) {
 }
 
 // The usage text of a command, without filling.
-std::string head(const std::string& usage) {
+std::string usage_section(const std::string& usage) {
   constexpr std::size_t kWidth = 72;  // man indents the text by seven columns
-  return ".nf\n" + literal(usage_text(usage, kWidth)) + ".fi\n";
+  return ".nf\n" + escape_troff(wrap_usage(usage, kWidth)) + ".fi\n";
 }
 
-std::string entry(const OptionHelp& option) {
+std::string option_entry(const OptionHelp& option) {
   std::string text = ".TP\n";
-  if (!option.short_name.empty()) text += "\\fB" + literal(option.short_name) + "\\fR, ";
-  text += "\\fB" + literal(option.name) + "\\fR";
-  if (!option.placeholder.empty()) text += " \\fI" + literal(option.placeholder) + "\\fR";
-  if (!option.usual.empty()) text += " (=" + literal(option.usual) + ')';
-  return text + '\n' + literal(option.text) + '\n';
+  if (!option.short_name.empty()) text += "\\fB" + escape_troff(option.short_name) + "\\fR, ";
+  text += "\\fB" + escape_troff(option.name) + "\\fR";
+  if (!option.placeholder.empty()) text += " \\fI" + escape_troff(option.placeholder) + "\\fR";
+  if (!option.default_value.empty()) text += " (=" + escape_troff(option.default_value) + ')';
+  return text + '\n' + escape_troff(option.text) + '\n';
 }
 
 }  // namespace
 
-std::string manual(const std::vector<CommandHelp>& commands) {
+std::string manual_page(const std::vector<CommandHelp>& commands) {
   const auto program = results::this_program("");
   std::string page = fmt::format(".TH FPKCHECK 1 \"\" \"{} {}\" \"User Commands\"\n", program.name,
                                  program.version);
@@ -72,12 +72,12 @@ as cases/case1.ini.
 .SH COMMANDS
 )";
   for (const auto& command : commands) {
-    page += ".SS " + literal("fpkcheck " + command.name) + '\n';
-    if (!command.summary.empty()) page += literal(command.summary) + "\n.PP\n";
-    page += head(command.help.usage);
+    page += ".SS " + escape_troff("fpkcheck " + command.name) + '\n';
+    if (!command.summary.empty()) page += escape_troff(command.summary) + "\n.PP\n";
+    page += usage_section(command.help.usage);
     if (command.help.options.empty()) continue;
     page += ".PP\nOptions:\n";
-    for (const auto& option : command.help.options) page += entry(option);
+    for (const auto& option : command.help.options) page += option_entry(option);
   }
   page += R"(.SH EXIT STATUS
 .TP

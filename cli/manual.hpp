@@ -8,6 +8,6 @@
 namespace fpkcheck::cli {
 
 /// The man page fpkcheck(1) of all commands and options, in troff with the macros of man(7).
-std::string manual(const std::vector<CommandHelp>& commands);
+std::string manual_page(const std::vector<CommandHelp>& commands);
 
 }  // namespace fpkcheck::cli

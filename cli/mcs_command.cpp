@@ -25,7 +25,8 @@
 namespace fpkcheck::cli {
 namespace {
 
-boost::program_options::options_description file_options(methods::SimulationControl& control) {
+boost::program_options::options_description checkpoint_options(
+    methods::SimulationControl& control) {
   namespace po = boost::program_options;
   po::options_description files;
   files.add_options()  //
@@ -37,9 +38,9 @@ boost::program_options::options_description file_options(methods::SimulationCont
 }
 
 /// Gathers messages at rank 0 from the processes that share a simulation.
-class Gathering {
+class MessageGatherer {
  public:
-  explicit Gathering(base::Communicator& ranks) : ranks_(ranks) {}
+  explicit MessageGatherer(base::Communicator& ranks) : ranks_(ranks) {}
 
   // Implements mcs::Team::gather.
   std::vector<std::string> operator()(const std::string& own) {
@@ -48,44 +49,44 @@ class Gathering {
       return {};
     }
     std::vector<std::string> others;
-    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(next_of(rank));
+    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(next_message(rank));
     return others;
   }
 
  private:
   // Messages are queued by rank: a faster rank may already send those of the next case.
-  std::string next_of(int rank) {
+  std::string next_message(int rank) {
     using namespace std::chrono_literals;
-    auto& waiting = waiting_[rank];
-    while (waiting.empty()) {
+    auto& pending = pending_[rank];
+    while (pending.empty()) {
       throw_if_interrupted();
       if (auto message = ranks_.receive()) {
-        waiting_[message->from].push_back(std::move(message->text));
+        pending_[message->from].push_back(std::move(message->text));
       } else {
         std::this_thread::sleep_for(1ms);
       }
     }
-    std::string text = std::move(waiting.front());
-    waiting.pop_front();
+    std::string text = std::move(pending.front());
+    pending.pop_front();
     return text;
   }
 
   base::Communicator& ranks_;
-  std::map<int, std::deque<std::string>> waiting_;
+  std::map<int, std::deque<std::string>> pending_;
 };
 
-void require_time_alone(const base::Values& values) {
+void refuse_control_variates(const base::Values& values) {
   const auto controlled = std::ranges::find(values, "controlled", &base::NamedValue::name);
   if (controlled == values.end() || controlled->value != base::Value(true)) return;
   throw InputError("--controlled with mpirun: control variates need a single process; omit one");
 }
 
 // Runs on all ranks except the first: simulates the share of this rank in each case.
-int help(const CommonArguments& common, const methods::Method& simulation) {
+int simulate_share(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
     methods::solve_with(simulation, problem, {compare::comparison_axes(problem), {}});
   }
-  return kDone;
+  return kSuccess;
 }
 
 }  // namespace
@@ -94,12 +95,12 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
   base::Values values = solver.default_options;
   methods::SimulationControl control{.stop = base::stop_requested,
-                                     .warn = [](const std::string& text) { complain(text); }};
-  auto own = options_for(*solver.option_descriptions, values);
-  own.add(file_options(control));
+                                     .warn = [](const std::string& text) { print_message(text); }};
+  auto own = make_options(*solver.option_descriptions, values);
+  own.add(checkpoint_options(control));
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   if (common.cases.size() > 1 && !(control.checkpoint.empty() && control.resume.empty())) {
     throw InputError(
@@ -108,26 +109,26 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
   const auto solve = [&] {
     const auto simulation = methods::with_control(call.registry.method(solver, values), control);
     return control.team.part > 0
-               ? help(common, simulation)
-               : solve_and_report(
-                     common, {simulation},
-                     {.on_interruption = control.team.parts == 1 ? OnInterruption::finish_early
-                                                                 : OnInterruption::give_up},
-                     call.command_line);
+               ? simulate_share(common, simulation)
+               : solve_and_report(common, {simulation},
+                                  {.interruption_policy = control.team.parts == 1
+                                                              ? InterruptionPolicy::finish_early
+                                                              : InterruptionPolicy::abort},
+                                  call.command_line);
   };
   if (!base::Communicator::launched_by_mpi()) return solve();
 
-  require_time_alone(values);
+  refuse_control_variates(values);
   const auto ranks = base::Communicator::join();
-  Gathering gathering(*ranks);
-  control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gathering)};
+  MessageGatherer gatherer(*ranks);
+  control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gatherer)};
   try {
     return solve();
   } catch (const std::exception& error) {
     // Without the abort, the other ranks would wait for this rank.
-    complain(error.what());
-    ranks->abort(kNotReached);
-    return kNotReached;
+    print_message(error.what());
+    ranks->abort(kFailure);
+    return kFailure;
   }
 }
 

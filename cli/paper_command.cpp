@@ -41,16 +41,16 @@ examples:
 )";
 constexpr const char* kDefaultPaperDirectory = "fpkcheck-paper";
 
-Supplement claims_of(const results::Run& run, report::FigureWidth width) {
+Supplement make_supplement(const results::Run& run, report::FigureWidth width) {
   const auto judgements = paper::judge(run);
   Supplement supplement{.report = paper::supplement(judgements, run, width, terminal_format()),
                         .json = paper::summary_with_claims(judgements, run),
                         .failures = {}};
-  for (const auto& one : judgements) {
-    if (one.outcome != paper::Outcome::unjudged) continue;
+  for (const auto& judgement : judgements) {
+    if (judgement.outcome != paper::Outcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
-                                              paper::cases_text(one.claim), claim_text(one.claim),
-                                              one.note));
+                                              paper::cases_text(judgement.claim),
+                                              claim_text(judgement.claim), judgement.note));
   }
   return supplement;
 }
@@ -60,13 +60,13 @@ Supplement claims_of(const results::Run& run, report::FigureWidth width) {
 int paper_command(const Call& call) {
   CommonArguments common;
   base::Values given;
-  auto options = options_of_a_run(call.registry, given);
+  auto options = make_run_options(call.registry, given);
   options.add(figure_options(common.figures));
   if (!parse(
           call.arguments, kPaperUsage,
           with_output_options(options, common, "write all files to DIR (default: fpkcheck-paper)"),
           common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   if (!common.cases.empty()) {
     throw InputError("paper takes no case: it solves those of the paper; use run for other cases");
@@ -75,10 +75,11 @@ int paper_command(const Call& call) {
   if (!common.out) common.out = kDefaultPaperDirectory;
   return solve_and_report(
       common, call.registry.select(paper::kRequiredMethods, given),
-      {.required = Required::references,
-       .threads = threads_in(given),
+      {.required = RequiredSolutions::references,
+       .threads = thread_count(given),
        .with_backward = true,
-       .supplement = [&](const results::Run& run) { return claims_of(run, common.figures.width); }},
+       .supplement =
+           [&](const results::Run& run) { return make_supplement(run, common.figures.width); }},
       call.command_line);
 }
 

@@ -17,7 +17,7 @@ using base::Type;
 using base::Value;
 using base::Values;
 
-void put(Values& values, const std::string& name, const Value& value) {
+void set_value(Values& values, const std::string& name, const Value& value) {
   const auto own = std::ranges::find(values, name, &NamedValue::name);
   if (own != values.end()) {
     own->value = value;
@@ -32,13 +32,13 @@ std::string default_text(const Value& value) {
   return word != nullptr ? *word : base::text_of(value);
 }
 
-void add(const Parameter& parameter, const Value* usual, Values& values,
-         po::options_description& options) {
+void add_option(const Parameter& parameter, const Value* usual, Values& values,
+                po::options_description& options) {
   const std::string label = "--" + parameter.flag;
   if (parameter.type == Type::flag) {
     options.add_options()(parameter.flag.c_str(),
                           po::bool_switch()->notifier([&values, parameter](bool given) {
-                            if (given) put(values, parameter.name, true);
+                            if (given) set_value(values, parameter.name, true);
                           }),
                           parameter.help.c_str());
     return;
@@ -53,39 +53,39 @@ void add(const Parameter& parameter, const Value* usual, Values& values,
       throw InputError(
           fmt::format("{} {} (must be {})", label, base::sanitise(text), parameter.requirement()));
     }
-    put(values, parameter.name, value);
+    set_value(values, parameter.name, value);
   });
   options.add_options()(parameter.flag.c_str(), semantic, parameter.help.c_str());
 }
 
 }  // namespace
 
-po::options_description options_for(const base::DescriptionBase& description, Values& values) {
+po::options_description make_options(const base::DescriptionBase& description, Values& values) {
   po::options_description options;
   for (const auto& parameter : description.all()) {
     if (parameter.flag.empty()) continue;
     const auto usual = std::ranges::find(values, parameter.name, &NamedValue::name);
-    add(parameter, usual == values.end() ? nullptr : &usual->value, values, options);
+    add_option(parameter, usual == values.end() ? nullptr : &usual->value, values, options);
   }
   return options;
 }
 
-po::options_description options_for(const base::DescriptionBase& description,
-                                    const std::vector<std::string>& names, Values& given) {
+po::options_description make_options(const base::DescriptionBase& description,
+                                     const std::vector<std::string>& names, Values& given) {
   po::options_description options;
-  for (const auto& name : names) add(*description.find(name), nullptr, given, options);
+  for (const auto& name : names) add_option(*description.find(name), nullptr, given, options);
   return options;
 }
 
-po::options_description options_of_a_run(const methods::Registry& registry, base::Values& given) {
+po::options_description make_run_options(const methods::Registry& registry, base::Values& given) {
   po::options_description shared;
   for (const auto& solver : registry.solvers()) {
-    shared.add(options_for(*solver.option_descriptions, solver.run_options, given));
+    shared.add(make_options(*solver.option_descriptions, solver.run_options, given));
   }
   return shared;
 }
 
-int threads_in(const Values& given) {
+int thread_count(const Values& given) {
   const auto threads = std::ranges::find(given, "threads", &NamedValue::name);
   return threads == given.end() ? 0 : static_cast<int>(std::get<std::int64_t>(threads->value));
 }

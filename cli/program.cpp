@@ -16,10 +16,10 @@
 #include "base/text/sanitise.hpp"
 #include "cli/commands.hpp"
 #include "cli/completion.hpp"
-#include "cli/ending.hpp"
 #include "cli/help.hpp"
 #include "cli/interruption.hpp"
 #include "cli/manual.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 #include "cli/studies.hpp"
 #include "cli/version.hpp"
@@ -41,7 +41,7 @@ struct Command {
 };
 
 // The command of a solver. The solvers fd and mcs have commands of their own with more options.
-Command command_of(const methods::Solver& solver) {
+Command make_solver_command(const methods::Solver& solver) {
   const auto run = solver.name == "fd"    ? fd_command
                    : solver.name == "mcs" ? mcs_command
                                           : solver_command;
@@ -53,7 +53,7 @@ std::vector<Command> commands(const methods::Registry& registry) {
   std::vector<Command> all{
       {"run", "solve cases by all methods and compare: tables, report.html, figures", run_command}};
   all.push_back({"paper", "test the claims of the paper and draw its figures", paper_command});
-  for (const auto& solver : registry.solvers()) all.push_back(command_of(solver));
+  for (const auto& solver : registry.solvers()) all.push_back(make_solver_command(solver));
   all.push_back(
       {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});
   all.push_back({"study", "convergence in order and grid, cost, growth of the truncated series",
@@ -73,7 +73,7 @@ std::vector<Command> commands(const methods::Registry& registry) {
   return all;
 }
 
-std::string names_of(const std::vector<Command>& all) {
+std::string join_names(const std::vector<Command>& all) {
   std::vector<std::string> names;
   for (const auto& command : all) names.push_back(command.name);
   return fmt::format("{}", fmt::join(names, ", "));
@@ -114,12 +114,13 @@ accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
 }
 
 // The help of all commands; each subject of `study` is listed as a command.
-std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::Registry& registry) {
+std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
+                                      const methods::Registry& registry) {
   std::vector<CommandHelp> result;
   const auto add = [&](const Command& command, const std::string& subject) {
-    Arguments asked{"--help"};
-    if (!subject.empty()) asked.insert(asked.begin(), subject);
-    const auto help = help_from([&] { command.run({asked, "", registry}); });
+    Arguments help_arguments{"--help"};
+    if (!subject.empty()) help_arguments.insert(help_arguments.begin(), subject);
+    const auto help = capture_help([&] { command.run({help_arguments, "", registry}); });
     result.push_back(subject.empty() ? CommandHelp{command.name, command.summary, help}
                                      : CommandHelp{command.name + ' ' + subject, "", help});
   };
@@ -135,33 +136,33 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   const auto all = commands(registry);
   if (arguments.empty()) {
     throw InputError(
-        fmt::format("no command; use one of {} (--help explains them)", names_of(all)));
+        fmt::format("no command; use one of {} (--help explains them)", join_names(all)));
   }
   const std::string& name = arguments.front();
   if (name == "help" && arguments.size() > 1) {
-    Arguments asked{arguments.begin() + 1, arguments.end()};
-    asked.emplace_back("--help");
-    return dispatch(asked, registry);
+    Arguments help_arguments{arguments.begin() + 1, arguments.end()};
+    help_arguments.emplace_back("--help");
+    return dispatch(help_arguments, registry);
   }
   if (name == "--help" || name == "-h" || name == "help") {
     print_overview(all);
-    return kDone;
+    return kSuccess;
   }
   if (name == "--version") {
     fmt::print("{}", version_text());
-    return kDone;
+    return kSuccess;
   }
   // Options for the completion script and the build; undocumented.
   if (name == "--complete") {
     const Arguments words{arguments.begin() + 1, arguments.end()};
-    for (const auto& word : completions(guide(all, registry), registry, words)) {
+    for (const auto& word : completions(collect_help(all, registry), registry, words)) {
       fmt::print("{}\n", word);
     }
-    return kDone;
+    return kSuccess;
   }
   if (name == "--manual") {
-    fmt::print("{}", manual(guide(all, registry)));
-    return kDone;
+    fmt::print("{}", manual_page(collect_help(all, registry)));
+    return kSuccess;
   }
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
@@ -169,7 +170,7 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
       throw InputError(fmt::format("{}: {}", base::in_quotes(name), text));
     }
     throw InputError(fmt::format("{} is not a command; use one of {} (--help explains them)",
-                                 base::in_quotes(name), names_of(all)));
+                                 base::in_quotes(name), join_names(all)));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;
@@ -184,7 +185,7 @@ int run_program(const Arguments& arguments) {
 
 int run_program(const Arguments& arguments, const methods::Registry& registry) {
   const InterruptionGuard guard;
-  note_kept("nothing was written");
+  set_exit_message("nothing was written");
   try {
     const int exit_code = dispatch(arguments, registry);
     // A full disk or a closed pipe is detected only when the buffers are flushed.
@@ -195,19 +196,19 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     if (!base::stop_requested()) return exit_code;
   } catch (const Interrupted&) {
   } catch (const InputError& error) {
-    complain(error.what());
+    print_message(error.what());
     return kBadInput;
   } catch (const std::bad_alloc&) {
-    complain(fmt::format("stopped: {}", methods::kOutOfMemory));
-    return kNotReached;
+    print_message(fmt::format("stopped: {}", methods::kOutOfMemory));
+    return kFailure;
   } catch (const std::exception& error) {
     // Errors of the environment: a full disk, a failing library.
-    complain(fmt::format("stopped: {}", error.what()));
-    return kNotReached;
+    print_message(fmt::format("stopped: {}", error.what()));
+    return kFailure;
   }
-  claim_the_end();
-  complain(stop_notice());
-  return stopped_exit_code(base::stop_signal());
+  claim_shutdown();
+  print_message(exit_message());
+  return signal_exit_code(base::stop_signal());
 }
 
 }  // namespace fpkcheck::cli

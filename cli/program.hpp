@@ -9,15 +9,15 @@ namespace fpkcheck::cli {
 
 /// Exit codes of every command.
 enum ExitCode {
-  kDone = 0,
-  kNotReached = 1,     ///< a solver failed or missed the requested accuracy, or a check failed
+  kSuccess = 0,
+  kFailure = 1,        ///< a solver failed or missed the requested accuracy, or a check failed
   kBadInput = 2,       ///< bad input or usage; nothing was solved
   kInterrupted = 130,  ///< after SIGINT (Ctrl-C)
   kTerminated = 143    ///< after SIGTERM
 };
 
 /// The exit code after a signal, by the convention of shells.
-constexpr int stopped_exit_code(int signal) { return 128 + signal; }
+constexpr int signal_exit_code(int signal) { return 128 + signal; }
 
 /// Runs the program. Results go to standard output, messages and progress to standard error.
 /// @param arguments command line without the name of the program

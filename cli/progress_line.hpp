@@ -17,7 +17,7 @@ std::string progress_text(const methods::RunProgress& progress, double seconds,
                           double method_seconds);
 
 /// True if standard error is a terminal that accepts control sequences (TERM is not `dumb`).
-bool can_rewrite_a_line();
+bool can_rewrite_line();
 
 /// A line on standard error that is rewritten as a run proceeds. Prints nothing if `silent` or if
 /// can_rewrite_line() is false.
@@ -34,7 +34,7 @@ class ProgressLine {
   void clear();
 
  private:
-  bool shown_ = false;
+  bool is_visible_ = false;
   bool active_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   /// Start times by case and method: several methods run in parallel.

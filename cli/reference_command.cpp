@@ -10,9 +10,9 @@
 #include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 #include "workflows/study/reference/reference.hpp"
 
@@ -56,7 +56,7 @@ int reference_command(const Call& call) {
           }),
       "seed of the simulation, 0 or greater");
   if (!parse(call.arguments, kReferenceUsage, with_common_options(own, common), common.cases))
-    return kDone;
+    return kSuccess;
   require_plain(common);
   if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
   const auto problems = load_cases(common);
@@ -69,11 +69,12 @@ int reference_command(const Call& call) {
   const OutputDirectory directory(common.out);
   std::vector<study::Reference> references;
   for (const auto& problem : problems) {
-    if (!common.quiet) complain(fmt::format("reference of {} ...", problem.name));
+    if (!common.quiet) print_message(fmt::format("reference of {} ...", problem.name));
     references.push_back(study::reference(problem, options));
     throw_if_interrupted();
     const auto& failure = references.back().failure;
-    if (common.quiet && !failure.empty()) complain(fmt::format("{}: {}", problem.name, failure));
+    if (common.quiet && !failure.empty())
+      print_message(fmt::format("{}: {}", problem.name, failure));
   }
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
@@ -83,16 +84,16 @@ int reference_command(const Call& call) {
     files.add(place / "reference.md", text);
     files.add(place / "reference.csv", study::reference_csv(references));
     files.commit();
-    note_kept("all files were written");
+    set_exit_message("all files were written");
     if (!common.quiet) {
-      put_out(fmt::format("Wrote reference.md and reference.csv to {}.\n", *common.out));
+      print_output(fmt::format("Wrote reference.md and reference.csv to {}.\n", *common.out));
     }
   } else {
-    put_out(text);
+    print_output(text);
   }
   return std::ranges::all_of(references, [](const auto& r) { return r.failure.empty(); })
-             ? kDone
-             : kNotReached;
+             ? kSuccess
+             : kFailure;
 }
 
 }  // namespace fpkcheck::cli

@@ -2,9 +2,9 @@
 #include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "report/figure/curve_selection.hpp"
@@ -31,21 +31,21 @@ int report_command(const Call& call) {
   po::options_description options("options", 96);
   bool quiet = false;
   report::FigureOptions figures;
-  const auto of_figures = case_figure_options(figures);
-  for (const auto& option : of_figures.options()) options.add(option);
+  const auto case_options = case_figure_options(figures);
+  for (const auto& option : case_options.options()) options.add(option);
   options.add_options()("quiet,q", po::bool_switch(&quiet), "print no table")("help,h",
                                                                               "print this text");
-  if (!parse(call.arguments, kReportUsage, options, directories)) return kDone;
+  if (!parse(call.arguments, kReportUsage, options, directories)) return kSuccess;
   if (directories.size() != 1) {
     throw InputError("report takes one directory; name that of a saved run, e.g. fpkcheck-out");
   }
   results::Run run = results::load_run(directories.front());
   call.registry.annotate(run);
-  std::vector<transform::Identity> there;
-  for (const auto& one : run.cases) {
-    for (const auto& solution : one.solutions) there.push_back(solution.identity);
+  std::vector<transform::Identity> identities;
+  for (const auto& case_result : run.cases) {
+    for (const auto& solution : case_result.solutions) identities.push_back(solution.identity);
   }
-  report::validate_curves(figures.curves, there);
+  report::validate_curves(figures.curves, identities);
   const base::WriteGuard in_hand;
   const auto format = terminal_format();
   const auto supplement = paper::is_paper_run(run)
@@ -53,10 +53,10 @@ int report_command(const Call& call) {
                               : report::Supplement{};
   const auto [text, warnings] =
       report::rebuild_report(directories.front(), run, format, figures, supplement);
-  note_kept("the page was written, not all pictures");
-  if (!quiet) put_out(text);
-  for (const auto& warning : warnings) complain(warning);
-  return kDone;
+  set_exit_message("the page was written, not all pictures");
+  if (!quiet) print_output(text);
+  for (const auto& warning : warnings) print_message(warning);
+  return kSuccess;
 }
 
 }  // namespace fpkcheck::cli

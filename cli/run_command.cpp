@@ -9,8 +9,8 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
-#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "methods/external/external_methods.hpp"
@@ -82,9 +82,9 @@ int run_command(const Call& call) {
       "also compare the density in FILE (formats above), for a single case; may be repeated. Files "
       "of p(y) and p(y') with the same LABEL (default: name of the file) form one solution");
   own.add(case_figure_options(common.figures));
-  own.add(options_of_a_run(call.registry, given));
+  own.add(make_run_options(call.registry, given));
   if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
-    return kDone;
+    return kSuccess;
 
   auto methods = call.registry.select(list.value_or(all_methods(call.registry)), given);
   if (common.cases.empty()) {
@@ -102,14 +102,15 @@ int run_command(const Call& call) {
                    std::make_move_iterator(from_files.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
-  std::vector<std::string> named;
-  if (list) named = items("--methods", *list);
-  return solve_and_report(common, methods,
-                          {.required = list ? Required::all : Required::references,
-                           .named = named,
-                           .threads = threads_in(given),
-                           .with_backward = true},
-                          call.command_line);
+  std::vector<std::string> requested_ids;
+  if (list) requested_ids = parse_list("--methods", *list);
+  return solve_and_report(
+      common, methods,
+      {.required = list ? RequiredSolutions::all : RequiredSolutions::references,
+       .requested_ids = requested_ids,
+       .threads = thread_count(given),
+       .with_backward = true},
+      call.command_line);
 }
 
 }  // namespace fpkcheck::cli

@@ -15,7 +15,7 @@
 namespace fpkcheck::cli {
 
 /// Solutions that must have status `ok` for the exit code 0.
-enum class Required {
+enum class RequiredSolutions {
   all,        ///< all solutions
   references  ///< finite volumes with the exact impact, and simulation. The accuracy of closures
               ///< and first-order impacts is a result of the run, not a requirement
@@ -30,12 +30,12 @@ struct Supplement {
 };
 
 struct SolveControl {
-  Required required = Required::all;
+  RequiredSolutions required = RequiredSolutions::all;
   /// Ids in the list of methods; other solutions come from families or solvers in the list. For the
   /// latter, status not_offered is no failure. Empty: all solutions were requested by id.
-  std::vector<std::string> named = {};
+  std::vector<std::string> requested_ids = {};
   int threads = 0;  ///< threads for methods in parallel; 0: one per processor
-  OnInterruption on_interruption = OnInterruption::give_up;
+  InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
   bool with_backward = false;  ///< bounds, and every density's own error, by the backward equation
   std::function<Supplement(const results::Run&)> supplement = {};  ///< may be none
 };

@@ -20,12 +20,12 @@ void prepare_standard_streams() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-void put_out(std::string_view text) {
+void print_output(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
 }
 
-void complain(std::string_view message) {
+void print_message(std::string_view message) {
   const std::string line = fmt::format("fpkcheck: {}\n", base::to_single_line(message));
   std::fwrite(line.data(), 1, line.size(), stderr);
 }

@@ -12,9 +12,9 @@ void prepare_standard_streams();
 
 /// Writes to standard output. run_program reports write errors at the end: the program still writes
 /// its files.
-void put_out(std::string_view text);
+void print_output(std::string_view text);
 
 /// Writes "fpkcheck: MESSAGE" to standard error, in one line. Write errors are ignored.
-void complain(std::string_view message);
+void print_message(std::string_view message);
 
 }  // namespace fpkcheck::cli

@@ -13,14 +13,14 @@
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kHead = R"(usage: fpkcheck study SUBJECT CASE [options]
+constexpr const char* kStudyUsage = R"(usage: fpkcheck study SUBJECT CASE [options]
 
 subjects (options: fpkcheck study SUBJECT --help):
 )";
 
 std::string study_usage() {
   constexpr std::size_t kWidth = 100, kColumn = 18;
-  std::string text = kHead;
+  std::string text = kStudyUsage;
   for (const auto& [name, summary, run] : study_subjects()) {
     auto lines = report::wrap_text(std::string(kColumn, ' ') + summary, kWidth, kColumn);
     text += lines.replace(2, name.size(), name);
@@ -29,7 +29,7 @@ std::string study_usage() {
 }
 
 // "grid, order or regularisation"
-std::string names_of_subjects() {
+std::string subject_list() {
   std::string text;
   const auto& all = study_subjects();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -38,7 +38,7 @@ std::string names_of_subjects() {
   return text;
 }
 
-bool asks_for_help(const std::string& argument) { return argument == "--help" || argument == "-h"; }
+bool is_help_flag(const std::string& argument) { return argument == "--help" || argument == "-h"; }
 
 }  // namespace
 
@@ -58,23 +58,22 @@ const std::vector<StudySubject>& study_subjects() {
 
 int study_command(const Call& call) {
   const auto& arguments = call.arguments;
-  if (!arguments.empty() && asks_for_help(arguments.front())) {
-    answer_help(study_usage(), {});
-    return kDone;
+  if (!arguments.empty() && is_help_flag(arguments.front())) {
+    emit_help(study_usage(), {});
+    return kSuccess;
   }
-  const auto given =
+  const auto subject_argument =
       std::ranges::find_if(arguments, [](const auto& a) { return !a.starts_with('-'); });
-  if (given == arguments.end() || given != arguments.begin()) {
-    throw InputError(
-        fmt::format("study without a subject; use study SUBJECT CASE with {} (see --help)",
-                    names_of_subjects()));
+  if (subject_argument == arguments.end() || subject_argument != arguments.begin()) {
+    throw InputError(fmt::format(
+        "study without a subject; use study SUBJECT CASE with {} (see --help)", subject_list()));
   }
-  const auto subject = std::ranges::find(study_subjects(), *given, &StudySubject::name);
+  const auto subject = std::ranges::find(study_subjects(), *subject_argument, &StudySubject::name);
   if (subject == study_subjects().end()) {
     throw InputError(fmt::format("{} is not a subject of study; use {} (see --help)",
-                                 base::in_quotes(*given), names_of_subjects()));
+                                 base::in_quotes(*subject_argument), subject_list()));
   }
-  return subject->run({{given + 1, arguments.end()}, call.command_line, call.registry});
+  return subject->run({{subject_argument + 1, arguments.end()}, call.command_line, call.registry});
 }
 
 }  // namespace fpkcheck::cli

@@ -4,9 +4,9 @@
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/put_study.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
+#include "cli/write_study.hpp"
 #include "workflows/study/regularisation.hpp"
 
 namespace fpkcheck::cli {
@@ -39,16 +39,16 @@ int study_regularisation(const Call& call) {
              with_common_options(
                  {}, common, "write study-regularisation.json and .csv to DIR (default: no files)"),
              common.cases)) {
-    return kDone;
+    return kSuccess;
   }
-  const auto start = start_of_study(common);
+  const auto setup = prepare_study(common);
   ProgressLine line(common.quiet);
-  const auto found = study::study_regularisation(
-      start.problem, [&](const methods::RunProgress& at) { line.show(at); });
+  const auto result = study::study_regularisation(
+      setup.problem, [&](const methods::RunProgress& at) { line.show(at); });
   throw_if_interrupted();
   line.clear();
-  put_study(common, study::output(found, call.command_line, terminal_format()), begin);
-  return exit_code_of_study(common, study::has_converged(found));
+  write_study(common, study::output(result, call.command_line, terminal_format()), begin);
+  return study_exit_code(common, study::has_converged(result));
 }
 
 }  // namespace fpkcheck::cli

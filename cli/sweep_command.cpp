@@ -15,13 +15,13 @@
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
-#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/parallel_for.hpp"
@@ -115,16 +115,16 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
        "DIR/journal; write no files")  //
       ("ranks",
        po::value<std::string>()->value_name("LIST")->notifier(
-           [&](const std::string& list) { arguments.ranks = integers("--ranks", list); }),
+           [&](const std::string& list) { arguments.ranks = parse_integers("--ranks", list); }),
        "for --dry-run: also estimate the time for these numbers of processes with one thread each, "
        "e.g. 2,64,1024");
   // The sweep uses the threads for points; each method has one thread.
   own.add(figure_options(arguments.common.figures));
-  own.add(options_of_a_run(registry, arguments.given));
+  own.add(make_run_options(registry, arguments.given));
   return own;
 }
 
-int threads_given(base::Values& given) {
+int take_threads(base::Values& given) {
   const auto found = std::ranges::find(given, "threads", &base::NamedValue::name);
   if (found == given.end()) return 0;
   const int threads = static_cast<int>(std::get<std::int64_t>(found->value));
@@ -132,7 +132,7 @@ int threads_given(base::Values& given) {
   return threads;
 }
 
-sweep::Axis axis_of(const std::string& text) {
+sweep::Axis parse_vary(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
     throw InputError(
@@ -144,8 +144,8 @@ sweep::Axis axis_of(const std::string& text) {
 }
 
 // Adds the options of methods in the plan; options on the command line take precedence.
-void add_options_of_plan(const std::vector<base::IniSetting>& lines,
-                         const methods::Registry& registry, base::Values& given) {
+void add_plan_options(const std::vector<base::IniSetting>& lines, const methods::Registry& registry,
+                      base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
   std::vector<const base::Parameter*> options;
   for (const auto& solver : registry.solvers()) {
@@ -168,14 +168,14 @@ void add_options_of_plan(const std::vector<base::IniSetting>& lines,
 }
 
 // The plan from the plan file or case and the command line, which takes precedence.
-sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& registry) {
+sweep::Plan make_plan(const SweepArguments& arguments, const methods::Registry& registry) {
   if (arguments.common.cases.size() != 1) {
     throw InputError("a sweep takes one case or plan; name it");
   }
   const auto text = sweep::read_plan(arguments.common.cases.front(), arguments.common.overrides);
   sweep::Plan plan{.base = text.base, .axes = text.axes};
   for (const auto& one : arguments.vary) {
-    auto axis = axis_of(one);
+    auto axis = parse_vary(one);
     const auto same = std::ranges::find(plan.axes, axis.key, &sweep::Axis::key);
     if (same != plan.axes.end() &&
         same - plan.axes.begin() < static_cast<std::ptrdiff_t>(text.axes.size())) {
@@ -197,7 +197,7 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
   plan.points = sweep::make_points(plan.axes, plan.design, plan.sobol_points);
 
   base::Values given = arguments.given;
-  add_options_of_plan(text.options, registry, given);
+  add_plan_options(text.options, registry, given);
   given.push_back({"threads", std::int64_t{1}});
   given.push_back({"stepper", std::string("direct")});
   plan.methods =
@@ -205,26 +205,26 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
   return plan;
 }
 
-void put_results(const SweepArguments& arguments, const sweep::SweepResults& results,
-                 const Call& call, double seconds) {
+void write_results(const SweepArguments& arguments, const sweep::SweepResults& results,
+                   const Call& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
   const base::WriteGuard in_hand;
   sweep::write_tables(directory, results, call.command_line);
-  note_kept("sweep.csv and sweep.nc were written, but not report.html");
+  set_exit_message("sweep.csv and sweep.nc were written, but not report.html");
   if (arguments.common.json) {
-    put_out(sweep::json(results, call.command_line) + '\n');
+    print_output(sweep::json(results, call.command_line) + '\n');
   } else if (!arguments.common.quiet) {
-    put_out(sweep::table(results, terminal_format()));
+    print_output(sweep::table(results, terminal_format()));
   }
   for (const auto& warning :
        sweep::write_report(directory, results, call.command_line, arguments.common.figures)) {
-    complain(warning);
+    print_message(warning);
   }
   if (base::stop_requested()) return;  // the caller sets the exit code of the signal
-  note_kept("all files were written");
+  set_exit_message("all files were written");
   if (arguments.common.json || arguments.common.quiet) return;
-  put_out(fmt::format("\nWrote sweep.csv, sweep.nc and report.html to {} in {:.1f} s.\n",
-                      *arguments.common.out, seconds));
+  print_output(fmt::format("\nWrote sweep.csv, sweep.nc and report.html to {} in {:.1f} s.\n",
+                           *arguments.common.out, seconds));
 }
 
 int merge(const SweepArguments& arguments, const Call& call,
@@ -237,14 +237,14 @@ int merge(const SweepArguments& arguments, const Call& call,
   auto merge_journals = sweep::merge_journals(directories, call.registry);
   const OutputDirectory directory(arguments.common.out);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  for (const auto& remark : merge_journals.remarks) complain(remark);
-  put_results(arguments, merge_journals.results, call, elapsed.count());
-  return merge_journals.results.is_complete() ? kDone : kNotReached;
+  for (const auto& remark : merge_journals.remarks) print_message(remark);
+  write_results(arguments, merge_journals.results, call, elapsed.count());
+  return merge_journals.results.is_complete() ? kSuccess : kFailure;
 }
 
 // The points that an earlier sweep of this plan has stored; the forecast uses them.
-std::vector<sweep::PointResult> solved_before(const sweep::Plan& plan,
-                                              const std::filesystem::path& journal) {
+std::vector<sweep::PointResult> load_solved_points(const sweep::Plan& plan,
+                                                   const std::filesystem::path& journal) {
   std::error_code ignored;
   if (!std::filesystem::exists(journal, ignored)) return {};
   return sweep::read_journal(journal, plan).points;
@@ -255,23 +255,24 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
     if (ranks < 1) throw InputError(fmt::format("--ranks {} (must be 1 or more)", ranks));
   }
   const auto found = sweep::forecast(
-      plan, solved_before(plan, std::filesystem::path(*arguments.common.out) / "journal"), threads);
+      plan, load_solved_points(plan, std::filesystem::path(*arguments.common.out) / "journal"),
+      threads);
   throw_if_interrupted();
-  put_out(sweep::forecast_text(plan, found, static_cast<std::size_t>(threads), arguments.ranks,
-                               terminal_format()));
-  return kDone;
+  print_output(sweep::forecast_text(plan, found, static_cast<std::size_t>(threads), arguments.ranks,
+                                    terminal_format()));
+  return kSuccess;
 }
 
 // Runs the sweep on the process that writes the journal: rank 0 of mpirun, else the only process.
-int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
-               int threads, base::Communicator* ranks, const Call& call,
-               std::chrono::steady_clock::time_point begin) {
+int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
+              int threads, base::Communicator* ranks, const Call& call,
+              std::chrono::steady_clock::time_point begin) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
   const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
-  const auto tell = [&](const sweep::PointQueue::State& at) {
-    note_kept(fmt::format("{} of {} points are in {}/{} (the same command goes on)", at.done,
-                          at.total, *common.out, shard.journal_name()));
+  const auto report_progress = [&](const sweep::PointQueue::State& at) {
+    set_exit_message(fmt::format("{} of {} points are in {}/{} (the same command goes on)", at.done,
+                                 at.total, *common.out, shard.journal_name()));
     line.show({.done = at.done,
                .total = at.total,
                .case_name = plan.base.name,
@@ -285,14 +286,14 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
   std::optional<sweep::JournaledQueue> progress;
   try {
     directory.emplace(common.out);
-    progress.emplace(plan, *common.out, shard, tell);
+    progress.emplace(plan, *common.out, shard, report_progress);
   } catch (...) {
     if (ranks != nullptr) sweep::release_workers(*ranks);
     throw;
   }
-  tell(progress->state());
+  report_progress(progress->state());
   if (const auto resumed = progress->resumed_text(); !resumed.empty() && !common.quiet) {
-    complain(resumed);
+    print_message(resumed);
   }
   if (ranks != nullptr) {
     sweep::run_coordinator(plan, *progress, *ranks, threads);
@@ -300,22 +301,22 @@ int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const s
     sweep::solve_remaining(plan, *progress, threads);
   }
   line.clear();
-  if (base::stop_requested()) return kNotReached;  // the caller sets the exit code of the signal
+  if (base::stop_requested()) return kFailure;  // the caller sets the exit code of the signal
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   if (shard.of > 1) {
     if (!common.quiet) {
-      put_out(fmt::format(
+      print_output(fmt::format(
           "Shard {} of {}: {} points in {}/{}, {:.1f} s. After all shards: fpkcheck sweep --merge "
           "{} --out {}\n",
           shard.number, shard.of, progress->state().done, *common.out, shard.journal_name(),
           elapsed.count(), *common.out, *common.out));
     }
-    return kDone;
+    return kSuccess;
   }
-  put_results(arguments, sweep::make_sweep_results(plan, progress->points()), call,
-              elapsed.count());
-  return kDone;
+  write_results(arguments, sweep::make_sweep_results(plan, progress->points()), call,
+                elapsed.count());
+  return kSuccess;
 }
 
 }  // namespace
@@ -330,23 +331,23 @@ int sweep_command(const Call& call) {
                                  "write journal, tables and report.html to DIR (default: "
                                  "fpkcheck-sweep)"),
              common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
   if (arguments.merge) return merge(arguments, call, begin);
-  const int threads = methods::number_of_threads(threads_given(arguments.given));
+  const int threads = methods::number_of_threads(take_threads(arguments.given));
   const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
-  const auto plan = plan_of(arguments, call.registry);
+  const auto plan = make_plan(arguments, call.registry);
   if (arguments.dry_run) return dry_run(arguments, plan, threads);
 
   const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::join()
                                                            : std::unique_ptr<base::Communicator>();
   if (ranks && !ranks->is_first()) {
-    note_kept("what was finished is in the first rank's journal");
+    set_exit_message("what was finished is in the first rank's journal");
     sweep::run_worker(plan, *common.out, *ranks, threads);
-    return kDone;
+    return kSuccess;
   }
-  return lead_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);
+  return run_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);
 }
 
 }  // namespace fpkcheck::cli

@@ -7,7 +7,7 @@ import json
 import pathlib
 import sys
 
-from made_parts import replace_part
+from document_parts import replace_part
 
 
 def l1(case, a, b):

@@ -11,7 +11,7 @@ import json
 import statistics
 from pathlib import Path
 
-from made_parts import replace_part
+from document_parts import replace_part
 
 # Letters of statuses. The letter x is for a solution with status `ok` and an L1 above twice its error estimate plus the
 # error estimate of the reference.
@@ -38,7 +38,7 @@ def short(number, digits):
     return text[1:] if text.startswith("0.") else text
 
 
-class Answer:
+class MethodResult:
     """The result of a method at a point: larger L1 to the reference, letter of the status, milliseconds."""
 
     def __init__(self, row, reference):
@@ -81,7 +81,7 @@ def points_of(folder):
         if reference is None or not all(reference["error" + suffix] for suffix in PAIR):
             print(f"{folder}: no reference {REFERENCE} at {at}")
             continue
-        yield key, {row["solution"]: Answer(row, reference) for row in rows}
+        yield key, {row["solution"]: MethodResult(row, reference) for row in rows}
 
 
 def cell(answers):

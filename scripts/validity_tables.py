@@ -10,7 +10,7 @@ import re
 import statistics
 from pathlib import Path
 
-from made_parts import replace_part
+from document_parts import replace_part
 
 LIMITS = (0.01, 0.05)
 # Definition of a bound: this fraction of the points above it is within the limit, and at least so many points exist.
@@ -21,7 +21,7 @@ LAWS = ("gaussian", "laplace", "two_point", "uniform")
 CELL = re.compile(r"(?P<l1>[\d.]+(?:e-\d+)?)?(?P<letter>[oxianpfu])(?P<milliseconds>[\d.]+)$")
 
 
-class Answer:
+class MethodResult:
     def __init__(self, cell):
         found = CELL.match(cell)
         if not found:
@@ -42,7 +42,7 @@ class Point:
         self.cubic = float(row["cubic_share"])
         self.law = row["law"]
         self.damping_ratio = float(row["damping_ratio"])
-        self.answers = {method: Answer(row[method]) for method in methods if row[method]}
+        self.answers = {method: MethodResult(row[method]) for method in methods if row[method]}
 
 
     def rate(self):

@@ -8,7 +8,7 @@
 namespace fpkcheck::tests {
 
 /// Names of the laws without a table.
-inline std::vector<std::string> laws_by_name() {
+inline std::vector<std::string> law_names_without_table() {
   std::vector<std::string> names = problem::ImpulseLaw::known_names();
   std::erase(names, problem::TabulatedLaw::kName);
   return names;

@@ -20,7 +20,7 @@ struct Shape {
   double a, b, d, e, f = 0;
 };
 
-inline transform::SmoothDensity smooth(const Shape& s, double y_max, double v_max) {
+inline transform::SmoothDensity smooth_density(const Shape& s, double y_max, double v_max) {
   const auto of_y = [s](double y) { return std::exp(-s.a * y * y / 2 - s.b * std::pow(y, 4)); };
   const auto of_v = [s](double v) {
     return std::exp(-s.d * v * v / 2 - s.e * std::pow(v, 4) + s.f * std::pow(v, 6));
@@ -33,34 +33,37 @@ inline transform::SmoothDensity smooth(const Shape& s, double y_max, double v_ma
 inline transform::Identity identity(const std::string& id, const std::string& method,
                                     problem::Equation equation, problem::Impact impact) {
   using transform::Role;
-  transform::Identity who{.id = id, .method = method, .equation = equation, .impact = impact};
-  who.role = method == "epc" ? Role::closure : method == "fd" ? Role::equation : Role::simulation;
-  who.family = method;
-  who.meaning = "What " + method + " makes.";
-  who.plot_style = {.colour = method == "fd" ? "#56B4E9" : "#000000",
-                    .dash = "solid",
-                    .width = method == "fd" ? 5.0 : 1.0,
-                    .as_points = method == "mcs",
-                    .layer = static_cast<int>(who.role),
-                    .symbol = "circle"};
-  return who;
+  transform::Identity solution_identity{
+      .id = id, .method = method, .equation = equation, .impact = impact};
+  solution_identity.role = method == "epc"  ? Role::closure
+                           : method == "fd" ? Role::equation
+                                            : Role::simulation;
+  solution_identity.family = method;
+  solution_identity.meaning = "What " + method + " makes.";
+  solution_identity.plot_style = {.colour = method == "fd" ? "#56B4E9" : "#000000",
+                                  .dash = "solid",
+                                  .width = method == "fd" ? 5.0 : 1.0,
+                                  .as_points = method == "mcs",
+                                  .layer = static_cast<int>(solution_identity.role),
+                                  .symbol = "circle"};
+  return solution_identity;
 }
 
 inline transform::Identity closure_identity(const std::string& formulation, int order) {
-  auto who = identity("epc-" + formulation + "-n" + std::to_string(order), "epc",
-                      problem::Equation::km4, problem::Impact::delta);
-  who.formulation = formulation;
-  who.order = order;
-  who.family = "epc-" + formulation;
-  who.plot_style.colour = formulation == "gaussian" ? "#D55E00" : "#CC79A7";
-  who.plot_style.dash = "(10,4)";
-  who.plot_style.width = 2;
-  return who;
+  auto solution_identity = identity("epc-" + formulation + "-n" + std::to_string(order), "epc",
+                                    problem::Equation::km4, problem::Impact::delta);
+  solution_identity.formulation = formulation;
+  solution_identity.order = order;
+  solution_identity.family = "epc-" + formulation;
+  solution_identity.plot_style.colour = formulation == "gaussian" ? "#D55E00" : "#CC79A7";
+  solution_identity.plot_style.dash = "(10,4)";
+  solution_identity.plot_style.width = 2;
+  return solution_identity;
 }
 
-inline transform::Solution solution(const transform::Identity& who,
+inline transform::Solution solution(const transform::Identity& solution_identity,
                                     const transform::SmoothDensity& density) {
-  transform::Solution s{.identity = who};
+  transform::Solution s{.identity = solution_identity};
   s.status = transform::Status::ok;
   s.seconds = 0.42;
   s.density = density;
@@ -95,9 +98,9 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   return s;
 }
 
-inline transform::Solution without_density(const transform::Identity& who,
-                                           transform::Status status) {
-  transform::Solution s{.identity = who};
+inline transform::Solution solution_without_density(const transform::Identity& solution_identity,
+                                                    transform::Status status) {
+  transform::Solution s{.identity = solution_identity};
   s.status = status;
   s.reason =
       "the residual stopped falling at 0.013 after 60 Newton steps; the best of five starts is "
@@ -110,7 +113,7 @@ inline transform::Solution without_density(const transform::Identity& who,
 /// simulation.
 inline std::vector<transform::Solution> made_up_solutions(const compare::ComparisonAxes& axes) {
   const double y_max = axes.y_edges.back(), v_max = axes.v_edges.back();
-  const auto shape = [&](const Shape& s) { return smooth(s, y_max, v_max); };
+  const auto shape = [&](const Shape& s) { return smooth_density(s, y_max, v_max); };
   using problem::Equation;
   using problem::Impact;
   const auto fd = [&](const std::string& id, Equation equation, const Shape& s) {
@@ -123,7 +126,8 @@ inline std::vector<transform::Solution> made_up_solutions(const compare::Compari
   all.back().reason = "the leading form is positive along y: Q rises from y = 5.1 on";
   all.push_back(
       solution(closure_identity("gaussian", 6), shape({2.345, 0.061, 2.395, -0.0249, -0.0002})));
-  all.push_back(without_density(closure_identity("gaussian", 8), transform::Status::not_converged));
+  all.push_back(
+      solution_without_density(closure_identity("gaussian", 8), transform::Status::not_converged));
   all.push_back(fd("fd-white", Equation::white, {2.33, 0.055, 2.27, 0}));
   all.push_back(fd("fd-km4", Equation::km4, {2.3401, 0.06, 2.4, -0.0251}));
   all.push_back(fd("fd-kf", Equation::kf, {2.34, 0.06, 2.4, -0.025}));
@@ -172,13 +176,13 @@ inline void add_smooth_estimates(transform::Solution& simulation,
 }
 
 /// made_up_case() with estimates by control variates in the simulation.
-inline results::Case made_up_case_without_noise(double error = 1e-6) {
+inline results::Case made_up_case_with_control_variates(double error = 1e-6) {
   const auto problem = made_up_case().problem;
   const auto axes = compare::comparison_axes(problem);
   auto solutions = made_up_solutions(axes);
-  add_smooth_estimates(solutions.back(), axes,
-                       smooth({2.34, 0.06, 2.4, -0.025}, axes.y_edges.back(), axes.v_edges.back()),
-                       error);
+  add_smooth_estimates(
+      solutions.back(), axes,
+      smooth_density({2.34, 0.06, 2.4, -0.025}, axes.y_edges.back(), axes.v_edges.back()), error);
   return results::make_case(problem, axes, std::move(solutions));
 }
 

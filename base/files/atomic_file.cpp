@@ -109,7 +109,6 @@ void remove_abandoned_partials(const fs::path& directory) {
 }
 
 void write_new_file(const fs::path& file, std::string_view bytes) {
-  constexpr int kFileMode = 0666;  // reduced by the umask
   // O_NOFOLLOW: a planted link must not redirect the file.
   Descriptor out(
       open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kFileMode));

@@ -25,6 +25,9 @@ struct WriterProcess {
 /// files of such a name stay.
 void remove_abandoned_partials(const std::filesystem::path& directory);
 
+/// Permissions of a new file, which the umask reduces.
+inline constexpr int kFileMode = 0666;
+
 /// Creates a file and waits until it is on disk.
 /// @throws std::system_error when the file exists or cannot be written, leaving no partial file
 void write_new_file(const std::filesystem::path& file, std::string_view bytes);

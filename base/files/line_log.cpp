@@ -10,15 +10,11 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/files/atomic_file.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
-namespace {
-
-constexpr int kFileMode = 0666;  // reduced by the umask
-
-}  // namespace
 
 void LineLog::fail(const char* what) const {
   throw std::runtime_error(fmt::format("{} cannot be {}: {}", base::sanitise(file_.string()), what,

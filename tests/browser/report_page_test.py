@@ -111,10 +111,10 @@ class ReportPage(unittest.TestCase):
         for a, b in zip(found, expected):
             self.assertLessEqual(abs(a - b), RELATIVE_ROUNDING * abs(b) + slack, what)
 
-    def test_1_loads_without_a_word_on_the_console(self):
+    def test_1_loads_without_console_messages(self):
         self.assertEqual(self.browser.get_log('browser'), [])
 
-    def test_2_asks_for_nothing_but_itself(self):
+    def test_2_requests_no_other_resources(self):
         self.assertEqual(self.script('return performance.getEntriesByType("resource").map(e => e.name)'), [])
         requests = []
         for entry in self.browser.get_log('performance'):
@@ -127,7 +127,7 @@ class ReportPage(unittest.TestCase):
                             'e => e.getAttribute("href") || e.getAttribute("src"))')
         self.assertEqual([link for link in links if not link.startswith(('#', 'data:'))], [])
 
-    def test_3_every_curve_of_the_run_is_there_with_its_numbers(self):
+    def test_3_has_all_curves_with_their_numbers(self):
         marginals, smooth = self.marginals(), self.marginals('smooth.csv')
         self.assertTrue(marginals)
         for number, one in enumerate(self.summary['cases'], 1):
@@ -158,7 +158,7 @@ class ReportPage(unittest.TestCase):
         simulated = self.curves('case-1-density-y', 'y')['mcs']['y']
         self.assertTrue(all(a <= p <= b for a, p, b in zip(lower, simulated, upper)))
 
-    def test_5_a_click_in_a_legend_switches_a_solution_off_everywhere_and_on_again(self):
+    def test_5_a_click_in_a_legend_toggles_a_solution_in_all_plots(self):
         plots = ('case-1-density-y', 'case-1-density-ydot')
 
         def visible():
@@ -184,7 +184,7 @@ class ReportPage(unittest.TestCase):
         self.script('arguments[0].scrollIntoView({block: "center"})', entry)
         ActionChains(self.browser).move_to_element(toggle).click().perform()
 
-    def test_6_hovering_tells_values(self):
+    def test_6_hovering_shows_values(self):
         plot = self.browser.find_element(By.CSS_SELECTOR, '#case-1-density-y .xy .nsewdrag, '
                                                           '#case-1-density-y .nsewdrag')
         self.script('arguments[0].scrollIntoView({block: "center"})', plot)
@@ -192,7 +192,7 @@ class ReportPage(unittest.TestCase):
         WebDriverWait(self.browser, 10).until(lambda _: 'fd-kf' in self.script(
             'return document.querySelector("#case-1-density-y .hoverlayer").textContent'))
 
-    def test_7_heat_maps_follow_the_choice(self):
+    def test_7_heat_maps_show_the_selected_solution(self):
         if not self.script('return document.getElementById("case-1-joint-choice") !== null'):
             self.skipTest('this run has no joint densities')
         maps = '''
@@ -259,7 +259,7 @@ class ReportPage(unittest.TestCase):
         self.script('window.dispatchEvent(new Event("afterprint"))')
         self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia', {'media': ''})
 
-    def test_10_the_names_of_a_wide_table_stay_when_it_is_scrolled(self):
+    def test_10_the_first_column_of_a_scrolled_table_is_fixed(self):
         self.open_page(PHONE)
         moved = self.script('''
             const box = [...document.querySelectorAll('.scroll')].find(e => e.scrollWidth > e.clientWidth + 100);
@@ -272,12 +272,12 @@ class ReportPage(unittest.TestCase):
         self.assertLess(max(moved), 1)
         self.open_page(DESKTOP)
 
-    def test_12_the_first_screen_has_the_answer_and_a_picture(self):
+    def test_12_the_first_screen_has_the_verdict_and_a_figure(self):
         bottom = self.script('window.scrollTo(0, 0); return [".answer", ".matrix", ".strip"].map('
                              'e => document.querySelector(e).getBoundingClientRect().bottom)')
         self.assertLessEqual(max(bottom), DESKTOP[1])
 
-    def test_13_is_dark_where_the_reader_is_and_light_on_paper(self):
+    def test_13_follows_the_colour_scheme_and_prints_light(self):
         background = 'return getComputedStyle(document.body).backgroundColor'
         plot = 'return document.querySelector("#case-1-density-y").layout.paper_bgcolor'
         scheme = lambda value: [{'name': 'prefers-color-scheme', 'value': value}]

@@ -20,7 +20,7 @@ BYTES = 500 * 2**20
 LONGEST_MESSAGE = 400
 PLACES = {"{long}": "x" * 100000, "{esc}": "\x1b", "{newline}": "\n"}
 # Commands that have --out.
-WITH_OUT = ("run", "paper", "epc", "fd", "mcs", "bounds", "study", "check", "reference", "sweep")
+COMMANDS_WITH_OUT = ("run", "paper", "epc", "fd", "mcs", "bounds", "study", "check", "reference", "sweep")
 
 
 def lines():
@@ -31,7 +31,7 @@ def lines():
             yield number, arguments.strip(), expected.strip()
 
 
-def filled(argument):
+def substitute(argument):
     for place, text in PLACES.items():
         argument = argument.replace(place, text)
     return argument
@@ -52,9 +52,9 @@ def limit_memory():
 
 def failures(program, sanitized, number, text, expected):
     seconds = SECONDS_SANITIZED if sanitized else SECONDS
-    arguments = [filled(argument) for argument in shlex.split(text)]
+    arguments = [substitute(argument) for argument in shlex.split(text)]
     out = f"out-{number}"
-    if len(arguments) > 1 and arguments[0] in WITH_OUT and "--out" not in arguments:
+    if len(arguments) > 1 and arguments[0] in COMMANDS_WITH_OUT and "--out" not in arguments:
         arguments += ["--out", out]
     try:
         done = subprocess.run([program, *arguments], stdin=subprocess.DEVNULL, capture_output=True,

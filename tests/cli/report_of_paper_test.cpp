@@ -44,12 +44,12 @@ void save(const fs::path& directory, const results::Run& run) {
 
 std::string report_of(const fs::path& directory) {
   testing::internal::CaptureStdout();
-  EXPECT_EQ(run_program({"report", directory.string()}, methods::builtin_registry()), kDone);
+  EXPECT_EQ(run_program({"report", directory.string()}, methods::builtin_registry()), kSuccess);
   std::fflush(stdout);
   return testing::internal::GetCapturedStdout();
 }
 
-TEST(ReportOfPaper, HasClaimsAndFiguresOnItsPageAndTheSummaryFirst) {
+TEST(ReportOfPaper, HasTheSummaryFirstAndClaimsAndFiguresOnItsPage) {
   const tests::TemporaryDirectory directory;
   const auto run = tests::run_with_distances();
   save(directory.path(), run);
@@ -77,7 +77,7 @@ TEST(ReportOfPaper, HasClaimsAndFiguresOnItsPageAndTheSummaryFirst) {
   EXPECT_LT(page.find("claims of the paper"), page.find("<section id=\"verdict\">"));
 }
 
-TEST(ReportOfPaper, IsNotMadeOfAnotherRunOfTheSameCases) {
+TEST(ReportOfPaper, IsOmittedForOtherRunsOfTheSameCases) {
   const tests::TemporaryDirectory directory;
   auto run = tests::run_with_distances();
   run.program.command = "fpkcheck run --out paper";

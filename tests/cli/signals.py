@@ -43,7 +43,7 @@ COMMANDS = {
 }
 
 
-def left_behind(out):
+def file_defect(out):
     """The defect of the files in a directory, as text; None without a defect."""
     names = [os.path.join(place, name) for place, _, files in os.walk(out) for name in files]
     partial = [name for name in names if ".partial-" in name]
@@ -57,7 +57,7 @@ def left_behind(out):
     return None
 
 
-def one(program, command, arguments, number, moment, saved, baselines):
+def send_signal(program, command, arguments, number, moment, saved, baselines):
     """Seconds from the signal to the end, exit code, list of failures, standard error."""
     with tempfile.TemporaryDirectory() as work:
         out = os.path.join(work, "out")
@@ -94,7 +94,7 @@ def one(program, command, arguments, number, moment, saved, baselines):
             wrong.append("the signal was not handled")
         if process.returncode == 128 + number and said.count("\n") != 1 and command != "reference":
             wrong.append(f"standard error is {said!r}")
-        problem = left_behind(out)
+        problem = file_defect(out)
         if problem:
             wrong.append(problem)
         return seconds, process.returncode, wrong, said
@@ -125,7 +125,7 @@ def main():
             for _ in range(given.rounds):
                 number = chance.choice([signal.SIGINT, signal.SIGTERM])
                 moment = chance.uniform(0.02, given.part * span)
-                seconds, code, wrong, said = one(given.program, command, arguments, number, moment,
+                seconds, code, wrong, said = send_signal(given.program, command, arguments, number, moment,
                                                  saved, baselines)
                 if seconds is not None:
                     times.append(seconds)

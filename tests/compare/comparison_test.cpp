@@ -107,7 +107,7 @@ TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {
   for (const double quartic : {0.0, 0.1}) {
     two.push_back(tests::solution(
         tests::identity(quartic > 0 ? "flat" : "normal", "fd", Equation::kf, Impact::map),
-        tests::smooth({2, 0, 2, quartic}, 5, 5)));
+        tests::smooth_density({2, 0, 2, quartic}, 5, 5)));
   }
   const auto pairs = compare_solutions(comparison_axes(tests::paper_case(1)), two).pairs;
   ASSERT_EQ(pairs.size(), 2u);

@@ -16,7 +16,7 @@ namespace {
 using transform::Variable;
 
 TEST(SmoothReference, IsTheSimulationWithSmoothEstimates) {
-  auto one = tests::made_up_case_without_noise();
+  auto one = tests::made_up_case_with_control_variates();
   auto& simulation = one.solutions.back();
   EXPECT_EQ(find_smooth_reference(one.solutions), &simulation);
   simulation.identity.equation = problem::Equation::white;
@@ -28,7 +28,7 @@ TEST(SmoothReference, IsTheSimulationWithSmoothEstimates) {
 }
 
 TEST(SmoothReference, IsTheReferenceByItsSmoothSamplingError) {
-  auto one = tests::made_up_case_without_noise();
+  auto one = tests::made_up_case_with_control_variates();
   auto& kf = one.solutions[6];
   kf.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
   EXPECT_EQ(reference(one.solutions)->id(), "mcs");
@@ -55,7 +55,7 @@ TEST(SmoothReference, HasStandardErrorsThatDependOnTheSignsOfDifferences) {
 
 TEST(SmoothReference, HasDistancesOverSmoothBins) {
   constexpr double kError = 1e-6;
-  const auto one = tests::made_up_case_without_noise(kError);
+  const auto one = tests::made_up_case_with_control_variates(kError);
   const auto plain = tests::made_up_case();
   for (const auto variable : transform::kVariables) {
     const auto* pair = find_pair(one.pairs, "fd-kf", "mcs", variable);
@@ -79,7 +79,7 @@ TEST(SmoothReference, HasDistancesOverSmoothBins) {
 
 // A solution with a sampling error over sharp bins is compared over sharp bins.
 TEST(SmoothReference, HasDistancesOverSharpBinsToNoisySolutions) {
-  auto one = tests::made_up_case_without_noise();
+  auto one = tests::made_up_case_with_control_variates();
   auto solutions = one.solutions;
   solutions[5].sampling = {.y = 1e-3, .ydot = 1e-3};  // fd-km4, as if from a file
   const auto compared = compare_solutions(comparison_axes(one.problem), solutions);
@@ -90,7 +90,7 @@ TEST(SmoothReference, HasDistancesOverSharpBinsToNoisySolutions) {
 }
 
 TEST(SmoothReference, EndsTheChainWithTheDiscretisation) {
-  const auto one = tests::made_up_case_without_noise();
+  const auto one = tests::made_up_case_with_control_variates();
   ASSERT_FALSE(one.budget.empty());
   for (const auto& row : one.budget) {
     const auto& last = row.parts.back();

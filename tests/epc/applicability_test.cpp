@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "closures.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc {

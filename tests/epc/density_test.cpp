@@ -7,7 +7,7 @@
 #include "base/input_error.hpp"
 #include "closures.hpp"
 #include "epc/solve.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
 #include "transform/panel_marginals.hpp"

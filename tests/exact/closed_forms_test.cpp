@@ -35,7 +35,7 @@ TEST(Exact, WhiteNoiseDensityIsNormalisedAndSolvesTheEquation) {
   EXPECT_NEAR(residual, 0.0, 1e-6);
 }
 
-TEST(Exact, WhiteNoiseDensityKeepsTheEnergyBalance) {
+TEST(Exact, WhiteNoiseDensityMeetsTheEnergyBalance) {
   const Problem p = tests::make_problem({.restitution = 1});
   const WhiteNoiseDensity density(p);
   const double v2 =
@@ -47,7 +47,7 @@ TEST(Exact, WhiteNoiseDensityKeepsTheEnergyBalance) {
       0.0, 1e-12);
 }
 
-TEST(Exact, EnergyResidualCountsTheImpactAccordingToItsKind) {
+TEST(Exact, EnergyResidualUsesTheImpactCondition) {
   const Problem p = tests::make_problem({.restitution = 0.8});
   const EnergyTerms terms{
       .mean_velocity = 0, .mean_square_velocity = 0.3, .impact_energy_flux = 0.05};
@@ -57,7 +57,7 @@ TEST(Exact, EnergyResidualCountsTheImpactAccordingToItsKind) {
   EXPECT_NEAR(energy_residual(p, Impact::delta, terms), (0.05 - 0.040) / 0.05, 1e-14);
 }
 
-TEST(Exact, LinearCumulantsGiveTheFourthMomentsOfTheTheoryNotes) {
+TEST(Exact, LinearCumulantsAgreeWithKnownFourthMoments) {
   const Problem p = tests::make_problem({.cubic = 0, .restitution = 1});
   const double x2 = linear_cumulant(p, 2, 0), v2 = linear_cumulant(p, 0, 2);
   EXPECT_NEAR(x2, 0.5, 1e-12);  // lambda E[Y^2] / (2 c k)

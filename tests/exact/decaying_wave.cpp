@@ -6,7 +6,7 @@ namespace fpkcheck::exact {
 
 using std::numbers::pi;
 
-double DecayingWave::half_turn() const { return pi / frequency; }
+double DecayingWave::half_period() const { return pi / frequency; }
 
 double DecayingWave::first_zero() const { return (pi - phase) / frequency; }
 

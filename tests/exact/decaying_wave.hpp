@@ -18,7 +18,7 @@ struct DecayingWave {
   double envelope(double t) const { return amplitude * std::exp(-damping * t / 2); }
   double operator()(double t) const { return envelope(t) * std::sin(frequency * t + phase); }
   /// The time between two zeros.
-  double half_turn() const;
+  double half_period() const;
   /// The first zero after t = 0.
   double first_zero() const;
   /// The largest value of |wave|.
@@ -35,17 +35,17 @@ DecayingWave impulse_response(const problem::System& system, double u1, double u
 /// 1/scale and vanishes at 0 at least quadratically. The integral is truncated where the product of
 /// scale and envelope falls below 1e-9.
 template <class Function>
-double integral_along(const DecayingWave& wave, const Function& f, double scale, double end) {
+double integrate_along_wave(const DecayingWave& wave, const Function& f, double scale, double end) {
   // On a panel neither the phase nor scale * wave changes by more than 2. The nearest poles of the
   // characteristic function 1 / (1 + (u scale)^2 / 2) of the Laplace law then allow 1e-16.
-  constexpr double kLargestChange = 2;
+  constexpr double kMaxChange = 2;
   const double speed = std::hypot(wave.frequency, wave.damping / 2);  // |wave'| <= envelope * speed
   const auto integrand = [&](double t) { return f(wave(t)); };
   double integral = 0;
   for (double t = 0; t < end;) {
     const double size = scale * wave.envelope(t);
     if (size < 1e-9) break;
-    const double stop = std::min(t + kLargestChange / speed / std::max(1.0, size), end);
+    const double stop = std::min(t + kMaxChange / speed / std::max(1.0, size), end);
     integral += boost::math::quadrature::gauss<double, 20>::integrate(integrand, t, stop);
     t = stop;
   }

@@ -35,7 +35,7 @@ class EnergyLaw {
 
   numerics::Polynomial potential_;
   double linear_, quadratic_;  // the exponent is linear H + quadratic H^2
-  double least_ = 0;           // minimum of the exponent
+  double min_exponent_ = 0;    // minimum of the exponent
   double y_low_ = 0, y_high_ = 0;
   std::vector<Point> y_, v_;  // quadrature rules over the support
   double norm_ = 1;

@@ -44,17 +44,17 @@ InelasticBall::InelasticBall(double restitution) : restitution_(restitution) {
   const auto n = std::ssize(speeds_);
   Eigen::MatrixXd returns(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const double back = restitution * speeds_[static_cast<std::size_t>(j)];
+    const double rebound_speed = restitution * speeds_[static_cast<std::size_t>(j)];
     for (Eigen::Index i = 0; i < n; ++i) {
       const double speed = speeds_[static_cast<std::size_t>(i)];
-      returns(i, j) = speed * kernel(speed, back);
+      returns(i, j) = speed * kernel(speed, rebound_speed);
     }
     returns.col(j) /= returns.col(j).sum();
   }
-  const Eigen::VectorXd even = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
+  const Eigen::VectorXd uniform = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
   const Eigen::MatrixXd chain =
-      Eigen::MatrixXd::Identity(n, n) - returns + even * Eigen::RowVectorXd::Ones(n);
-  const Eigen::VectorXd masses = chain.partialPivLu().solve(even);
+      Eigen::MatrixXd::Identity(n, n) - returns + uniform * Eigen::RowVectorXd::Ones(n);
+  const Eigen::VectorXd masses = chain.partialPivLu().solve(uniform);
   masses_.assign(masses.begin(), masses.end());
 }
 
@@ -74,7 +74,7 @@ double InelasticBall::mean_height() const {
 
 // The balance of v^4 is -4 E[v^3] + 6 E[v^2] - rate (1 - r^4) E[u^4] = 0; E[v^4] follows from that
 // of v^5.
-double InelasticBall::fourth_velocity() const {
+double InelasticBall::fourth_velocity_moment() const {
   const double r = restitution_;
   const double v3 =
       (6 * mean_height() - impact_rate() * (1 - std::pow(r, 4)) * speed_moment(4)) / 4;

@@ -31,7 +31,7 @@ class InelasticBall {
   /// E[y] = E[v^2].
   double mean_height() const;
   /// E[v^4].
-  double fourth_velocity() const;
+  double fourth_velocity_moment() const;
 
   /// The transition density K(a, b) from the speed b after an impact to the next impact speed a.
   static double kernel(double a, double b);

@@ -32,17 +32,17 @@ class LinearCharacteristicFunction {
   /// The largest value of phi over all waves with radius(u1, u2) >= `radius`, which is the largest
   /// value on the ellipse of this radius. Proof: phi decreases along each spiral (u1, u2)(t) on
   /// which u1 h + u2 h' runs backwards in time, and all spirals cross the ellipse.
-  double largest_beyond(double radius) const;
+  double max_beyond(double radius) const;
 
  private:
   static constexpr int kPanelOrder = 20;
   using Panel = std::array<double, kPanelOrder + 1>;
 
-  double marched(const DecayingWave& wave, double end) const;
-  double from_zero_on(double amplitude) const;
-  double marched_from_zero_on(double amplitude, double table_end) const;
-  double small_wave_limit(double amplitude) const;
-  double interpolated(double amplitude) const;
+  double integrate_wave(const DecayingWave& wave, double end) const;
+  double logarithm_from_zero(double amplitude) const;
+  double integrate_from_zero(double amplitude, double table_end) const;
+  double small_amplitude_series(double amplitude) const;
+  double interpolate_table(double amplitude) const;
   void tabulate();
 
   problem::System system_;

@@ -34,7 +34,7 @@ double log_phi(const Problem& problem, double u1, double u2) {
   return problem.impulses.arrival_rate() * sum;
 }
 
-TEST(LinearCharacteristicFunction, IsTheIntegralOfTheFormula) {
+TEST(LinearCharacteristicFunction, EqualsTheQuadratureOfTheFormula) {
   for (const char* law : tests::kSymmetricLaws) {
     for (const double damping : {0.1, 0.9, 1.9}) {
       const Problem p = tests::linear_problem({.damping = damping, .stiffness = 1.3, .law = law});
@@ -77,7 +77,7 @@ TEST(LinearCharacteristicFunction, HasTheExactCumulants) {
   }
 }
 
-TEST(LinearCharacteristicFunction, IsLargestOnTheEllipseThatOneLooksBeyond) {
+TEST(LinearCharacteristicFunction, HasItsMaximumBeyondAnEllipseOnTheEllipse) {
   for (const char* law : tests::kSymmetricLaws) {
     const Problem p = tests::linear_problem({.damping = 0.3, .law = law});
     const LinearCharacteristicFunction phi(p);
@@ -85,7 +85,7 @@ TEST(LinearCharacteristicFunction, IsLargestOnTheEllipseThatOneLooksBeyond) {
       for (double u2 = 0; u2 <= 40; u2 += 5.1) {
         const double radius = phi.radius(u1, u2);
         for (const double inner : {0.5, 0.8, 1.0}) {
-          EXPECT_LE(phi(u1, u2), 1.02 * phi.largest_beyond(inner * radius)) << law;
+          EXPECT_LE(phi(u1, u2), 1.02 * phi.max_beyond(inner * radius)) << law;
         }
       }
     }
@@ -93,7 +93,7 @@ TEST(LinearCharacteristicFunction, IsLargestOnTheEllipseThatOneLooksBeyond) {
   }
 }
 
-TEST(LinearCharacteristicFunction, RefusesByNameWhatItDoesNotHoldFor) {
+TEST(LinearCharacteristicFunction, RefusesOtherProblemsByParameter) {
   const auto expect_refused = [](const tests::Parameters& parameters, const std::string& key) {
     try {
       LinearCharacteristicFunction{tests::make_problem(parameters)};

@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kMostWaves = 5e4;  // a few seconds
+constexpr double kMaxWaves = 5e4;  // a few seconds
 
 // An x with P(|u1 z + u2 z'| > x) <= probability, by Chernoff's bound for a symmetric law. The
 // bound holds for every theta > 0; the search minimises it:
@@ -33,8 +33,8 @@ double range(const problem::Problem& problem, double u1, double u2, double proba
     const DecayingWave wave = impulse_response(problem.system, theta * u1, theta * u2);
     if (!std::isfinite(law.moment_generating_function(wave.peak()))) return smallest;
     const auto excess = [&](double a) { return law.moment_generating_function(a) - 1; };
-    const double exponent =
-        problem.impulses.arrival_rate() * integral_along(wave, excess, law.deviation(), HUGE_VAL);
+    const double exponent = problem.impulses.arrival_rate() *
+                            integrate_along_wave(wave, excess, law.deviation(), HUGE_VAL);
     const double bound = (exponent - std::log(probability / 2)) / theta;
     if (bound > smallest) return smallest;
     smallest = bound;
@@ -45,12 +45,12 @@ double range(const problem::Problem& problem, double u1, double u2, double proba
 double cutoff_radius(const LinearCharacteristicFunction& phi, double cutoff, double start,
                      double largest) {
   for (double radius = start; radius < largest; radius *= 1.05) {
-    if (phi.largest_beyond(radius) < cutoff) return radius;
+    if (phi.max_beyond(radius) < cutoff) return radius;
   }
   throw InputError(fmt::format(
       "cut-off {}: the characteristic function is {:.1g} at the limit of {:.0f} waves; use a "
       "larger cut-off or more frequent impulses",
-      cutoff, phi.largest_beyond(largest), kMostWaves));
+      cutoff, phi.max_beyond(largest), kMaxWaves));
 }
 
 void require_edges(std::span<const double> edges, const char* variable, double least) {
@@ -86,7 +86,7 @@ WaveAverages wave_averages(std::span<const double> edges, double range, int coun
   return averages;
 }
 
-std::vector<double> row_major(const Eigen::MatrixXd& matrix) {
+std::vector<double> to_row_major(const Eigen::MatrixXd& matrix) {
   std::vector<double> values(static_cast<std::size_t>(matrix.size()));
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       values.data(), matrix.rows(), matrix.cols()) = matrix;
@@ -112,7 +112,7 @@ LinearDensity::LinearDensity(const problem::Problem& problem, double cutoff) : p
   // The largest u1 and u2 on the ellipse radius(u1, u2) = R are sqrt(k) R and R.
   const double frequency = std::sqrt(problem.system.stiffness());
   const double waves_per_square = frequency * z_.range * v_.range / (pi * pi);
-  const double largest = std::sqrt(kMostWaves / waves_per_square);
+  const double largest = std::sqrt(kMaxWaves / waves_per_square);
   const double start = 1 / std::sqrt(mean_square_velocity(problem));
   const double radius = cutoff_radius(phi_, cutoff, start, largest);
   z_.count = static_cast<int>(frequency * radius * z_.range / pi) + 1;
@@ -151,14 +151,15 @@ Eigen::MatrixXd LinearDensity::averages(const Eigen::MatrixXd& even_y, const Eig
 std::vector<double> LinearDensity::displacement_averages(std::span<const double> edges) const {
   require_edges(edges, "y", 0);
   // In the integral over all v only the waves with u2 = 0 remain.
-  return row_major(wave_averages(edges, z_.range, z_.count).cosine * even_.col(0) * (2 * v_.range));
+  return to_row_major(wave_averages(edges, z_.range, z_.count).cosine * even_.col(0) *
+                      (2 * v_.range));
 }
 
 std::vector<double> LinearDensity::velocity_averages(std::span<const double> edges) const {
   require_edges(edges, "y'", -HUGE_VAL);
   const std::array half_plane{0.0, z_.range};
   const auto y = wave_averages(half_plane, z_.range, z_.count);
-  return row_major(averages(y.cosine, y.sine, edges) * z_.range);
+  return to_row_major(averages(y.cosine, y.sine, edges) * z_.range);
 }
 
 std::vector<double> LinearDensity::joint_averages(std::span<const double> y_edges,
@@ -166,7 +167,7 @@ std::vector<double> LinearDensity::joint_averages(std::span<const double> y_edge
   require_edges(y_edges, "y", 0);
   require_edges(v_edges, "y'", -HUGE_VAL);
   const auto y = wave_averages(y_edges, z_.range, z_.count);
-  return row_major(averages(y.cosine, y.sine, v_edges));
+  return to_row_major(averages(y.cosine, y.sine, v_edges));
 }
 
 }  // namespace fpkcheck::exact

@@ -77,13 +77,13 @@ TEST(LinearDensity, HasTheExactMomentsForEveryLaw) {
   }
 }
 
-TEST(LinearDensity, HasTheFourthMomentsOfTheTheoryNotes) {
+TEST(LinearDensity, HasKnownFourthMoments) {
   const Cells cells(LinearDensity(tests::linear_problem()), 2000, 2000);
   EXPECT_NEAR(cells.mean([](double y, double) { return y * y * y * y; }), 0.8058313, 5e-5);
   EXPECT_NEAR(cells.mean([](double, double v) { return v * v * v * v; }), 0.8063896, 1e-4);
 }
 
-TEST(LinearDensity, IsPositiveAndItsMarginalsAreTheSumsOfTheJointDensity) {
+TEST(LinearDensity, IsPositiveAndHasConsistentMarginals) {
   for (const char* law : tests::kSymmetricLaws) {
     SCOPED_TRACE(law);
     const LinearDensity density(tests::linear_problem({.law = law}));
@@ -123,7 +123,7 @@ TEST(LinearDensity, IsPositiveAndItsMarginalsAreTheSumsOfTheJointDensity) {
 //     E[y'^3] = 2c ( E[y y'^2] - E[y] E[y'^2] ),
 //
 // which is zero only for white noise: p(y') of paper (34) is not even under impulses.
-TEST(LinearDensity, LeansAsTheEnergyOfImpulsesAndDampingDemands) {
+TEST(LinearDensity, HasTheThirdMomentOfTheBalance) {
   for (const char* law : tests::kSymmetricLaws) {
     SCOPED_TRACE(law);
     const Problem p = tests::linear_problem({.damping = 0.4, .rate = 4, .law = law});
@@ -183,7 +183,7 @@ TEST(LinearDensity, DoesNotDependOnTheCutOff) {
   }
 }
 
-TEST(LinearDensity, CellsOutsideTheRangeAreEmptyAndAcrossItKeepTheirMass) {
+TEST(LinearDensity, CellsOutsideTheRangeAreEmptyAndCellsAcrossItConserveMass) {
   const LinearDensity density(tests::linear_problem());
   const double z = density.displacement_range();
   const auto averages = density.displacement_averages(std::vector{0.0, 1e3 * z, 2e3 * z});
@@ -191,7 +191,7 @@ TEST(LinearDensity, CellsOutsideTheRangeAreEmptyAndAcrossItKeepTheirMass) {
   EXPECT_EQ(averages[1], 0);
 }
 
-TEST(LinearDensity, RefusesWhatItCannotGive) {
+TEST(LinearDensity, RefusesUnsupportedProblemsAndEdges) {
   EXPECT_THROW(LinearDensity{tests::make_problem()}, InputError);
   EXPECT_THROW(LinearDensity{tests::linear_problem({.rate = 0.1})}, InputError);  // unbounded
   EXPECT_THROW(LinearDensity{tests::linear_problem({.rate = 0.2})}, InputError);  // too many waves

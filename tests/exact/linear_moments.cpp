@@ -11,10 +11,10 @@
 namespace fpkcheck::exact {
 namespace {
 
-void require(bool holds, const char* key, double value, const char* needed) {
+void require(bool holds, const char* key, double value, const char* requirement) {
   if (holds) return;
   throw InputError(fmt::format("{} = {}: the exact moments of the linear oscillator require {}",
-                               key, value, needed));
+                               key, value, requirement));
 }
 
 }  // namespace

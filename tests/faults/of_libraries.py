@@ -42,7 +42,7 @@ def run(program, command, **environment):
                           timeout=LONGEST, env=os.environ | {"MALLOC_ARENA_MAX": "1"} | environment)
 
 
-def answers(done):
+def ok_moments(done):
     """{id: moments} of the solutions with status ok."""
     try:
         summary = json.loads(done.stdout)
@@ -62,7 +62,7 @@ def reasons(done):
             if s["status"] != "ok" and s["reason"]] or summary.get("reason", [])
 
 
-def wrong(done, true):
+def defect(done, true):
     """The defect of a run with a fault, or an empty text."""
     # METIS aborts the program with a message when an allocation in METIS fails, although CHOLMOD
     # tested the available memory before. The program cannot catch this.
@@ -75,7 +75,7 @@ def wrong(done, true):
         return "no message and no reason"
     if len(lines) > 6 or any(len(line) > 600 for line in lines):
         return f"message of {len(lines)} lines"
-    for solution, moments in answers(done).items():
+    for solution, moments in ok_moments(done).items():
         for name, value in moments.items():
             was = true.get(solution, moments)[name]
             # Less time or fewer grids may change a solution within the accuracy of status ok.
@@ -91,7 +91,7 @@ def main(program, library, every, verbose):
     for name, command in COMMANDS.items():
         if not every and name not in FEW:
             continue
-        true = answers(run(program, command))
+        true = ok_moments(run(program, command))
         for function in [*FUNCTIONS.get(name, []), "malloc"]:
             faulty = {"LD_PRELOAD": library, "FAULT_FUNCTION": function}
             numbers, calls = [1, 30, 300] if function == "malloc" else [1], "?"
@@ -104,7 +104,7 @@ def main(program, library, every, verbose):
                                   for k in range(parts)}) if calls else []
             for number in numbers:
                 done = run(program, command, FAULT_AT=str(number), **faulty)
-                found = wrong(done, true)
+                found = defect(done, true)
                 tried += 1
                 if verbose or found:
                     print(f"{name}: {function} from call {number} of {calls}: "

@@ -190,7 +190,7 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
 TEST(SelfConvergence, ThePapersCasesHaveOrderFiveOnGradedGrids) {
   for (const double r : {0.98, 0.7}) {
     for (const int number : {1, 2, 4}) {  // case 3 equals case 2 in other units
-      if (number != (r > 0.9 ? 1 : 4) && !tests::thorough()) continue;
+      if (number != (r > 0.9 ? 1 : 4) && !tests::is_thorough()) continue;
       auto p = tests::paper_case(number);
       auto coefficients = p.system.coefficients();
       coefficients.restitution = r;

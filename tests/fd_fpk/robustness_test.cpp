@@ -16,7 +16,7 @@ TEST(Robustness, RandomProblemsMeetTheLimitsOfMassEnergyAndSign) {
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::generate_canonical<double, 53>(engine);
   };
-  for (int k = 0; k < tests::usually(14, 40); ++k) {
+  for (int k = 0; k < tests::part_unless_thorough(14, 40); ++k) {
     const double restitution = uniform(0.3, 1);
     const double rate = 0.2 * std::pow(100, uniform(0, 1));
     const double cubic = uniform(0, 10);

@@ -7,9 +7,9 @@
 
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/solve.hpp"
+#include "general_oscillators.hpp"
 #include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::fd_fpk {

@@ -203,7 +203,7 @@ TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
   for (const double mean : {0.1, -0.1}) {
     const auto p = tests::make_problem({.restitution = 0.9, .mean = mean});
     for (const auto impact : {Impact::map, Impact::delta}) {
-      if ((mean > 0) != (impact == Impact::map) && !tests::thorough()) continue;
+      if ((mean > 0) != (impact == Impact::map) && !tests::is_thorough()) continue;
       for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
         SCOPED_TRACE(std::string(name(equation)) + "/" + std::string(name(impact)));
         Options options = direct(equation);

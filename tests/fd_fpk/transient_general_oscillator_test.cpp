@@ -7,10 +7,10 @@
 
 #include "base/input_error.hpp"
 #include "exact/linear_moments.hpp"
-#include "family.hpp"
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/solve.hpp"
 #include "fd_fpk/transient.hpp"
+#include "general_oscillators.hpp"
 #include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::fd_fpk {

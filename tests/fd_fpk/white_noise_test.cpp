@@ -85,7 +85,7 @@ Grid cells_of(const transform::GridDensity& density) {
 // like those of x2 the order is 0.3 at r = 0.6, not 1.27.
 TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
   for (const double r : {0.5, 0.6, 0.3}) {
-    if (r != 0.5 && !tests::thorough()) continue;
+    if (r != 0.5 && !tests::is_thorough()) continue;
     SCOPED_TRACE(r);
     const auto p = tests::make_problem({.restitution = r});
     struct {

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "one_input.hpp"
+#include "fuzz_helpers.hpp"
 #include "problem/impulse_law.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  return fuzz::only_input_errors([&] {
-    const auto table = problem::parse_amplitude_csv(fuzz::text_of(data, size), "table.csv");
+  return fuzz::catch_input_errors([&] {
+    const auto table = problem::parse_amplitude_csv(fuzz::as_text(data, size), "table.csv");
     const std::string text = problem::table_literal(table);
     fuzz::require(problem::table_literal(problem::parse_table_literal(text)) == text);
     const auto law = problem::ImpulseLaw::from_name("tabulated", 0.1, 0.5, {.table = text});

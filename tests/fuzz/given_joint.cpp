@@ -3,10 +3,10 @@
 #include <sstream>
 
 #include "epc/density.hpp"
+#include "fuzz_helpers.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/closed_form_file.hpp"
 #include "methods/external/joint_table.hpp"
-#include "one_input.hpp"
 #include "problem/case_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -14,8 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const problem::Problem problem = problem::load_case("case1");
   static const methods::DensityPoints points(compare::comparison_axes(problem),
                                              problem.system.walls());
-  return fuzz::only_input_errors([&] {
-    const std::string text(fuzz::text_of(data, size));
+  return fuzz::catch_input_errors([&] {
+    const std::string text(fuzz::as_text(data, size));
     if (text.starts_with('{')) {
       const auto file = methods::read_closed_form_file(text, "given.json", {});
       const auto density = epc::density(file.form, file.problem ? &*file.problem : &problem);

@@ -3,12 +3,12 @@
 
 #include <sstream>
 
-#include "one_input.hpp"
+#include "fuzz_helpers.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  return fuzz::only_input_errors([&] {
-    std::istringstream csv{std::string(fuzz::text_of(data, size))};
+  return fuzz::catch_input_errors([&] {
+    std::istringstream csv{std::string(fuzz::as_text(data, size))};
     const methods::ExternalMarginal given(methods::read_number_table(csv, "given.csv"),
                                           {.left = problem::Wall{0, 1}, .right = {}});
     const std::vector<double> edges{-3, -1, 0, 0.5, 1, 2, 5};

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "one_input.hpp"
+#include "fuzz_helpers.hpp"
 
 namespace {
 
@@ -40,7 +40,7 @@ const Variable kVariables[] = {{"solution", NC_CHAR, {0, 1}, "case", "-"},
 constexpr std::size_t kLengths[] = {2, 0, 1, 3, 1000, 1ull << 31, 1ull << 40, 1ull << 62};
 constexpr double kValues[] = {0, 0.5, -1, 1, 1e308, std::numeric_limits<double>::quiet_NaN()};
 constexpr nc_type kTypes[] = {NC_CHAR, NC_FLOAT, NC_DOUBLE, NC_INT, NC_STRING};
-constexpr std::size_t kFew = 64;  // values are written to variables with at most so many
+constexpr std::size_t kMaxValues = 64;  // values are written to variables with at most so many
 
 void add_attribute(FuzzedDataProvider& bytes, int file, int id, const Variable& variable) {
   const char* text = variable.text;
@@ -64,8 +64,8 @@ void add_attribute(FuzzedDataProvider& bytes, int file, int id, const Variable& 
 }
 
 void add_values(FuzzedDataProvider& bytes, int file, int id, std::size_t count) {
-  char letters[kFew];
-  double numbers[kFew];
+  char letters[kMaxValues];
+  double numbers[kMaxValues];
   for (std::size_t k = 0; k < count; ++k) {
     letters[k] = static_cast<char>('a' + bytes.ConsumeIntegralInRange(0, 200));
     // Without further bytes, the bounds of adjacent cells: 0, 1, 1, 2, ..
@@ -92,9 +92,9 @@ bool add_variable(FuzzedDataProvider& bytes, int file, Variable variable) {
   for (const int axis : variable.axes) {
     std::size_t length = 0;
     nc_inq_dimlen(file, axis, &length);
-    count = length > kFew || count > kFew ? kFew + 1 : count * length;
+    count = length > kMaxValues || count > kMaxValues ? kMaxValues + 1 : count * length;
   }
-  if (count <= kFew) add_values(bytes, file, id, count);
+  if (count <= kMaxValues) add_values(bytes, file, id, count);
   return true;
 }
 
@@ -104,20 +104,20 @@ bool write(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
   fuzz::require(nc_create(path.c_str(), NC_CLOBBER | NC_NETCDF4, &file) == NC_NOERR);
   for (const auto& [name, length] : kDimensions) {
     int id = 0;
-    const bool another = bytes.ConsumeBool();
-    nc_def_dim(file, name, another ? bytes.PickValueInArray(kLengths) : length, &id);
+    const bool use_other = bytes.ConsumeBool();
+    nc_def_dim(file, name, use_other ? bytes.PickValueInArray(kLengths) : length, &id);
   }
-  bool whole = true;
+  bool complete = true;
   for (const Variable& variable : kVariables) {
-    whole = whole && add_variable(bytes, file, variable);
+    complete = complete && add_variable(bytes, file, variable);
   }
-  return nc_close(file) == NC_NOERR && whole;
+  return nc_close(file) == NC_NOERR && complete;
 }
 
 // Writes in a child process: HDF5 leaks 20 kB for each file that it could not write, and after
 // 20000 files the fuzzer would report that an input used all its memory. (Reading leaks less:
 // libnetcdf 4.9.0 leaks 2 kB for each file, a property list in NC4_hdf5get_superblock.)
-bool write_apart(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
+bool write_in_child(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
   const pid_t child = fork();
   fuzz::require(child >= 0);
   if (child == 0) _exit(write(bytes, path) ? 0 : 1);
@@ -130,7 +130,7 @@ bool write_apart(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
   return WEXITSTATUS(status) == 0;
 }
 
-void require_whole(const transform::GridDensity& density) {
+void require_complete(const transform::GridDensity& density) {
   fuzz::require(density.averages.size() ==
                 (density.y_edges.size() - 1) * (density.v_edges.size() - 1));
 }
@@ -140,11 +140,11 @@ void require_whole(const transform::GridDensity& density) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedDataProvider bytes(data, size);
   const auto file = fuzz::directory() / "file.nc";
-  if (write_apart(bytes, file)) {
-    fuzz::only_input_errors([&] {
+  if (write_in_child(bytes, file)) {
+    fuzz::catch_input_errors([&] {
       const auto found = results::read_joint_netcdf(file);
-      for (const auto& [name, joint] : found.joints) require_whole(joint.density);
-      for (const auto& [name, source] : found.sources) require_whole(source.density);
+      for (const auto& [name, joint] : found.joints) require_complete(joint.density);
+      for (const auto& [name, source] : found.sources) require_complete(source.density);
     });
   }
   std::filesystem::remove(file);

@@ -4,8 +4,8 @@
 
 #include "backward/bounds/options.hpp"
 #include "fd_fpk/transient_options.hpp"
+#include "fuzz_helpers.hpp"
 #include "methods/builtin.hpp"
-#include "one_input.hpp"
 
 namespace {
 
@@ -16,7 +16,8 @@ struct Setting {
 };
 
 template <class Owner>
-Owner set(const base::Description<Owner>& description, const std::vector<Setting>& settings) {
+Owner parse_options(const base::Description<Owner>& description,
+                    const std::vector<Setting>& settings) {
   Owner owner{};
   for (const auto& [name, text] : settings) {
     if (const auto* parameter = description.find(name)) {
@@ -41,7 +42,7 @@ void select(const std::string& list, const std::vector<Setting>& settings) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::istringstream lines{std::string(fuzz::text_of(data, size))};
+  std::istringstream lines{std::string(fuzz::as_text(data, size))};
   std::string list;
   std::getline(lines, list);
   std::vector<Setting> settings;
@@ -49,11 +50,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto equals = line.find('=');
     if (equals != line.npos) settings.push_back({line.substr(0, equals), line.substr(equals + 1)});
   }
-  return fuzz::only_input_errors([&] {
+  return fuzz::catch_input_errors([&] {
     if (list == "transient") {
-      fd_fpk::validate({}, set(fd_fpk::transient_description(), settings));
+      fd_fpk::validate({}, parse_options(fd_fpk::transient_description(), settings));
     } else if (list == "bounds") {
-      backward::validate(set(backward::description(), settings));
+      backward::validate(parse_options(backward::description(), settings));
     } else {
       select(list, settings);
     }

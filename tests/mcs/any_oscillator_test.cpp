@@ -9,7 +9,7 @@
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "statistics.hpp"

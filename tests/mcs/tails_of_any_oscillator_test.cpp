@@ -6,7 +6,7 @@
 
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"

@@ -40,7 +40,7 @@ TEST(MomentClosure, ErrorDecreasesWithOrder) {
   const std::map<int, std::pair<double, double>> bars{
       {6, {0.003, 0.004}}, {8, {0.0015, 0.0025}}, {12, {0.0005, 0.0018}}};
   for (const int number : {1, 2, 3, 4}) {
-    if ((number == 2 || number == 3) && !tests::thorough()) continue;
+    if ((number == 2 || number == 3) && !tests::is_thorough()) continue;
     const Closures closures(tests::paper_case(number),
                             "epc-moment-n6,epc-moment-n8,epc-moment-n12");
     for (const auto& [order, bar] : bars) {
@@ -63,7 +63,7 @@ TEST(MomentClosure, ErrorDecreasesWithOrder) {
 TEST(MomentClosure, FollowsEveryImpulseLawAndMean) {
   for (const char* law : {"laplace", "two_point", "uniform"}) {
     for (const double mean : {-0.1, 0.15}) {
-      if ((mean < 0) != (law[0] == 't') && !tests::thorough()) continue;
+      if ((mean < 0) != (law[0] == 't') && !tests::is_thorough()) continue;
       const auto p =
           tests::make_problem({.restitution = 0.95, .rate = 3, .mean = mean, .law = law});
       const Closures closures(p, "epc-moment-n2,epc-moment-n8");
@@ -93,7 +93,7 @@ TEST(PolarClosure, RepresentsTheJumpAtTheOrigin) {
         Bars{{.restitution = 0.8}, 4e-4, 9e-4, 30, false},            //
         Bars{{.restitution = 0.5}, 2.2e-3, 4e-3, 30},                 //
         Bars{{.rate = 0.3}, 1.3e-3, 1.3e-3, 20}}) {
-    if (!is_usual && !tests::thorough()) continue;
+    if (!is_usual && !tests::is_thorough()) continue;
     SCOPED_TRACE("r = " + std::to_string(parameters.restitution) +
                  ", lambda = " + std::to_string(parameters.rate));
     const Closures closures(tests::make_problem(parameters), "epc-moment-n6,epc-polar-n6");

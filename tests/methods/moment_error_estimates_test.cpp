@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"

@@ -25,7 +25,7 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
   // Every third problem, since each requires a simulation and a fit.
   std::vector<std::uint64_t> part;
   for (std::size_t k = 0; k < numbers.size(); k += 3) part.push_back(numbers[k]);
-  if (!tests::thorough()) numbers = part;
+  if (!tests::is_thorough()) numbers = part;
   int solved = 0, closures = 0, inaccurate = 0;
   // From 0.05 impulses per decay time to thousands, all laws, r from 0.05 to 1.
   for (const std::uint64_t number : numbers) {
@@ -62,8 +62,8 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
       }
     }
   }
-  EXPECT_GT(closures, tests::usually(5, 18));
-  EXPECT_GT(inaccurate, tests::usually(1, 8));  // otherwise the test is vacuous
+  EXPECT_GT(closures, tests::part_unless_thorough(5, 18));
+  EXPECT_GT(inaccurate, tests::part_unless_thorough(1, 8));  // otherwise the test is vacuous
 }
 
 // Below one impulse per decay time most of the mass is close to rest, and the bins next to 0 are
@@ -72,7 +72,7 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
 TEST(RandomProblems, DividedBinsCloseToRestAreAccurate) {
   const auto method = builtin_registry().select("fd-kf", {{"stepper", "direct"}}).front();
   for (const std::uint64_t number : {115, 104, 119}) {
-    if (number != 115 && !tests::thorough()) continue;
+    if (number != 115 && !tests::is_thorough()) continue;
     const auto p = tests::random_problem(number);
     SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
     const auto axes = compare::comparison_axes(p);

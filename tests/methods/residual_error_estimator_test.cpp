@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "methods/builtin.hpp"
 #include "methods/complete_error_estimates.hpp"
 #include "methods/run_cases.hpp"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "methods/builtin.hpp"
 
 namespace fpkcheck::methods {

@@ -7,7 +7,7 @@
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
-#include "scan_of_rates.hpp"
+#include "rate_scan.hpp"
 #include "thorough.hpp"
 
 /// No solution of any method is `ok` without an error estimate.
@@ -112,14 +112,14 @@ void check(const problem::Problem& problem, const Solution& solution) {
 // At high rates cells are wider than impulses. Coarser grids then had no solution, and fd therefore
 // no error estimate.
 TEST(ErrorEstimates, ExistForEveryOkSolutionAtAnyRate) {
-  tests::ScanOfRates scan;
-  if (!tests::thorough()) {
+  tests::RateScan scan;
+  if (!tests::is_thorough()) {
     scan.rates = {1e-4, 1e4, 1e5};
     scan.laws = {"gaussian", "exponential"};
     scan.restitutions = {1};
   }
   const auto registry = builtin_registry();
-  auto methods = registry.select(tests::thorough() ? "epc,fd" : "fd-white,fd-kf", {});
+  auto methods = registry.select(tests::is_thorough() ? "epc,fd" : "fd-white,fd-kf", {});
   for (const auto& problem : scan.problems()) {
     for (const auto& one : run_cases({problem}, methods, 1, {})) {
       for (const auto& solution : one.solutions) check(problem, solution);

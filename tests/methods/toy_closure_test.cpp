@@ -4,6 +4,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
+#include "gunzip_base64.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
@@ -13,7 +14,6 @@
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "transform/panel_marginals.hpp"
-#include "unpacked.hpp"
 #include "workflows/check/baseline.hpp"
 #include "workflows/check/check.hpp"
 #include "workflows/study/order.hpp"
@@ -158,7 +158,7 @@ TEST_F(ToyClosure, AppearsInFilesFiguresAndPageWithItsStyle) {
   const std::string opening = "id=\"plots\">";
   const auto plots = page.find(opening) + opening.size();
   EXPECT_TRUE(
-      contains(tests::unpacked(page.substr(plots, page.find('<', plots) - plots)), "#12AB34"));
+      contains(tests::gunzip_base64(page.substr(plots, page.find('<', plots) - plots)), "#12AB34"));
   EXPECT_TRUE(contains(page, "A bell of about the right width."));
 }
 

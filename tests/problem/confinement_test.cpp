@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::problem {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::problem {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 

@@ -56,7 +56,7 @@ TEST(Findings, StateTheErrorOfEachApproximation) {
 }
 
 TEST(Findings, StateErrorsMeasuredWithControlVariates) {
-  auto case_result = tests::made_up_case_without_noise();
+  auto case_result = tests::made_up_case_with_control_variates();
   set_l1(case_result, "fd-kf", "mcs", 2.69e-5, 2.36e-5);
   for (auto& pair : case_result.pairs) {
     if (pair.l1_standard_error) pair.l1_standard_error = 5e-7;
@@ -84,7 +84,7 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
 }
 
 TEST(Findings, StateResidualBasedErrors) {
-  auto case_result = tests::made_up_case_without_noise();
+  auto case_result = tests::made_up_case_with_control_variates();
   case_result.moment_error_estimates = {
       {"epc-gaussian-n6", {}, {.y2 = 1, .v2 = 1}},
       {"fd-kf", {.y2 = 0.5, .v2 = 0.25}, {.y2 = 4.3e-7, .v2 = -1.2e-6}}};
@@ -100,7 +100,7 @@ TEST(Findings, StateResidualBasedErrors) {
 
 // The number of digits is clamped: for a value near 0 it was -2147483648.
 TEST(Findings, ClampTheNumberOfDigits) {
-  auto case_result = tests::made_up_case_without_noise();
+  auto case_result = tests::made_up_case_with_control_variates();
   case_result.moment_error_estimates = {{"fd-kf", {.y2 = 0, .v2 = 1e308}, {.y2 = 1, .v2 = 1}}};
   const std::string sentence = sentence_with(case_result, "estimated from residuals");
   EXPECT_TRUE(contains(sentence, "moments of fd-kf: 0 and 1e+308")) << sentence;

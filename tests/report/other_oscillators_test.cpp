@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "modified_case.hpp"
 #include "report/page/case_tables.hpp"
 #include "report/page/problem_statement.hpp"

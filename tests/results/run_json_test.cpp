@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "base/input_error.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::results {

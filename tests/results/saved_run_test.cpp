@@ -45,7 +45,8 @@ TEST(SavedRun, IsReadBackWhole) {
 
 TEST(SavedRun, WithSmoothBinsAndErrorEstimatesIsReadBackWhole) {
   const tests::TemporaryDirectory directory;
-  results::Run run{results::this_program("fpkcheck run"), {tests::made_up_case_without_noise()}};
+  results::Run run{results::this_program("fpkcheck run"),
+                   {tests::made_up_case_with_control_variates()}};
   auto& one = run.cases[0];
   one.moment_error_estimates = {{"fd-kf", {.y2 = 0.5, .v4 = 2}, {.y1 = 1e-7, .v2 = -1e-6}}};
   save(directory.path(), run);

@@ -10,7 +10,7 @@
 #include "backward/generator/velocity_samples.hpp"
 #include "backward/residual/density_residuals.hpp"
 #include "exact/closed_forms.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::backward {
 namespace {

@@ -14,7 +14,7 @@
 #include "backward/residual/density_residuals.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/scales.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "epc/contact/tail.hpp"
 #include "epc/half_plane/contour.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::contact {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "problem/problem.hpp"
 

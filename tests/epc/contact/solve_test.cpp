@@ -9,7 +9,7 @@
 #include "epc/density.hpp"
 #include "epc/form/closed_form.hpp"
 #include "epc/solve.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/case_file.hpp"
 #include "transform/change_of_frame.hpp"

@@ -7,7 +7,7 @@
 #include "epc/gaussian/residual.hpp"
 #include "epc/solve.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 // The paper's closure with a wall away from the equilibrium: the plane is folded at the wall, and
 // the force has even powers. The lowest is the constant force on the mass at the wall.

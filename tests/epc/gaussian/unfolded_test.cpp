@@ -9,7 +9,7 @@
 #include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 // The paper's closure without a wall: the plane is (y, y') without folding.
 namespace fpkcheck::epc::gaussian {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {

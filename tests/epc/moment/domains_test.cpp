@@ -9,7 +9,7 @@
 #include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_panels.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"

@@ -103,7 +103,7 @@ TEST(PolarClosure, RandomProblemsConverge) {
     return from + (to - from) * std::generate_canonical<double, 53>(engine);
   };
   const char* laws[] = {"gaussian", "laplace", "two_point", "uniform"};
-  for (int k = 0; k < tests::usually(16, 40); ++k) {
+  for (int k = 0; k < tests::part_unless_thorough(16, 40); ++k) {
     const double restitution = uniform(0.5, 1);
     const double rate = 0.3 * std::pow(60, uniform(0, 1));
     const double cubic = uniform(0, 2);

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "family.hpp"
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/characteristics/contact_grid.hpp"
 #include "fd_fpk/characteristics/transport_operator.hpp"
 #include "fd_fpk/solve.hpp"
+#include "general_oscillators.hpp"
 #include "problem/case_file.hpp"
 #include "transform/change_of_frame.hpp"
 

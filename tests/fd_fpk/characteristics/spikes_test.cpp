@@ -67,7 +67,7 @@ TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareT
     for (const double rate : {0.02, 0.2}) {
       // Rare impulses for one law with a density and one law with atoms.
       const bool is_usual = (rate < 0.1) == (law[0] == 'l' || law[0] == 't');
-      if (!is_usual && !tests::thorough()) continue;
+      if (!is_usual && !tests::is_thorough()) continue;
       const auto p = tests::make_problem(
           {.damping = 0.2, .cubic = 0, .restitution = 1, .rate = rate, .law = law});
       const auto solution = solve(p, on_one_grid()).solution;

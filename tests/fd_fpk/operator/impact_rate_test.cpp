@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "family.hpp"
 #include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "general_oscillators.hpp"
 #include "problem/scales.hpp"
 #include "thorough.hpp"
 
@@ -58,7 +58,7 @@ Problem of_everything() {
 // here.
 TEST(ImpactRate, IsTheLimitOfTheFluxIntoTheWalls) {
   for (const Impact impact : {Impact::map, Impact::delta}) {
-    if (impact == Impact::delta && !tests::thorough()) continue;
+    if (impact == Impact::delta && !tests::is_thorough()) continue;
     constexpr double kFine = 1.4;
     const Rates coarse = rates(of_everything(), impact, 12, kFine),
                 fine = rates(of_everything(), impact, 48, kFine);

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "exact/energy_law.hpp"
-#include "family.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/operator.hpp"
+#include "general_oscillators.hpp"
 #include "operator/three_point_averages.hpp"
 #include "problem/motion_balances.hpp"
 

@@ -33,7 +33,8 @@ class JointDensityFiles : public testing::Test {
  protected:
   JointDensityFiles() {
     const auto before = std::ranges::find(solutions_, "fd-km4", &transform::Solution::id);
-    auto delta = tests::smooth({2.5, 0.05, 2.3, -0.02}, axes_.y_edges.back(), axes_.v_edges.back());
+    auto delta =
+        tests::smooth_density({2.5, 0.05, 2.3, -0.02}, axes_.y_edges.back(), axes_.v_edges.back());
     solutions_.insert(
         before, tests::solution(tests::identity("fd-km4-delta", "fd", Equation::km4, Impact::delta),
                                 delta));

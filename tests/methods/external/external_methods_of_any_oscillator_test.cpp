@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "methods/builtin.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/external_density.hpp"

@@ -4,10 +4,10 @@
 
 #include <limits>
 
-#include "legend_of_script.hpp"
 #include "modified_case.hpp"
 #include "report/budget/part_style.hpp"
 #include "saved_run.hpp"
+#include "script_legend.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -36,7 +36,7 @@ TEST(BudgetFigure, DrawsClosuresThatAreNotOkPaleAndMarked) {
 
 TEST(BudgetFigure, HasALegendEntryForEachBar) {
   for (const auto width : {FigureWidth::screen, FigureWidth::one_column}) {
-    const auto untold = tests::without_entry(budget_script(made_up_case(), "stem", width));
+    const auto untold = tests::elements_without_entry(budget_script(made_up_case(), "stem", width));
     EXPECT_TRUE(untold.empty()) << untold.front();
   }
 }

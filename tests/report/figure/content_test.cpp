@@ -30,7 +30,7 @@ TEST(FigureContent, SubtractsTheReference) {
 }
 
 TEST(FigureContent, HasAbsoluteDifferencesOverSmoothBins) {
-  auto case_result = tests::made_up_case_without_noise();
+  auto case_result = tests::made_up_case_with_control_variates();
   const auto content = figure_content(case_result);
   EXPECT_EQ(content.reference, "mcs");
   EXPECT_TRUE(content.smooth_differences);
@@ -83,7 +83,7 @@ TEST(FigureContent, RangesFollowOnlySolutionsThatAreOk) {
 
 TEST(FigureContent, AxisOfDifferencesContainsAllDrawnCurves) {
   // An inaccurate curve with the largest distance to the reference.
-  for (auto case_result : {made_up_case(), tests::made_up_case_without_noise()}) {
+  for (auto case_result : {made_up_case(), tests::made_up_case_with_control_variates()}) {
     solution_of(case_result, "fd-white").status = Status::inaccurate;
     const auto raise = [&](std::vector<results::Curve>& curves) {
       for (auto& curve : curves) {

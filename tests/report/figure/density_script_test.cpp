@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "legend_of_script.hpp"
 #include "modified_case.hpp"
 #include "saved_run.hpp"
+#include "script_legend.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -32,7 +32,7 @@ TEST(DensityScript, HoldsItsDataAndAnEntryForEveryCurve) {
 }
 
 TEST(DensityScript, HasALegendEntryForEachStyle) {
-  auto smooth = tests::made_up_case_without_noise();
+  auto smooth = tests::made_up_case_with_control_variates();
   auto marked = made_up_case();
   for (auto* case_result : {&smooth, &marked}) {
     solution_of(*case_result, "epc-gaussian-n2").identity.plot_style.symbol = "square";
@@ -40,8 +40,8 @@ TEST(DensityScript, HasALegendEntryForEachStyle) {
          {FigureWidth::screen, FigureWidth::two_columns, FigureWidth::one_column}) {
       const auto script =
           density_script(case_result->problem, figure_content(*case_result), "stem", width);
-      EXPECT_GT(tests::drawn_by(script).size(), 20u);
-      const auto untold = tests::without_entry(script);
+      EXPECT_GT(tests::plot_elements(script).size(), 20u);
+      const auto untold = tests::elements_without_entry(script);
       EXPECT_TRUE(untold.empty()) << untold.front();
     }
   }

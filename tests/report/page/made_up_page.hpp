@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "gunzip_base64.hpp"
 #include "modified_case.hpp"
 #include "report/page/page.hpp"
 #include "report/page/plot.hpp"
 #include "saved_run.hpp"
-#include "unpacked.hpp"
 
 /// Runs with the data for all parts of a page, and readers of a page.
 namespace fpkcheck::tests {
@@ -36,7 +36,8 @@ inline results::Run whole_run(const std::string& name = "case1") {
 inline nlohmann::json plots_in(const std::string& page) {
   const std::string opening = "<script type=\"application/gzip\" id=\"plots\">";
   const auto begin = page.find(opening) + opening.size();
-  return nlohmann::json::parse(unpacked(page.substr(begin, page.find("</script>", begin) - begin)));
+  return nlohmann::json::parse(
+      gunzip_base64(page.substr(begin, page.find("</script>", begin) - begin)));
 }
 
 /// The figure of a plot.

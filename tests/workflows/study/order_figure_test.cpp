@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "legend_of_script.hpp"
 #include "made_up_studies.hpp"
 #include "report/figure/drawing.hpp"
 #include "saved_run.hpp"
+#include "script_legend.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::study {
@@ -32,8 +32,8 @@ TEST(OrderFigure, HasNoThirdPanelWithoutABranch) {
 TEST(OrderFigure, HasALegendEntryForEveryLineAndMark) {
   for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
     const auto script = figure(tests::made_up_order_study(), "study-order", width);
-    EXPECT_GT(tests::drawn_by(script).size(), 8u);
-    const auto untold = tests::without_entry(script);
+    EXPECT_GT(tests::plot_elements(script).size(), 8u);
+    const auto untold = tests::elements_without_entry(script);
     EXPECT_TRUE(untold.empty()) << untold.front();
   }
 }

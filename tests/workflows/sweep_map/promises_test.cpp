@@ -85,7 +85,7 @@ problem::Problem problem_inside(std::uint64_t number) {
 
 TEST(Promises, HoldForProblemsBetweenThePoints) {
   constexpr double kAccuracy = 0.01;
-  const int wanted = tests::thorough() ? 40 : 6;
+  const int wanted = tests::is_thorough() ? 40 : 6;
   int solved = 0;
   for (std::uint64_t number = 1; solved < wanted && number < 1000; ++number) {
     const auto problem = problem_inside(number);

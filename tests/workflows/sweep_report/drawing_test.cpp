@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "base/files/pending_files.hpp"
-#include "legend_of_script.hpp"
 #include "made_up_sweep.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "saved_run.hpp"
+#include "script_legend.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/sweep/report/figure/pictures.hpp"
 
@@ -70,8 +70,8 @@ TEST(SweepDrawing, HasLegendEntriesForEveryKind) {
   for (const auto& results : all_kinds()) {
     for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
       for (const auto& picture : sweep_pictures(results, width)) {
-        EXPECT_FALSE(tests::drawn_by(picture.script).empty()) << picture.stem;
-        const auto untold = tests::without_entry(picture.script);
+        EXPECT_FALSE(tests::plot_elements(picture.script).empty()) << picture.stem;
+        const auto untold = tests::elements_without_entry(picture.script);
         EXPECT_TRUE(untold.empty()) << picture.stem << untold.front();
       }
     }

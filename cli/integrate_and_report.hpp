@@ -11,7 +11,7 @@ namespace fpkcheck::cli {
 /// writes transient.nc and its figure. The directory is prepared before the integration.
 /// @return an ExitCode
 /// @throws InputError as load_cases, prepare_output_directory and fd_fpk::validate do, and for several cases
-int transient_and_report(const CommonArguments& common, const fd_fpk::Options& options,
+int integrate_and_report(const CommonArguments& common, const fd_fpk::Options& options,
                          fd_fpk::TransientOptions transient, const std::string& command_line);
 
 }  // namespace fpkcheck::cli

@@ -11,7 +11,7 @@ namespace fpkcheck::tests {
 
 /// The problems of a scan of case 1 over the impulse rate at constant intensity, from one impulse
 /// in a thousand decay times to impulses that are equivalent to white noise.
-struct ScanOfRates {
+struct RateScan {
   std::vector<double> rates{1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5};
   std::vector<std::string> laws{"gaussian", "laplace",     "two_point",
                                 "uniform",  "exponential", "gamma"};

@@ -1,4 +1,4 @@
-#include "cli/lists.hpp"
+#include "cli/parse_list.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 namespace fpkcheck::cli {
 
-std::vector<std::string> items(const std::string& option, const std::string& list) {
+std::vector<std::string> parse_list(const std::string& option, const std::string& list) {
   std::vector<std::string> result;
   std::istringstream stream(list);
   for (std::string item; std::getline(stream, item, ',');) {
@@ -23,9 +23,9 @@ std::vector<std::string> items(const std::string& option, const std::string& lis
   return result;
 }
 
-std::vector<int> integers(const std::string& option, const std::string& list) {
+std::vector<int> parse_integers(const std::string& option, const std::string& list) {
   std::vector<int> result;
-  for (const auto& item : items(option, list)) {
+  for (const auto& item : parse_list(option, list)) {
     int value = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc{} || end != item.data() + item.size()) {

@@ -16,14 +16,14 @@
 /// Functions shared by the fuzzers.
 namespace fpkcheck::fuzz {
 
-inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
 /// Calls read(). An InputError is the expected refusal of an input; other exceptions end the
 /// fuzzer.
 template <class Read>
-int only_input_errors(Read read) {
+int catch_input_errors(Read read) {
   try {
     read();
   } catch (const InputError&) {
@@ -48,7 +48,7 @@ inline const std::filesystem::path& directory() {
 }
 
 /// Writes a file to directory() and returns its path.
-inline std::filesystem::path written(const std::string& name, std::string_view contents) {
+inline std::filesystem::path write_file(const std::string& name, std::string_view contents) {
   const auto file = directory() / name;
   std::ofstream out(file, std::ios::binary);
   out.write(contents.data(), static_cast<std::streamsize>(contents.size()));

@@ -23,7 +23,7 @@ namespace fpkcheck::tests {
 ///                      r from .2 to 1
 ///     excitation       impulses (rate .1 to 100 times the frequency, any law and mean), white
 ///                      noise, or both
-inline problem::Problem random_member(std::uint64_t number) {
+inline problem::Problem random_oscillator(std::uint64_t number) {
   boost::random::mt19937_64 engine(number);
   boost::random::uniform_01<double> unit;
   const auto between = [&](double from, double to) { return from + (to - from) * unit(engine); };

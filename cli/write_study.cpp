@@ -1,4 +1,4 @@
-#include "cli/put_study.hpp"
+#include "cli/write_study.hpp"
 
 #include <fmt/format.h>
 
@@ -15,23 +15,23 @@
 namespace fpkcheck::cli {
 namespace {
 
-void write(const std::filesystem::path& directory, const study::StudyOutput& output,
-           const report::FigureOptions& options) {
+void write_files(const std::filesystem::path& directory, const study::StudyOutput& output,
+                 const report::FigureOptions& options) {
   const base::WriteGuard in_hand;
   base::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
   files.commit();
-  note_kept("all files were written except the figure");
+  set_exit_message("all files were written except the figure");
   if (output.figure.empty()) return;
   report::remove_pictures_of(directory / "figures", output.stem);
   for (const auto& warning : report::write_pictures(directory / "figures", output.stem,
                                                     output.figure, options, "gnuplot")) {
-    complain(warning);
+    print_message(warning);
   }
 }
 
-std::string files_of(const study::StudyOutput& output, const report::FigureOptions& options) {
+std::string file_list(const study::StudyOutput& output, const report::FigureOptions& options) {
   std::string files = fmt::format("{}.json", output.stem);
   if (output.figure.empty()) return files + " and .csv";
   return files +
@@ -40,30 +40,31 @@ std::string files_of(const study::StudyOutput& output, const report::FigureOptio
 
 }  // namespace
 
-void put_study(const CommonArguments& common, const study::StudyOutput& output,
-               std::chrono::steady_clock::time_point begin) {
+void write_study(const CommonArguments& common, const study::StudyOutput& output,
+                 std::chrono::steady_clock::time_point start_time) {
   if (common.json) {
-    put_out(output.json + '\n');
+    print_output(output.json + '\n');
   } else if (!common.quiet) {
-    put_out(output.table);
+    print_output(output.table);
   }
-  if (common.out) write(*common.out, output, common.figures);
+  if (common.out) write_files(*common.out, output, common.figures);
   if (common.quiet || common.json) return;
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  put_out(fmt::format(
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_time;
+  print_output(fmt::format(
       "\n{}{:.1f} s.\n",
-      common.out ? fmt::format("Wrote {} to {} in ", files_of(output, common.figures), *common.out)
+      common.out ? fmt::format("Wrote {} to {} in ", file_list(output, common.figures), *common.out)
                  : "Done in ",
       elapsed.count()));
 }
 
-int exit_code_of_study(const CommonArguments& common, bool reached) {
-  if (reached) return kDone;
-  if (common.quiet) complain("the study did not meet the criterion of its --help; see its table");
-  return kNotReached;
+int study_exit_code(const CommonArguments& common, bool is_converged) {
+  if (is_converged) return kSuccess;
+  if (common.quiet)
+    print_message("the study did not meet the criterion of its --help; see its table");
+  return kFailure;
 }
 
-StudyStart start_of_study(const CommonArguments& common) {
+StudySetup prepare_study(const CommonArguments& common) {
   auto problems = load_cases(common);
   if (problems.size() != 1) throw InputError("a study takes one case; name it, e.g. case1");
   return {std::move(problems.front()), OutputDirectory(common.out)};

@@ -11,7 +11,7 @@
 namespace fpkcheck::tests {
 
 /// Inverse of report::gzip_base64.
-inline std::string unpacked(std::string base64) {
+inline std::string gunzip_base64(std::string base64) {
   namespace it = boost::archive::iterators;
   using Decoder = it::transform_width<it::binary_from_base64<std::string::const_iterator>, 8, 6>;
   const auto padding = std::ranges::count(base64, '=');

@@ -1,20 +1,20 @@
-#include "cli/transient_and_report.hpp"
+#include "cli/integrate_and_report.hpp"
 
 #include <fmt/format.h>
 
 #include "base/input_error.hpp"
 #include "base/process/write_guard.hpp"
-#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "workflows/study/transient/report.hpp"
 
 namespace fpkcheck::cli {
 
-int transient_and_report(const CommonArguments& common, const fd_fpk::Options& options,
+int integrate_and_report(const CommonArguments& common, const fd_fpk::Options& options,
                          fd_fpk::TransientOptions transient, const std::string& command_line) {
   fd_fpk::validate(options, transient);
   const auto problems = load_cases(common);
@@ -39,18 +39,18 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
 
   const study::TransientRun run{command_line, problem, options, transient, std::move(result)};
   if (common.json) {
-    put_out(study::transient_json(run) + '\n');
+    print_output(study::transient_json(run) + '\n');
   } else if (!common.quiet) {
-    put_out(study::transient_table(run, terminal_format().width));
+    print_output(study::transient_table(run, terminal_format().width));
   }
   if (common.out) {
     const base::WriteGuard in_hand;
     for (const auto& warning : study::write_transient(*common.out, run, common.figures))
-      complain(warning);
-    note_kept("all files were written except the figure");
+      print_message(warning);
+    set_exit_message("all files were written except the figure");
   }
   if (!common.quiet && !common.json) {
-    put_out(fmt::format(
+    print_output(fmt::format(
         "\n{}{:.1f} s.\n",
         common.out && !run.result.snapshots.empty()
             ? fmt::format("Wrote transient.nc and figures/ to {}; integrated in ", *common.out)
@@ -58,10 +58,10 @@ int transient_and_report(const CommonArguments& common, const fd_fpk::Options& o
         run.result.seconds));
   }
   if (common.quiet && run.result.status != transform::Status::ok) {
-    complain(fmt::format("{}: over time {}: {}", problem.name, name(run.result.status),
-                         run.result.reason));
+    print_message(fmt::format("{}: over time {}: {}", problem.name, name(run.result.status),
+                              run.result.reason));
   }
-  return run.result.status == transform::Status::ok ? kDone : kNotReached;
+  return run.result.status == transform::Status::ok ? kSuccess : kFailure;
 }
 
 }  // namespace fpkcheck::cli

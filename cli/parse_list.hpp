@@ -8,10 +8,10 @@ namespace fpkcheck::cli {
 /// The distinct entries of a comma-separated list, in the order of the list.
 /// @param option name of the option, for the message
 /// @throws InputError for an empty list
-std::vector<std::string> items(const std::string& option, const std::string& list);
+std::vector<std::string> parse_list(const std::string& option, const std::string& list);
 
 /// The distinct whole numbers of a comma-separated list, in the order of the list.
 /// @throws InputError for an empty list or an item that is not an integer
-std::vector<int> integers(const std::string& option, const std::string& list);
+std::vector<int> parse_integers(const std::string& option, const std::string& list);
 
 }  // namespace fpkcheck::cli

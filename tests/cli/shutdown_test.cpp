@@ -1,4 +1,4 @@
-#include "cli/ending.hpp"
+#include "cli/shutdown.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,31 +15,31 @@ namespace {
 
 // The command ends by itself at the moment at which the watchdog claims the shutdown. An earlier
 // version deadlocked here, about once in some hundred signals.
-[[noreturn]] void end_as_the_grace_ends() {
+[[noreturn]] void end_at_the_grace_period() {
   alarm(20);
   base::request_stop(SIGINT);
   {
-    const Deadline deadline;
-    wake_deadline();
-    claim_the_end();
+    const ShutdownWatchdog watchdog;
+    notify_watchdog();
+    claim_shutdown();
     std::this_thread::sleep_for(std::chrono::seconds(1));  // the grace is 0.3
   }
   std::_Exit(7);
 }
 
-TEST(Ending, ACommandThatEndsByItselfAsTheGraceEndsIsNotWaitedFor) {
+TEST(Shutdown, DoesNotDeadlockWithACommandThatEndsByItself) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(end_as_the_grace_ends(), testing::ExitedWithCode(7), "");
+  EXPECT_EXIT(end_at_the_grace_period(), testing::ExitedWithCode(7), "");
 }
 
-TEST(Ending, OfACommandThatDoesNotEndIsThatOfTheDeadline) {
+TEST(Shutdown, EndsACommandThatDoesNotEnd) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
       {
         alarm(20);
         base::request_stop(SIGTERM);
-        const Deadline deadline;
-        wake_deadline();
+        const ShutdownWatchdog watchdog;
+        notify_watchdog();
         while (true) pause();
       },
       testing::ExitedWithCode(128 + SIGTERM), "terminated; nothing was written");
