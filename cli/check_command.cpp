@@ -127,7 +127,7 @@ int check_command(const Call& call) {
   }
   if (common.quiet && !result.agrees()) {
     print_message(
-        fmt::format("{} of {} figures moved", result.moved().size(), result.changes.size()));
+        fmt::format("{} of {} quantities changed", result.moved().size(), result.changes.size()));
   }
   return result.agrees() ? kSuccess : kFailure;
 }

@@ -59,7 +59,7 @@ bool parse(const std::vector<std::string>& arguments, const std::string& usage,
     }
     po::notify(values);
   } catch (const po::error& error) {
-    throw InputError(fmt::format("{} (--help lists the options)", base::sanitise(error.what())));
+    throw InputError(fmt::format("{}; --help lists the options", base::sanitise(error.what())));
   }
   return true;
 }
@@ -72,7 +72,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
         problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
     // Pictures are filed under a plainer name, so that is what must not be shared.
     if (std::ranges::count(common.cases, name) > 1) {
-      throw InputError(fmt::format("{} is named twice (name it once)", base::sanitise(name)));
+      throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }
     if (!names.insert(results::file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
@@ -85,8 +85,8 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     for (const char* suffix : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
       if (!names.contains(name + suffix)) continue;
       throw InputError(
-          fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "
-                      "name: rename one)",
+          fmt::format("cases {0} and {0}{1}: a file or variable of the former would have the name "
+                      "of the latter; rename one",
                       base::sanitise(name), suffix));
     }
   }

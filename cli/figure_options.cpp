@@ -18,7 +18,7 @@ std::vector<FigureFormat> parse_formats(const std::string& list) {
   for (const auto& item : parse_list("--figures", list)) {
     const auto format = base::enum_from_name<FigureFormat>(item);
     if (!format) {
-      throw InputError(fmt::format("--figures {} ({} is no format) use png, svg, pdf, tex",
+      throw InputError(fmt::format("--figures {}: {} is not a format; use png, svg, pdf or tex",
                                    base::sanitise(list), base::in_quotes(item)));
     }
     formats.push_back(*format);

@@ -29,8 +29,8 @@ std::vector<int> parse_integers(const std::string& option, const std::string& li
     int value = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc{} || end != item.data() + item.size()) {
-      throw InputError(fmt::format("{} {} ({} is no number) use a list such as 2,4,6", option,
-                                   base::sanitise(list), base::in_quotes(item)));
+      throw InputError(fmt::format("{} {}: {} is not a valid integer; use a list such as 2,4,6",
+                                   option, base::sanitise(list), base::in_quotes(item)));
     }
     if (std::ranges::find(result, value) == result.end()) result.push_back(value);
   }

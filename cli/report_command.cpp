@@ -53,7 +53,7 @@ int report_command(const Call& call) {
                               : report::Supplement{};
   const auto [text, warnings] =
       report::rebuild_report(directories.front(), run, format, figures, supplement);
-  set_exit_message("the page was written, not all pictures");
+  set_exit_message("report.html was written, but not all figures");
   if (!quiet) print_output(text);
   for (const auto& warning : warnings) print_message(warning);
   return kSuccess;

@@ -136,8 +136,8 @@ sweep::Axis parse_vary(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
     throw InputError(
-        fmt::format("--vary {} (not KEY=VALUES; write e.g. --vary "
-                    "system.restitution=0.5:1:11)",
+        fmt::format("--vary {}: not KEY=VALUES; write e.g. --vary "
+                    "system.restitution=0.5:1:11",
                     base::sanitise(text)));
   }
   return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
@@ -234,12 +234,12 @@ int merge(const SweepArguments& arguments, const Call& call,
   }
   std::vector<std::filesystem::path> directories(arguments.common.cases.begin(),
                                                  arguments.common.cases.end());
-  auto merge_journals = sweep::merge_journals(directories, call.registry);
+  auto merged = sweep::merge_journals(directories, call.registry);
   const OutputDirectory directory(arguments.common.out);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  for (const auto& remark : merge_journals.remarks) print_message(remark);
-  write_results(arguments, merge_journals.results, call, elapsed.count());
-  return merge_journals.results.is_complete() ? kSuccess : kFailure;
+  for (const auto& remark : merged.remarks) print_message(remark);
+  write_results(arguments, merged.results, call, elapsed.count());
+  return merged.results.is_complete() ? kSuccess : kFailure;
 }
 
 // The points that an earlier sweep of this plan has stored; the forecast uses them.
@@ -271,8 +271,8 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
   ProgressLine line(common.quiet);
   const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
   const auto report_progress = [&](const sweep::PointQueue::State& at) {
-    set_exit_message(fmt::format("{} of {} points are in {}/{} (the same command goes on)", at.done,
-                                 at.total, *common.out, shard.journal_name()));
+    set_exit_message(fmt::format("{} of {} points are in {}/{} (the same command continues)",
+                                 at.done, at.total, *common.out, shard.journal_name()));
     line.show({.done = at.done,
                .total = at.total,
                .case_name = plan.base.name,
@@ -343,7 +343,7 @@ int sweep_command(const Call& call) {
   const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::join()
                                                            : std::unique_ptr<base::Communicator>();
   if (ranks && !ranks->is_first()) {
-    set_exit_message("what was finished is in the first rank's journal");
+    set_exit_message("the finished points are in the journal of rank 0");
     sweep::run_worker(plan, *common.out, *ranks, threads);
     return kSuccess;
   }

@@ -34,7 +34,7 @@ struct Solver {
   std::vector<std::string> run_options = {};  ///< names of options that `run` has as well
 
   const base::DescriptionBase* option_descriptions;  ///< descriptions of the options
-  base::Values default_options;             ///< default values of the options
+  base::Values default_options;                      ///< default values of the options
   /// The options of an id; no value where the id belongs to no solution of this solver.
   std::function<std::optional<base::Values>(std::string_view id)> options_of;
   /// The method with these options.

@@ -89,7 +89,8 @@ TEST(ExternalMarginal, IsReadInAllFormats) {
     const ExternalMarginal marginal = read(text);
     EXPECT_EQ(marginal.file().form, "histogram");
     EXPECT_LT(l1_to_bell(marginal.average_over(edges)), 2e-3) << text.substr(0, 40);
-    EXPECT_LT(l1_to_bell(marginal.average_over(uniform_edges(-5, 5, 25))), 1e-6) << "where edges coincide";
+    EXPECT_LT(l1_to_bell(marginal.average_over(uniform_edges(-5, 5, 25))), 1e-6)
+        << "where edges coincide";
   }
 }
 
@@ -230,8 +231,8 @@ TEST(ExternalMarginal, IsExtrapolatedToTheWall) {
   std::string steep;
   for (int k = 0; k < 60; ++k)
     steep += fmt::format("{} {}\n", 0.1 + 0.2 * k, std::exp(-0.1 - 0.2 * k));
-  EXPECT_NEAR(read(steep).average_over(std::vector<double>{0, 0.1}).density[0], (1 - std::exp(-0.1)) / 0.1,
-              6e-3);
+  EXPECT_NEAR(read(steep).average_over(std::vector<double>{0, 0.1}).density[0],
+              (1 - std::exp(-0.1)) / 0.1, 6e-3);
   EXPECT_TRUE(contains(read(far).file().notes.back(), "is cut off at 0.35"));
 }
 

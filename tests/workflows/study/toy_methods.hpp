@@ -76,8 +76,8 @@ inline methods::Solver toy_solver(const Toy& toy) {
         [=](const problem::Problem&, const methods::SolveContext& context) {
           const double off = toy.role == transform::Role::closure ? 0.5 / options.order : 0;
           return solution(toy.identity(options),
-                          smooth({2.3 + off, 0.06, 2.4, 0}, context.axes.y_edges.back(),
-                                 context.axes.v_edges.back()));
+                          smooth_density({2.3 + off, 0.06, 2.4, 0}, context.axes.y_edges.back(),
+                                         context.axes.v_edges.back()));
         }};
   };
   return solver;
